@@ -1,0 +1,293 @@
+#include "app/platform/window.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+#include <utility>
+
+#include <GLFW/glfw3.h>
+
+#include "ui/keys.hpp"
+
+namespace replan::app {
+namespace {
+
+namespace key = ui::key;
+static_assert(key::kEscape == GLFW_KEY_ESCAPE && key::kEnter == GLFW_KEY_ENTER && key::kTab == GLFW_KEY_TAB);
+static_assert(key::kBackspace == GLFW_KEY_BACKSPACE && key::kInsert == GLFW_KEY_INSERT);
+static_assert(key::kDelete == GLFW_KEY_DELETE && key::kRight == GLFW_KEY_RIGHT &&
+              key::kLeft == GLFW_KEY_LEFT);
+static_assert(key::kDown == GLFW_KEY_DOWN && key::kUp == GLFW_KEY_UP && key::kPageUp == GLFW_KEY_PAGE_UP);
+static_assert(key::kPageDown == GLFW_KEY_PAGE_DOWN && key::kHome == GLFW_KEY_HOME &&
+              key::kEnd == GLFW_KEY_END);
+static_assert(key::kF1 == GLFW_KEY_F1 && key::kKeypadEnter == GLFW_KEY_KP_ENTER);
+static_assert(key::kLeftShift == GLFW_KEY_LEFT_SHIFT && key::kRightSuper == GLFW_KEY_RIGHT_SUPER);
+static_assert(key::kCount == GLFW_KEY_LAST + 1);
+
+constexpr double kIdleSeconds = 0.5;  // how long a still window sleeps at most; a caret blinks by it
+constexpr double kFrameSeconds = 1.0 / 120;
+
+void* find_function(const char* name) {
+  return reinterpret_cast<void*>(glfwGetProcAddress(name));
+}
+
+std::string last_error() {
+  const char* text = nullptr;
+  glfwGetError(&text);
+  return text != nullptr ? text : "unknown reason";
+}
+
+Error no_window() {
+  return Error{"Cannot open a window (" + last_error() +
+               "). Without a display, draw pictures and films with: replan render SCENARIO -o OUT.png"};
+}
+
+/// REPLAN_SCALE, or 0 if it is unset or not a number.
+float scale_from_environment() {
+  const char* text = std::getenv("REPLAN_SCALE");
+  return text != nullptr ? std::strtof(text, nullptr) : 0.0f;
+}
+
+float display_scale(GLFWwindow* window) {
+  float x = 1;
+  float y = 1;
+  glfwGetWindowContentScale(window, &x, &y);
+  return std::max(x, y);
+}
+
+void request_context() {
+  glfwDefaultWindowHints();
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "replan");
+}
+
+std::vector<GLFWcursor*> standard_cursors() {
+  std::vector<GLFWcursor*> cursors(ImGuiMouseCursor_COUNT, nullptr);
+  const auto set = [&](int slot, int shape) {
+    cursors[static_cast<std::size_t>(slot)] = glfwCreateStandardCursor(shape);
+  };
+  set(ImGuiMouseCursor_Arrow, GLFW_ARROW_CURSOR);
+  set(ImGuiMouseCursor_TextInput, GLFW_IBEAM_CURSOR);
+  set(ImGuiMouseCursor_ResizeNS, GLFW_VRESIZE_CURSOR);
+  set(ImGuiMouseCursor_ResizeEW, GLFW_HRESIZE_CURSOR);
+  set(ImGuiMouseCursor_Hand, GLFW_HAND_CURSOR);
+  return cursors;
+}
+
+/// GLFW numbers keys by their place on an American keyboard; shortcuts go by the letter printed on them.
+int by_layout(int code, int scan) {
+  if (code >= GLFW_KEY_KP_0 && code <= GLFW_KEY_KP_EQUAL) return code;
+  const char* name = glfwGetKeyName(code, scan);
+  if (name == nullptr || name[0] == '\0' || name[1] != '\0') return code;
+  const char letter = name[0];
+  if (letter >= 'a' && letter <= 'z') return letter - 'a' + 'A';
+  return letter > ' ' && letter < 'a' ? letter : code;
+}
+
+const char* clipboard(void* window) {
+  return glfwGetClipboardString(static_cast<GLFWwindow*>(window));
+}
+
+void set_clipboard(void* window, const char* text) {
+  glfwSetClipboardString(static_cast<GLFWwindow*>(window), text);
+}
+
+}  // namespace
+
+/// What GLFW calls; each leads to the Window behind the handle.
+struct Window::Callbacks {
+  static Window& of(GLFWwindow* handle) { return *static_cast<Window*>(glfwGetWindowUserPointer(handle)); }
+  static ui::InputQueue& input(GLFWwindow* handle) { return of(handle).stage_->input(); }
+
+  static void move(GLFWwindow* handle, double x, double y) {
+    const auto ratio = static_cast<double>(of(handle).pixel_ratio());
+    input(handle).mouse_move(static_cast<float>(x * ratio), static_cast<float>(y * ratio));
+  }
+  static void enter(GLFWwindow* handle, int entered) {
+    if (entered == GLFW_FALSE) input(handle).mouse_leave();
+  }
+  static void button(GLFWwindow* handle, int button, int action, int) {
+    input(handle).mouse_button(button, action != GLFW_RELEASE);
+  }
+  static void scroll(GLFWwindow* handle, double x, double y) {
+    input(handle).wheel(static_cast<float>(x), static_cast<float>(y));
+  }
+  static void key(GLFWwindow* handle, int code, int scan, int action, int) {
+    if (action != GLFW_REPEAT) input(handle).key(by_layout(code, scan), action == GLFW_PRESS);
+  }
+  static void character(GLFWwindow* handle, unsigned code_point) { input(handle).character(code_point); }
+  static void focus(GLFWwindow* handle, int focused) {
+    if (focused == GLFW_FALSE) input(handle).release_all();
+  }
+  static void drop(GLFWwindow* handle, int count, const char** paths) {
+    if (of(handle).drop_) of(handle).drop_({paths, paths + count});
+  }
+  static void close(GLFWwindow* handle) {
+    const auto& may_close = of(handle).may_close_;
+    if (may_close && !may_close()) glfwSetWindowShouldClose(handle, GLFW_FALSE);
+  }
+  static void scale(GLFWwindow* handle, float x, float y) {
+    Window& window = of(handle);
+    if (window.follow_display_scale_) window.stage_->set_scale(std::max(x, y));
+  }
+  static void redraw(GLFWwindow* handle) { of(handle).settle_frames_ = 2; }
+
+  static void install(GLFWwindow* handle) {
+    glfwSetCursorPosCallback(handle, move);
+    glfwSetCursorEnterCallback(handle, enter);
+    glfwSetMouseButtonCallback(handle, button);
+    glfwSetScrollCallback(handle, scroll);
+    glfwSetKeyCallback(handle, key);
+    glfwSetCharCallback(handle, character);
+    glfwSetWindowFocusCallback(handle, focus);
+    glfwSetDropCallback(handle, drop);
+    glfwSetWindowCloseCallback(handle, close);
+    glfwSetWindowContentScaleCallback(handle, scale);
+    glfwSetWindowRefreshCallback(handle, redraw);
+  }
+};
+
+Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
+  std::unique_ptr<Window> window(new Window);
+  if (glfwInit() == GLFW_FALSE) return no_window();
+  if (const Result<void> started = window->start(settings); !started) return Error{started.error()};
+  return window;
+}
+
+Result<void> Window::start(const WindowSettings& settings) {
+  settings_ = settings;
+  request_context();
+  glfwWindowHint(GLFW_MAXIMIZED, settings.maximized ? GLFW_TRUE : GLFW_FALSE);
+  const float wanted = settings.scale > 0 ? settings.scale : scale_from_environment();
+  follow_display_scale_ = !(wanted > 0);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, follow_display_scale_ ? GLFW_TRUE : GLFW_FALSE);
+  window_ = glfwCreateWindow(settings.width, settings.height, settings.title.c_str(), nullptr, nullptr);
+  if (window_ == nullptr) return no_window();
+  glfwSetWindowUserPointer(window_, this);
+  glfwMakeContextCurrent(window_);
+  glfwSwapInterval(1);
+  if (const Result<void> loaded = gl_.load(find_function); !loaded) return loaded;
+  auto stage = ui::Stage::create(gl_, follow_display_scale_ ? display_scale(window_) : wanted);
+  if (!stage) return Error{stage.error()};
+  stage_ = std::move(*stage);
+  ImGuiIO& io = stage_->io();
+  io.BackendPlatformName = "replan";
+  io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
+  io.ClipboardUserData = window_;
+  io.GetClipboardTextFn = clipboard;
+  io.SetClipboardTextFn = set_clipboard;
+  cursors_ = standard_cursors();
+  Callbacks::install(window_);
+  return {};
+}
+
+Window::~Window() {
+  if (window_ != nullptr) glfwMakeContextCurrent(window_);
+  stage_.reset();
+  for (GLFWcursor* cursor : cursors_) {
+    if (cursor != nullptr) glfwDestroyCursor(cursor);
+  }
+  if (window_ != nullptr) glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+void Window::run(const std::function<bool()>& frame) {
+  last_time_ = glfwGetTime();
+  while (glfwWindowShouldClose(window_) == GLFW_FALSE) {
+    wait();
+    draw_frame(frame);
+  }
+}
+
+void Window::wait() {
+  const bool hidden = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
+  const bool busy = !hidden && (settle_frames_ > 0 || stage_->wants_frame() || taker_);
+  // Drivers without vertical sync would otherwise draw as fast as they can.
+  const double pause = busy ? kFrameSeconds - (glfwGetTime() - last_time_) : kIdleSeconds;
+  if (pause > 0) {
+    glfwWaitEventsTimeout(pause);
+  } else {
+    glfwPollEvents();
+  }
+}
+
+void Window::draw_frame(const std::function<bool()>& frame) {
+  int width = 0;
+  int height = 0;
+  glfwGetFramebufferSize(window_, &width, &height);
+  const double now = glfwGetTime();
+  // A long sleep is no motion: animations go on from where they were.
+  const double elapsed = std::min(now - last_time_, 0.1);
+  last_time_ = now;
+  if (width <= 0 || height <= 0) return;
+  // Input may open, close or hover something: ImGui needs a few frames to come to rest.
+  settle_frames_ = stage_->wants_frame() ? 3 : std::max(settle_frames_ - 1, 0);
+  bool moving = false;
+  stage_->frame(width, height, static_cast<float>(elapsed), [&] {
+    moving = frame();
+    update_cursor();
+  });
+  if (moving) settle_frames_ = std::max(settle_frames_, 1);
+  if (taker_) std::exchange(taker_, nullptr)(picture(width, height));
+  glfwSwapBuffers(window_);
+}
+
+void Window::update_cursor() {
+  const ImGuiMouseCursor wanted = ImGui::GetMouseCursor();
+  GLFWcursor* cursor = wanted >= 0 ? cursors_[static_cast<std::size_t>(wanted)] : nullptr;
+  glfwSetCursor(window_, cursor != nullptr ? cursor : cursors_[ImGuiMouseCursor_Arrow]);
+  glfwSetInputMode(window_, GLFW_CURSOR, wanted < 0 ? GLFW_CURSOR_HIDDEN : GLFW_CURSOR_NORMAL);
+}
+
+void Window::close() {
+  glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+
+void Window::wake() {
+  glfwPostEmptyEvent();
+}
+
+void Window::set_title(const std::string& title) {
+  glfwSetWindowTitle(window_, title.c_str());
+}
+
+WindowSettings Window::state() const {
+  WindowSettings now = settings_;
+  now.maximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
+  if (!now.maximized) glfwGetWindowSize(window_, &now.width, &now.height);
+  return now;
+}
+
+float Window::pixel_ratio() const {
+  int width = 0;
+  int framebuffer = 0;
+  int height = 0;
+  glfwGetWindowSize(window_, &width, &height);
+  glfwGetFramebufferSize(window_, &framebuffer, &height);
+  return width > 0 ? static_cast<float>(framebuffer) / static_cast<float>(width) : 1.0f;
+}
+
+ui::Image Window::picture(int width, int height) const {
+  ui::Image image{width, height, {}};
+  const auto row = static_cast<std::size_t>(image.width) * 4;
+  image.rgba.resize(row * static_cast<std::size_t>(image.height));
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl_.ReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  // OpenGL's first row is the lowest.
+  for (std::size_t top = 0, bottom = static_cast<std::size_t>(image.height); top + 1 < bottom; ++top) {
+    --bottom;
+    std::swap_ranges(image.rgba.begin() + static_cast<std::ptrdiff_t>(top * row),
+                     image.rgba.begin() + static_cast<std::ptrdiff_t>((top + 1) * row),
+                     image.rgba.begin() + static_cast<std::ptrdiff_t>(bottom * row));
+  }
+  return image;
+}
+
+}  // namespace replan::app

@@ -1,0 +1,84 @@
+// The window: GLFW opens it, feeds its input to the stage and sleeps while nothing happens.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "ui/gl/stage.hpp"
+#include "ui/image.hpp"
+
+struct GLFWcursor;
+struct GLFWwindow;
+
+namespace replan::app {
+
+struct WindowSettings {
+  std::string title = "Replan";
+  int width = 1440;  ///< in screen coordinates, before scaling
+  int height = 900;
+  bool maximized = false;
+  float scale = 0;  ///< 0: the environment's REPLAN_SCALE, else the display's own
+};
+
+class Window {
+ public:
+  /// Fails with a sentence that says how to render without a display.
+  static Result<std::unique_ptr<Window>> open(const WindowSettings& settings);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  [[nodiscard]] ui::Stage& stage() { return *stage_; }
+
+  /// Calls `frame` inside each ImGui frame until the window closes. It returns whether it wants the next
+  /// frame at once (something moves); otherwise the window sleeps until input, wake(), or a moment has
+  /// passed.
+  void run(const std::function<bool()>& frame);
+  /// Ends run() after this frame.
+  void close();
+  /// Asks for a frame; from any thread.
+  static void wake();
+
+  /// Files dropped onto the window.
+  void on_drop(std::function<void(std::vector<std::filesystem::path>)> handler) {
+    drop_ = std::move(handler);
+  }
+  /// Asked when the user closes the window; returns whether it may close (nothing unsaved).
+  void on_close(std::function<bool()> handler) { may_close_ = std::move(handler); }
+
+  void set_title(const std::string& title);
+  /// Size and state now, to be remembered for the next start.
+  [[nodiscard]] WindowSettings state() const;
+  /// Hands the pixels of the next frame over, once, as soon as it is drawn.
+  void capture(std::function<void(ui::Image)> taker) { taker_ = std::move(taker); }
+
+ private:
+  struct Callbacks;
+
+  Window() = default;
+  Result<void> start(const WindowSettings& settings);
+  void draw_frame(const std::function<bool()>& frame);
+  void wait();
+  void update_cursor();
+  [[nodiscard]] ui::Image picture(int width, int height) const;
+  /// Framebuffer pixels per screen coordinate: 1 on X11, the display's scale on Wayland.
+  [[nodiscard]] float pixel_ratio() const;
+
+  GLFWwindow* window_ = nullptr;
+  ui::Gl gl_;
+  std::unique_ptr<ui::Stage> stage_;
+  std::vector<GLFWcursor*> cursors_;
+  std::function<void(std::vector<std::filesystem::path>)> drop_;
+  std::function<bool()> may_close_;
+  std::function<void(ui::Image)> taker_;
+  WindowSettings settings_;
+  double last_time_ = 0;
+  bool follow_display_scale_ = true;
+  int settle_frames_ = 3;  // frames still to draw before sleeping
+};
+
+}  // namespace replan::app

@@ -1,0 +1,150 @@
+#include "core/field/clearance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace replan {
+namespace {
+
+/// Distance along an offset, in raw cost.
+template <int D>
+std::int64_t measure(const std::array<int, D>& by, Transform transform) {
+  std::array<std::int64_t, D> d{};
+  std::int64_t squared = 0;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    d[axis] = std::abs(by[axis]);
+    squared += d[axis] * d[axis];
+  }
+  if (transform == Transform::euclidean) return euclidean_floor(squared).raw;
+  std::sort(d.begin(), d.end(), std::greater<>());
+  std::int64_t sum = 0;
+  for (std::size_t axis = 0; axis < D; ++axis)
+    sum += (d[axis] - (axis + 1 < D ? d[axis + 1] : 0)) * kStepCost[axis + 1].raw;
+  return sum;
+}
+
+}  // namespace
+
+template <int D>
+ClearanceField<D>::ClearanceField(const BoxLattice<D>& lattice, ClearanceRules rules) : rules_(rules) {
+  prepare(lattice);
+  ranks_.assign(lattice.node_count(), kFar);
+  noted_.assign(lattice.node_count(), 0);
+  for (NodeId node = 0; node < ranks_.size(); ++node) {
+    if (!lattice.blocked(node)) continue;
+    ranks_[node] = 0;
+    for_stencil(lattice, node, [&](NodeId there, std::uint8_t rank) { ranks_[there] = std::min(ranks_[there], rank); });
+  }
+  if (rules_.border_is_obstacle)
+    for (NodeId node = 0; node < ranks_.size(); ++node) {
+      const auto at = lattice.coordinates(node);
+      bool near_border = false;
+      for (std::size_t axis = 0; axis < D; ++axis)
+        near_border |= at[axis] < reach_ || lattice.size()[axis] - 1 - at[axis] < reach_;
+      if (near_border) ranks_[node] = rank_of(lattice, node);
+    }
+}
+
+template <int D>
+void ClearanceField<D>::prepare(const BoxLattice<D>& lattice) {
+  const double range = rules_.range;
+  reach_ = static_cast<int>(range);
+  const auto limit = static_cast<std::int64_t>(std::llround(range * static_cast<double>(Cost::kScale)));
+  std::map<std::int64_t, std::vector<std::array<int, D>>> by_distance;
+  const int side = 2 * reach_ + 1;
+  const int count = D == 2 ? side * side : side * side * side;
+  for (int code = 0; code < count; ++code) {
+    std::array<int, D> by{};
+    int rest = code;
+    for (std::size_t axis = 0; axis < D; ++axis, rest /= side) by[axis] = rest % side - reach_;
+    const std::int64_t distance = measure<D>(by, rules_.transform);
+    if (distance > 0 && distance <= limit) by_distance[distance].push_back(by);
+  }
+  penalties_.assign(256, Cost::zero());
+  penalties_[0] = {limit + Cost::kScale};
+  std::uint8_t rank = 0;
+  for (const auto& [distance, offsets] : by_distance) {
+    penalties_[++rank] = {limit - distance + Cost::kScale};
+    for (const auto& by : offsets) {
+      std::int32_t stride = 1, delta = 0;
+      for (std::size_t axis = 0; axis < D; stride *= lattice.size()[axis], ++axis) delta += by[axis] * stride;
+      stencil_.push_back({by, delta, rank});
+    }
+  }
+}
+
+template <int D>
+template <class Visit>
+void ClearanceField<D>::for_stencil(const BoxLattice<D>& lattice, NodeId node, Visit&& visit) const {
+  const auto at = lattice.coordinates(node);
+  for (const Offset& offset : stencil_) {
+    auto there = at;
+    for (std::size_t axis = 0; axis < D; ++axis) there[axis] += offset.by[axis];
+    if (lattice.contains(there)) visit(node + static_cast<NodeId>(offset.delta), offset.rank);
+  }
+}
+
+template <int D>
+std::uint8_t ClearanceField<D>::rank_of(const BoxLattice<D>& lattice, NodeId node) const {
+  if (lattice.blocked(node)) return 0;
+  const auto at = lattice.coordinates(node);
+  for (const Offset& offset : stencil_) {
+    auto there = at;
+    for (std::size_t axis = 0; axis < D; ++axis) there[axis] += offset.by[axis];
+    const bool blocked =
+        lattice.contains(there) ? lattice.blocked(node + static_cast<NodeId>(offset.delta)) : rules_.border_is_obstacle;
+    if (blocked) return offset.rank;
+  }
+  return kFar;
+}
+
+template <int D>
+void ClearanceField<D>::note(NodeId node) {
+  if (noted_[node] != 0) return;
+  noted_[node] = 1;
+  changes_.push_back({node, penalty(node)});
+  before_.push_back(ranks_[node]);
+}
+
+template <int D>
+void ClearanceField<D>::lower(NodeId node, std::uint8_t rank) {
+  if (rank >= ranks_[node]) return;
+  note(node);
+  ranks_[node] = rank;
+}
+
+template <int D>
+std::span<const ClearanceChange> ClearanceField<D>::update(const BoxLattice<D>& lattice,
+                                                           std::span<const CellEdit> edits) {
+  changes_.clear();
+  before_.clear();
+  // Removals first: they look at the finished map, so additions are in what they find already.
+  for (const CellEdit& edit : edits) {
+    if (edit.blocked) continue;
+    const auto look_again = [&](NodeId there, std::uint8_t rank) {
+      if (ranks_[there] < rank) return;  // something nearer than the removed obstacle decides here
+      note(there);
+      ranks_[there] = rank_of(lattice, there);
+    };
+    look_again(edit.node, 0);
+    for_stencil(lattice, edit.node, look_again);
+  }
+  for (const CellEdit& edit : edits) {
+    if (!edit.blocked) continue;
+    lower(edit.node, 0);
+    for_stencil(lattice, edit.node, [&](NodeId there, std::uint8_t rank) { lower(there, rank); });
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < changes_.size(); ++i) {
+    noted_[changes_[i].node] = 0;
+    if (ranks_[changes_[i].node] != before_[i]) changes_[kept++] = changes_[i];
+  }
+  changes_.resize(kept);
+  return changes_;
+}
+
+template class ClearanceField<2>;
+template class ClearanceField<3>;
+
+}  // namespace replan

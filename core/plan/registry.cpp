@@ -1,0 +1,56 @@
+#include "core/plan/registry.hpp"
+
+#define REPLAN_PLANNER_HEADERS
+#include "core/planners/planners.def"
+#undef REPLAN_PLANNER_HEADERS
+
+namespace replan {
+namespace {
+
+template <class Switches>
+PlannerInfo entry(std::string_view id, Switches switches) {
+  PlannerInfo info = describe(switches);
+  info.id = id;
+  const auto common = lattice_parameters();
+  info.parameters.insert(info.parameters.end(), common.begin(), common.end());
+  return info;
+}
+
+}  // namespace
+
+std::span<const PlannerInfo> planners() {
+  static const std::vector<PlannerInfo> all = {
+#define REPLAN_PLANNER(ID, CLASS, SWITCHES) entry(ID, SWITCHES),
+#include "core/planners/planners.def"
+#undef REPLAN_PLANNER
+  };
+  return all;
+}
+
+const PlannerInfo* find_planner(std::string_view id) {
+  for (const PlannerInfo& info : planners())
+    if (info.id == id) return &info;
+  return nullptr;
+}
+
+Result<const PlannerInfo*> require_planner(std::string_view id) {
+  if (const PlannerInfo* info = find_planner(id)) return info;
+  std::vector<std::string_view> ids;
+  for (const PlannerInfo& info : planners()) ids.push_back(info.id);
+  const std::string_view nearest = nearest_name(id, ids);
+  return Error{"unknown planner '" + std::string(id) + "'" +
+               (nearest.empty() ? "; 'replan list planners' shows those there are"
+                                : "; did you mean '" + std::string(nearest) + "'?")};
+}
+
+std::span<const Parameter> lattice_parameters() {
+  static const std::vector<Parameter> all = {parameters::kMoves, parameters::kCorners};
+  return all;
+}
+
+MoveRules move_rules(const Settings& settings) {
+  return {.corners = static_cast<CornerRule>(static_cast<int>(settings.get(parameters::kCorners))),
+          .diagonals = settings.get(parameters::kMoves) == 0};
+}
+
+}  // namespace replan

@@ -1,0 +1,51 @@
+// The planners there are. Menus, sliders, command line, help, conformance tests and benchmarks are all made from
+// planners/planners.def; nothing else names a planner.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/lattice/box_lattice.hpp"
+#include "core/plan/parameters.hpp"
+#include "core/plan/planner.hpp"
+#include "core/trace/tracer.hpp"
+
+namespace replan {
+
+/// What can be said of a planner without running it.
+struct PlannerInfo {
+  std::string_view id;       ///< as on the command line: "dstar-lite"
+  std::string_view name;     ///< as in the window: "D* Lite"
+  std::string_view summary;  ///< one sentence
+  std::string_view source;   ///< authors, year, DOI
+  std::vector<Parameter> parameters;
+  bool incremental = false;   ///< repairs its plan instead of starting afresh
+  bool any_angle = false;     ///< its paths leave the lattice's directions
+  bool from_goal = false;     ///< searches from the goal: g is the cost to go
+  bool clearance = false;     ///< pays for coming near obstacles
+  bool sight = false;         ///< asks for lines of sight
+  /// Finds a shortest lattice path with these settings (an inadmissible heuristic or a penalty takes that away).
+  bool (*optimal)(const Settings& settings) = nullptr;
+};
+
+/// All planners, in the order of planners.def.
+std::span<const PlannerInfo> planners();
+/// The planner of that id, or nullptr.
+const PlannerInfo* find_planner(std::string_view id);
+/// As find_planner(), with an error that suggests the nearest id.
+Result<const PlannerInfo*> require_planner(std::string_view id);
+
+/// Makes a planner. `lattice` and `tracer` must outlive it.
+/// Instantiated for Grid2 and Voxel3 with NoTrace and Recorder.
+template <class L, class T>
+std::unique_ptr<Planner<L>> make_planner(const PlannerInfo& info, const L& lattice, const Settings& settings, T& tracer);
+
+/// The parameters `moves` and `corners`, which every lattice planner has.
+std::span<const Parameter> lattice_parameters();
+/// The rules that these settings ask for.
+MoveRules move_rules(const Settings& settings);
+
+}  // namespace replan

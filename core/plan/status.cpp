@@ -1,0 +1,37 @@
+#include "core/plan/planner.hpp"
+
+namespace replan {
+
+const char* status_name(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::searching:
+      return "searching";
+    case PlanStatus::found:
+      return "found";
+    case PlanStatus::no_path:
+      return "no-path";
+    case PlanStatus::start_blocked:
+      return "start-blocked";
+    case PlanStatus::goal_blocked:
+      return "goal-blocked";
+  }
+  return "unknown";
+}
+
+const char* status_sentence(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::searching:
+      return "The search is not finished.";
+    case PlanStatus::found:
+      return "A path is found.";
+    case PlanStatus::no_path:
+      return "No path leads from the start to the goal.";
+    case PlanStatus::start_blocked:
+      return "The start is inside an obstacle: move it, or clear its cell.";
+    case PlanStatus::goal_blocked:
+      return "The goal is inside an obstacle: move it, or clear its cell.";
+  }
+  return "";
+}
+
+}  // namespace replan

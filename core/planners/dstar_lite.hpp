@@ -1,0 +1,535 @@
+// The D* Lite family: one machine with two switches.
+//
+//   line of sight | clearance |
+//        off      |    off    | D* Lite        Koenig & Likhachev, "D* Lite", AAAI 2002
+//        on       |    off    | Los D* Lite
+//        off      |    on     | Dist D* Lite
+//        on       |    on     | DLD* Lite      Huang & Zhou, "Path planning of moving robot based on path
+//                                              optimization of D* Lite algorithm", Control and Decision 2018,
+//                                              doi 10.13195/j.kzyjc.2018.0583
+//
+// Line numbers are those of the DLD* Lite paper: Algorithm 2 (helper functions) as printed, Algorithm 1 (main) + 100.
+//
+// What the print leaves open, and what holds here:
+//  * rhs is updated incrementally (Koenig & Likhachev, "Fast replanning for navigation in unknown terrain", IEEE
+//    Trans. Robotics 21(3), 2005, "optimised D* Lite"): where one successor improved, the minimum is that of two
+//    numbers; where one got worse, it is taken anew only if that successor was the argmin. Costs and parents are
+//    those of the plain version.
+//  * A change of clearance is a change of edge costs: every predecessor of a vertex whose dist changed is updated.
+//  * km grows by the heuristic rounded *up* (law 6 in lattice.hpp), so that keys in U stay lower bounds.
+//  * A remote parent goes stale when the map changes after its sight check. It is checked when it is used (next()):
+//    it must be in sight now, consistent, nearer to the goal, and settled (key <= U.TopKey()). Else the local parent
+//    is taken. `remote_parents=printed` trusts it instead.
+//  * A remote parent equal to the local parent needs no check: failing it would put the local parent in its place.
+//  * While the start or the goal lies inside an obstacle the search rests: no work could find a path.
+#pragma once
+
+#include <bit>
+#include <unordered_set>
+#include <vector>
+
+#include "core/field/clearance.hpp"
+#include "core/lattice/sight.hpp"
+#include "core/plan/common_parameters.hpp"
+#include "core/plan/open_list.hpp"
+#include "core/plan/planner.hpp"
+#include "core/plan/registry.hpp"
+#include "core/trace/search_state.hpp"
+#include "core/trace/tracer.hpp"
+
+namespace replan {
+
+struct DStarLiteSwitches {
+  bool sight = false;
+  bool clearance = false;
+};
+
+inline PlannerInfo describe(DStarLiteSwitches switches) {
+  using namespace parameters;
+  PlannerInfo info;
+  info.incremental = info.from_goal = true;
+  info.any_angle = info.sight = switches.sight;
+  info.clearance = switches.clearance;
+  info.parameters = {kHeuristic};
+  info.source = "Koenig & Likhachev, D* Lite, AAAI 2002";
+  if (switches.sight || switches.clearance)
+    info.source = "Huang & Zhou, Control and Decision 2018, doi 10.13195/j.kzyjc.2018.0583";
+  if (switches.sight) info.parameters.insert(info.parameters.end(), {kSight, kRemoteParents});
+  if (switches.clearance) info.parameters.insert(info.parameters.end(), {kRange, kTransform, kBorder});
+  if (switches.sight && switches.clearance) {
+    info.name = "DLD* Lite";
+    info.summary = "D* Lite with a lazy line of sight and a distance transform: smooth, safe, repairable paths.";
+  } else if (switches.sight) {
+    info.name = "Los D* Lite";
+    info.summary = "D* Lite with a lazy line of sight: any-angle paths that hug corners.";
+  } else if (switches.clearance) {
+    info.name = "Dist D* Lite";
+    info.summary = "D* Lite with a penalty near obstacles: lattice paths that keep their distance.";
+  } else {
+    info.name = "D* Lite";
+    info.summary = "Searches from the goal and repairs its plan when the map changes.";
+  }
+  static constexpr auto kAlways = [](const Settings&) { return true; };
+  static constexpr auto kNever = [](const Settings&) { return false; };
+  info.optimal = switches.sight || switches.clearance ? +kNever : +kAlways;
+  return info;
+}
+
+template <Lattice L, Tracer T>
+class DStarLite final : public Planner<L> {
+ public:
+  DStarLite(const L& lattice, const Settings& settings, T& tracer, DStarLiteSwitches switches)
+      : lattice_(lattice), tr_(tracer), nodes_(lattice.node_count()), switches_(switches) {
+    using namespace parameters;
+    heuristic_ = static_cast<Heuristic>(kHeuristicByChoice[static_cast<std::size_t>(settings.get(kHeuristic))]);
+    sight_rule_ = static_cast<SightRule>(settings.get(kSight));
+    checked_ = settings.get(kRemoteParents) == 0;
+    clearance_rules_ = {.range = settings.get(kRange),
+                        .transform = static_cast<Transform>(settings.get(kTransform)),
+                        .border_is_obstacle = settings.get(kBorder) != 0};
+    if constexpr (T::kEnabled) visits_.resize(nodes_.size());
+    if (switches_.clearance) marked_.resize(nodes_.size());
+  }
+
+  void begin(NodeId start, NodeId goal) override {
+    if constexpr (T::kEnabled) forget_recorded();
+    counters_ = {};
+    set_scalar(Scalar::start, start_, start);
+    set_scalar(Scalar::last, last_, start);
+    set_scalar(Scalar::goal, goal_, goal);
+    initialize();
+  }
+
+  bool advance(std::int64_t iterations) override {
+    for (; iterations > 0; --iterations)
+      if (!compute_shortest_path_step()) return true;
+    return !search_needed();
+  }
+
+  void update(const MapChange<L>& change, NodeId start) override {
+    tr_.line(110);
+    const Cost km = km_ + lattice_.bound_up(heuristic_, last_, start);
+    tr_.change(Scalar::km, raw(km_), raw(km));
+    km_ = km;
+    tr_.line(111);
+    set_scalar(Scalar::start, start_, start);
+    set_scalar(Scalar::last, last_, start);
+    start_at_ = lattice_.coordinates(start);
+    if (switches_.clearance) {
+      costs_changed(change);
+      return;
+    }
+    tr_.line(115);
+    for (const auto& move : change.moves) moves_changed(move.node, move.before);
+  }
+
+  [[nodiscard]] PlanStatus status() const override {
+    if (lattice_.blocked(start_)) return PlanStatus::start_blocked;
+    if (lattice_.blocked(goal_)) return PlanStatus::goal_blocked;
+    if (search_needed()) return PlanStatus::searching;
+    return nodes_[start_].rhs.is_infinite() ? PlanStatus::no_path : PlanStatus::found;
+  }
+  [[nodiscard]] Cost cost() const override {
+    return resting() ? Cost::infinity() : nodes_[start_].rhs;
+  }
+  [[nodiscard]] Counters counters() const override { return counters_; }
+  [[nodiscard]] std::size_t memory_bytes() const override {
+    return nodes_.capacity() * sizeof(Node) + open_.peak_bytes() + clearance_.memory_bytes() * 2 + marked_.capacity();
+  }
+
+  /// Algorithm 1, line 6, from the start on.
+  Path path() override {
+    tr_.line(106);
+    Path result;
+    if (status() != PlanStatus::found) return result;
+    std::unordered_set<NodeId> passed;
+    result.nodes.push_back(start_);
+    for (NodeId s = start_; s != goal_;) {
+      if (!checked_ && !passed.insert(s).second) {
+        result.loops = true;
+        break;
+      }
+      s = next(s, result);
+      if (s == kNoNode) break;  // printed mode only: a stale parent led where nothing leads on
+      result.nodes.push_back(s);
+    }
+    if (result.nodes.back() != goal_) result.loops = true;
+    return result;
+  }
+
+  void restore(const SearchState& state, const Counters& counters) override {
+    counters_ = counters;
+    start_ = state.node(Scalar::start);
+    last_ = state.node(Scalar::last);
+    goal_ = state.node(Scalar::goal);
+    start_at_ = lattice_.coordinates(start_);
+    km_ = state.km();
+    open_.clear(nodes_);
+    if (switches_.clearance) clearance_ = ClearanceField<L::kDimensions>(lattice_, clearance_rules_);
+    for (NodeId n = 0; n < nodes_.size(); ++n) restore_node(state, n);
+  }
+
+ private:
+  static constexpr std::uint32_t kNoDirection = 31;
+  static constexpr Heuristic kHeuristicByChoice[] = {Heuristic::octile, Heuristic::euclidean, Heuristic::zero};
+
+  struct Node {
+    Cost g = Cost::infinity();
+    Cost rhs = Cost::infinity();
+    NodeId rp = kNoNode;
+    std::uint32_t slot : 27 = 0;           // place in U + 1; kMaxCells fits
+    std::uint32_t lp : 5 = kNoDirection;   // direction of the local parent
+  };
+  struct Nodes : std::vector<Node> {
+    using std::vector<Node>::vector;
+    [[nodiscard]] std::size_t get(NodeId n) const { return (*this)[n].slot; }
+    void set(NodeId n, std::uint32_t slot) { (*this)[n].slot = slot & 0x7FFFFFFu; }
+  };
+
+  static constexpr std::uint64_t raw(Cost cost) { return static_cast<std::uint64_t>(cost.raw); }
+  void set_scalar(Scalar which, NodeId& held, NodeId node) {
+    tr_.change(which, std::uint64_t{held + 1u}, std::uint64_t{node + 1u});
+    held = node;
+  }
+
+  // Algorithm 2, lines 5-17.
+  void initialize() {
+    tr_.line(6);
+    open_.clear(nodes_);
+    tr_.line(7);
+    tr_.change(Scalar::km, raw(km_), 0);
+    km_ = Cost::zero();
+    std::fill(nodes_.begin(), nodes_.end(), Node{});
+    start_at_ = lattice_.coordinates(start_);
+    tr_.line(12);
+    if (switches_.clearance) distance_transform();
+    tr_.line(13);
+    set_rhs(goal_, Cost::zero());
+    tr_.line(14);
+    tr_.change(EventKind::lp, goal_, 0, std::uint64_t{goal_ + 1u});
+    tr_.line(15);
+    set_rp(goal_, goal_);
+    tr_.line(16);
+    update_queue(goal_);
+  }
+
+  /// Line 42: whether the plan is not yet known to be right.
+  [[nodiscard]] bool search_needed() const {
+    if (resting()) return false;
+    return top_key() < calculate_key(start_) || nodes_[start_].rhs != nodes_[start_].g;
+  }
+  [[nodiscard]] bool resting() const { return lattice_.blocked(start_) || lattice_.blocked(goal_); }
+
+  // Algorithm 2, lines 41-64: one iteration. False if there was nothing left to do.
+  bool compute_shortest_path_step() {
+    if (!search_needed()) return false;
+    const Key old_key = open_.top().key;
+    const NodeId u = open_.top().node;
+    tr_.line(44);
+    tr_.note(EventKind::pop, u);
+    take_out_top();
+    if (switches_.sight) set_vertex(u);
+    const Key key = calculate_key(u);
+    if (old_key < key) {
+      tr_.line(47);
+      put_in(u, key);
+      return true;
+    }
+    ++counters_.expansions;
+    record_visit(u);
+    if (nodes_[u].g > nodes_[u].rhs) lower_vertex(u);
+    else raise_vertex(u);
+    return true;
+  }
+
+  // Lines 49-57: u is overconsistent and becomes consistent.
+  void lower_vertex(NodeId u) {
+    tr_.line(49);
+    set_g(u, nodes_[u].rhs);
+    const Cost through_u = nodes_[u].g + dist(u);
+    const auto u_at = lattice_.coordinates(u);
+    const NodeId remote = nodes_[u].rp;
+    const auto remote_at = lattice_.coordinates(switches_.sight ? remote : u);
+    for (std::uint32_t rest = lattice_.moves(u); rest != 0; rest &= rest - 1) {
+      const int d = std::countr_zero(rest);
+      const NodeId s = lattice_.neighbour(u, d);
+      offer(s, static_cast<std::uint32_t>(L::reverse(d)), L::step_cost(d) + through_u);
+      if (switches_.sight && nodes_[s].slot != 0 && nodes_[s].rp != remote) {
+        auto s_at = u_at;
+        const auto step = Directions<L::kDimensions>::offset(d);
+        for (std::size_t axis = 0; axis < L::kDimensions; ++axis) s_at[axis] += step[axis];
+        offer_remote(s, remote, L::squared_distance(remote_at, s_at));
+      }
+    }
+  }
+
+  // Lines 52-54, the lazy step: sight from s to rp(u) is assumed, and checked when s is taken from U.
+  // c(rp(u), s) + rhs(rp(u)) < rhs(s), with c = sqrt(squared), compared without a root.
+  void offer_remote(NodeId s, NodeId remote, std::int64_t squared) {
+    __extension__ using Wide = unsigned __int128;
+    const std::int64_t slack = nodes_[s].rhs.raw - nodes_[remote].rhs.raw;
+    if (slack <= 0) return;
+    const auto room = static_cast<Wide>(slack);
+    if (room * room <= static_cast<Wide>(squared) << 60) return;
+    tr_.line(54);
+    set_rp(s, remote);
+  }
+
+  // Lines 59-61: u is underconsistent.
+  void raise_vertex(NodeId u) {
+    tr_.line(59);
+    set_g(u, Cost::infinity());
+    for (std::uint32_t rest = lattice_.moves(u); rest != 0; rest &= rest - 1) {
+      const int d = std::countr_zero(rest);
+      const NodeId s = lattice_.neighbour(u, d);
+      if (nodes_[s].lp == static_cast<std::uint32_t>(L::reverse(d)) && s != goal_) update_vertex(s);
+    }
+    update_queue(u);  // rhs(u) does not depend on g(u)
+  }
+
+  // Lines 19-33, in full.
+  void update_vertex(NodeId u) {
+    if (u != goal_) {
+      Cost best = Cost::infinity();
+      std::uint32_t parent = kNoDirection;
+      for (std::uint32_t rest = lattice_.moves(u); rest != 0; rest &= rest - 1) {
+        const int d = std::countr_zero(rest);
+        const NodeId s = lattice_.neighbour(u, d);
+        const Cost sum = L::step_cost(d) + nodes_[s].g + dist(s);
+        if (sum < best) {
+          best = sum;
+          parent = static_cast<std::uint32_t>(d);
+        }
+      }
+      tr_.line(21);
+      set_rhs(u, best);
+      tr_.line(22);
+      set_lp(u, parent);
+    }
+    update_queue(u);
+  }
+
+  // Lines 19-33 where only one successor of s improved: s can be reached in direction d at cost `sum`.
+  void offer(NodeId s, std::uint32_t d, Cost sum) {
+    Node& node = nodes_[s];
+    if (sum > node.rhs || (sum == node.rhs && d >= node.lp) || s == goal_) return;
+    const bool better = sum < node.rhs;
+    tr_.line(21);
+    set_rhs(s, sum);
+    tr_.line(22);
+    set_lp(s, d);
+    if (better) update_queue(s);
+  }
+
+  // Lines 24-32.
+  void update_queue(NodeId u) {
+    Node& node = nodes_[u];
+    if (node.rp == kNoNode && node.lp != kNoDirection) {
+      tr_.line(25);
+      set_rp(u, lp(u));
+    }
+    if (node.g != node.rhs) {
+      tr_.line(31);
+      if (node.slot != 0) re_key(u, calculate_key(u));
+      else put_in(u, calculate_key(u));
+    } else if (node.slot != 0) {
+      tr_.line(28);
+      take_out(u);
+    }
+  }
+
+  // Lines 35-39.
+  void set_vertex(NodeId u) {
+    const NodeId local = lp(u);
+    const NodeId remote = nodes_[u].rp;
+    if (remote == local || u == goal_) return;
+    tr_.line(36);
+    if (remote != kNoNode && in_sight(remote, u)) return;
+    tr_.line(37);
+    set_rp(u, local);
+  }
+
+  /// Whether n and s see each other: a cell is bad if it is an obstacle or, with clearance on, dist != 0.
+  bool in_sight(NodeId n, NodeId s) {
+    ++counters_.sight_checks;
+    const bool seen = switches_.clearance ? line_of_sight(lattice_, sight_rule_, n, s,
+                                                          [this](NodeId c) { return clearance_.near(c); })
+                                          : line_of_sight(lattice_, sight_rule_, n, s,
+                                                          [this](NodeId c) { return lattice_.blocked(c); });
+    tr_.note(EventKind::sight, s, std::uint64_t{n} | std::uint64_t{seen} << 32);
+    return seen;
+  }
+
+  /// Where the robot goes from s: the remote parent if it can be trusted, else the local one.
+  NodeId next(NodeId s, Path& path) {
+    const NodeId local = lp(s);
+    const NodeId remote = nodes_[s].rp;
+    if (!switches_.sight || remote == local) return local;
+    if (!checked_) {
+      if (remote != kNoNode) tr_.note(EventKind::unchecked, s, remote);
+      path.unchecked = true;
+      return remote;
+    }
+    return remote != kNoNode && settled(remote) && nodes_[remote].g < nodes_[s].g && in_sight(remote, s) ? remote : local;
+  }
+  [[nodiscard]] bool settled(NodeId n) const {
+    return nodes_[n].g == nodes_[n].rhs && calculate_key(n) <= top_key();
+  }
+
+  // Lines 12-15 of Algorithm 1 with clearance off: the moves of u have changed.
+  void moves_changed(NodeId u, std::uint32_t before) {
+    if (u == goal_) return;
+    const std::uint32_t now = lattice_.moves(u);
+    const Node& node = nodes_[u];
+    if (node.lp != kNoDirection && ((before & ~now) >> node.lp & 1u) != 0) {
+      update_vertex(u);
+      return;
+    }
+    for (std::uint32_t rest = now & ~before; rest != 0; rest &= rest - 1) {
+      const int d = std::countr_zero(rest);
+      const Cost sum = L::step_cost(d) + nodes_[lattice_.neighbour(u, d)].g;
+      if (!sum.is_infinite()) offer(u, static_cast<std::uint32_t>(d), sum);
+    }
+  }
+
+  // Lines 12-15 of Algorithm 1 with clearance on: penalties change around a changed cell, and with them the cost of
+  // every edge that leads to such a vertex.
+  void costs_changed(const MapChange<L>& change) {
+    affected_.clear();
+    const auto affect = [this](NodeId n) {
+      if (marked_[n] == 0) affected_.push_back(n);
+      marked_[n] = 1;
+    };
+    for (const auto& move : change.moves) affect(move.node);
+    tr_.line(114);
+    for (const ClearanceChange& changed : clearance_.update(lattice_, change.cells)) {
+      tr_.change(EventKind::dist, changed.node, changed.before, clearance_.penalty(changed.node));
+      for (std::uint32_t rest = lattice_.moves(changed.node); rest != 0; rest &= rest - 1)
+        affect(lattice_.neighbour(changed.node, std::countr_zero(rest)));
+    }
+    tr_.line(115);
+    for (const NodeId n : affected_) {
+      marked_[n] = 0;
+      update_vertex(n);
+    }
+  }
+
+  void distance_transform() {
+    clearance_ = ClearanceField<L::kDimensions>(lattice_, clearance_rules_);
+    if constexpr (T::kEnabled)
+      for (NodeId n = 0; n < nodes_.size(); ++n) tr_.change(EventKind::dist, n, Cost::zero(), clearance_.penalty(n));
+  }
+  [[nodiscard]] Cost dist(NodeId s) const { return switches_.clearance ? clearance_.penalty(s) : Cost::zero(); }
+
+  // Lines 1-3.
+  [[nodiscard]] Key calculate_key(NodeId s) const {
+    const Cost least = std::min(nodes_[s].g, nodes_[s].rhs);
+    return {least + lattice_.bound(heuristic_, start_at_, lattice_.coordinates(s)) + km_, least};
+  }
+  [[nodiscard]] Key top_key() const { return open_.empty() ? Key{} : open_.top().key; }
+
+  [[nodiscard]] NodeId lp(NodeId s) const {
+    if (s == goal_) return goal_;
+    return nodes_[s].lp == kNoDirection ? kNoNode : lattice_.neighbour(s, static_cast<int>(nodes_[s].lp));
+  }
+
+  // Every write of a value goes through one of these, so that the log misses none.
+  void set_g(NodeId s, Cost value) {
+    tr_.change(EventKind::g, s, nodes_[s].g, value);
+    nodes_[s].g = value;
+  }
+  void set_rhs(NodeId s, Cost value) {
+    tr_.change(EventKind::rhs, s, nodes_[s].rhs, value);
+    nodes_[s].rhs = value;
+  }
+  void set_lp(NodeId s, std::uint32_t d) {
+    const NodeId before = lp(s);
+    nodes_[s].lp = d & 31u;
+    tr_.change(EventKind::lp, s, std::uint64_t{before + 1u}, std::uint64_t{lp(s) + 1u});
+  }
+  void set_rp(NodeId s, NodeId parent) {
+    tr_.change(EventKind::rp, s, std::uint64_t{nodes_[s].rp + 1u}, std::uint64_t{parent + 1u});
+    nodes_[s].rp = parent;
+  }
+  void record_visit(NodeId s) {
+    if constexpr (T::kEnabled) {
+      const std::uint64_t before = visits_[s];
+      visits_[s] = ((before >> 32) + 1) << 32 | static_cast<std::uint32_t>(counters_.expansions);
+      tr_.change(EventKind::visit, s, before, visits_[s]);
+    }
+  }
+
+  // As above for the open list; the log holds k1 + 1 while a node is in it.
+  void note_queue(NodeId s, Cost before, Cost after) {
+    ++counters_.queue_operations;
+    tr_.note(EventKind::queue, s, raw(before) ^ raw(after));
+  }
+  void put_in(NodeId s, const Key& key) {
+    note_queue(s, Cost::zero(), {key.k1.raw + 1});
+    open_.push(nodes_, key, s);
+  }
+  void re_key(NodeId s, const Key& key) {
+    if constexpr (T::kEnabled) note_queue(s, {open_.entries()[nodes_.get(s) - 1].key.k1.raw + 1}, {key.k1.raw + 1});
+    else ++counters_.queue_operations;
+    open_.update(nodes_, key, s);
+  }
+  void take_out(NodeId s) {
+    if constexpr (T::kEnabled) note_queue(s, {open_.entries()[nodes_.get(s) - 1].key.k1.raw + 1}, Cost::zero());
+    else ++counters_.queue_operations;
+    open_.remove(nodes_, s);
+  }
+  void take_out_top() {
+    note_queue(open_.top().node, {open_.top().key.k1.raw + 1}, Cost::zero());
+    open_.pop(nodes_);
+  }
+
+  /// Before another begin() in one log: the values of the search before go back to their defaults, on the record.
+  void forget_recorded() {
+    for (NodeId n = 0; n < nodes_.size(); ++n) {
+      // By node and not in heap order: a search that was taken up may have its heap laid out differently.
+      if (const std::size_t slot = nodes_.get(n); slot != 0)
+        tr_.note(EventKind::queue, n, raw(open_.entries()[slot - 1].key.k1) + 1);
+      tr_.change(EventKind::g, n, nodes_[n].g, Cost::infinity());
+      tr_.change(EventKind::rhs, n, nodes_[n].rhs, Cost::infinity());
+      tr_.change(EventKind::lp, n, std::uint64_t{lp(n) + 1u}, 0);
+      tr_.change(EventKind::rp, n, std::uint64_t{nodes_[n].rp + 1u}, 0);
+      tr_.change(EventKind::visit, n, visits_[n], 0);
+      visits_[n] = 0;
+      if (!clearance_.ranks().empty()) tr_.change(EventKind::dist, n, clearance_.penalty(n), Cost::zero());
+    }
+  }
+
+  void restore_node(const SearchState& state, NodeId n) {
+    Node& node = nodes_[n];
+    node.g = state.g(n);
+    node.rhs = state.rhs(n);
+    node.rp = state.rp(n);
+    node.lp = kNoDirection;
+    if (const NodeId parent = state.lp(n); parent != kNoNode && n != goal_)
+      for (std::uint32_t rest = lattice_.moves(n); rest != 0; rest &= rest - 1)
+        if (const int d = std::countr_zero(rest); lattice_.neighbour(n, d) == parent)
+          node.lp = static_cast<std::uint32_t>(d) & 31u;
+    if constexpr (T::kEnabled) visits_[n] = state.value(EventKind::visit, n);
+    if (state.queued(n)) open_.push(nodes_, {state.k1(n), state.k2(n)}, n);
+  }
+
+  const L& lattice_;
+  T& tr_;
+  Nodes nodes_;
+  OpenList<Key> open_;  // U
+  ClearanceField<L::kDimensions> clearance_;
+  DStarLiteSwitches switches_;
+  ClearanceRules clearance_rules_;
+  Heuristic heuristic_ = Heuristic::octile;
+  SightRule sight_rule_ = SightRule::supercover;
+  bool checked_ = true;
+  NodeId start_ = kNoNode, last_ = kNoNode, goal_ = kNoNode;
+  typename L::Coordinates start_at_{};
+  Cost km_ = Cost::zero();
+  Counters counters_;
+  std::vector<std::uint64_t> visits_;   // recorded runs only
+  std::vector<NodeId> affected_;
+  std::vector<std::uint8_t> marked_;    // 1 while a node is among affected_
+};
+
+}  // namespace replan

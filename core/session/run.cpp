@@ -1,0 +1,187 @@
+#include "core/session/run.hpp"
+
+#include <algorithm>
+
+namespace replan {
+namespace {
+
+/// Iterations of a planner per slice: some milliseconds, so that a cancel is soon heard.
+constexpr std::int64_t kSliceIterations = 20000;
+/// Decisions of the robot per slice.
+constexpr int kSliceDecisions = 64;
+/// Events of one batch, so that taking it over fits between two frames.
+constexpr std::size_t kBatchEvents = 400000;
+
+bool is_marker(EventKind kind) {
+  switch (kind) {
+    case EventKind::plan_begin:
+    case EventKind::plan_end:
+    case EventKind::move:
+    case EventKind::surprise:
+    case EventKind::collision:
+    case EventKind::waiting:
+    case EventKind::arrival:
+    case EventKind::gave_up: return true;
+    default: return false;
+  }
+}
+
+SearchState initial_state(const Scenario& scenario) {
+  return SearchState(initial_knowledge(scenario), scenario.map.blocked);
+}
+
+}  // namespace
+
+Run::Run(std::shared_ptr<const Scenario> scenario, std::size_t planner)
+    : scenario_(std::move(scenario)),
+      planner_(planner),
+      info_(find_planner(scenario_->planners[planner].id)),
+      lattice_(std::make_unique<const Grid2>(Grid2::Coordinates{scenario_->map.width, scenario_->map.height},
+                                             scenario_->map.blocked, move_rules(scenario_->planners[planner].settings))),
+      timeline_(initial_state(*scenario_)) {
+  thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
+}
+
+Run::~Run() {
+  thread_.request_stop();
+  wake_.notify_all();
+}
+
+void Run::work(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  while (wake_.wait(lock, stop, [this] { return working_; })) {
+    lock.unlock();
+    Batch batch = slice();
+    const bool done = reached();
+    lock.lock();
+    ready_.push_back(std::move(batch));
+    if (done || cancelled_ || stop.stop_requested()) {
+      working_ = false;
+      idle_.notify_all();
+    }
+  }
+}
+
+Run::Batch Run::slice() {
+  if (!mission_) mission_ = std::make_unique<Mission<Recorder>>(*scenario_, choice(), recorder_);
+  Batch batch;
+  for (int i = 0; i < kSliceDecisions && recorder_.buffer().size() < kBatchEvents && !reached(); ++i) {
+    if (!mission_->advance(kSliceIterations)) i = kSliceDecisions;
+    if (mission_->standing()) {
+      batch.marks.push_back(mission_->now());
+      batch.marks.back().event = recorder_.buffer().size();
+    }
+  }
+  batch.events = recorder_.take();
+  return batch;
+}
+
+bool Run::reached() const {
+  if (!mission_->standing()) return false;
+  if (mission_->state() != MissionState::driving) return true;
+  if (target_.kind == Target::Kind::plan) return mission_->settled();
+  return target_.kind == Target::Kind::clock && mission_->now().clock >= target_.clock;
+}
+
+void Run::go(Target target) {
+  cancel();
+  if (mission_) {
+    target_ = target;
+    if (reached()) return;
+  }
+  const std::scoped_lock lock(mutex_);
+  target_ = target;
+  cancelled_ = false;
+  working_ = true;
+  wake_.notify_all();
+}
+
+bool Run::busy() const {
+  const std::scoped_lock lock(mutex_);
+  return working_ || !ready_.empty();
+}
+
+bool Run::pump() {
+  std::deque<Batch> batches;
+  {
+    const std::scoped_lock lock(mutex_);
+    batches.swap(ready_);
+  }
+  for (Batch& batch : batches) take_over(std::move(batch));
+  return !batches.empty();
+}
+
+void Run::cancel() {
+  {
+    std::unique_lock lock(mutex_);
+    cancelled_ = true;
+    idle_.wait(lock, [this] { return !working_; });
+  }
+  pump();
+}
+
+void Run::finish(Target target) {
+  go(target);
+  {
+    std::unique_lock lock(mutex_);
+    idle_.wait(lock, [this] { return !working_; });
+  }
+  pump();
+}
+
+void Run::take_over(Batch&& batch) {
+  const std::size_t base = timeline_.size();
+  for (std::size_t i = 0; i < batch.events.size(); ++i) {
+    const EventKind kind = batch.events[i].kind;
+    const std::size_t bucket = (base + i) / kCurveChunk;
+    if (bucket >= curve_.size()) curve_.resize(bucket + 1);
+    if (kind == EventKind::visit) ++curve_[bucket];
+    if (is_marker(kind)) markers_.push_back({base + i, kind});
+  }
+  for (Mark& mark : batch.marks) {
+    mark.event += base;
+    marks_.push_back(std::move(mark));
+  }
+  timeline_.append(batch.events);
+}
+
+const Mark* Run::mark_at(std::size_t position) const {
+  const auto after = std::upper_bound(marks_.begin(), marks_.end(), position,
+                                      [](std::size_t p, const Mark& mark) { return p < mark.event; });
+  return after == marks_.begin() ? nullptr : &*std::prev(after);
+}
+
+bool Run::rebase(std::shared_ptr<const Scenario> scenario, std::size_t common) {
+  cancel();
+  const auto holds = [&](const Mark& mark) {
+    for (std::size_t i = common; i < mark.fired.size(); ++i)
+      if (mark.fired[i]) return false;
+    for (std::size_t i = common; i < scenario->surprises.size(); ++i) {
+      const Trigger& at = scenario->surprises[i].at;
+      if (!at.move || mark.clock > *at.move) return false;
+    }
+    return mark.state != MissionState::collision && mark.state != MissionState::loop;
+  };
+  std::size_t count = marks_.size();
+  while (count > 0 && !holds(marks_[count - 1])) --count;
+  if (count == 0) return false;
+  scenario_ = std::move(scenario);
+  if (count < marks_.size() || !mission_->standing()) cut(count);
+  mission_->set_surprises(scenario_->surprises);
+  return true;
+}
+
+void Run::cut(std::size_t mark_count) {
+  marks_.resize(mark_count);
+  const std::size_t size = marks_.back().event;
+  timeline_.truncate(size);
+  while (!markers_.empty() && markers_.back().event >= size) markers_.pop_back();
+  curve_.resize(size / kCurveChunk);
+  std::uint32_t expansions = 0;
+  for (std::size_t i = curve_.size() * kCurveChunk; i < size; ++i)
+    expansions += timeline_.event(i).kind == EventKind::visit;
+  curve_.push_back(expansions);
+  mission_->restore(marks_.back(), timeline_.head());
+}
+
+}  // namespace replan

@@ -1,0 +1,111 @@
+// One planner's run of a scenario: the mission in the background, its log in the foreground.
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <thread>
+#include <vector>
+
+#include "core/sim/mission.hpp"
+#include "core/trace/timeline.hpp"
+#include "core/world/scenario.hpp"
+
+namespace replan {
+
+/// An event that a timeline shows and that steps stop at.
+struct Marker {
+  std::size_t event;  ///< index in the log
+  EventKind kind;
+};
+
+/// How far a run is to be taken.
+struct Target {
+  enum class Kind : std::uint8_t { plan, clock, end } kind = Kind::plan;
+  std::int64_t clock = 0;  ///< for Kind::clock
+
+  static Target plan() { return {Kind::plan, 0}; }             ///< until the plan stands
+  static Target clock_at(std::int64_t c) { return {Kind::clock, c}; }  ///< until the robot's clock shows c
+  static Target end() { return {Kind::end, 0}; }               ///< until nothing is left to do
+};
+
+/// A mission that runs on a thread of its own in slices, and the timeline of what it did. The thread owns the mission
+/// while it works; pump() is the one place where events come over. All members are for the owner's thread.
+class Run {
+ public:
+  /// `planner` is an index into scenario->planners. Nothing runs before go() or finish().
+  Run(std::shared_ptr<const Scenario> scenario, std::size_t planner);
+  ~Run();
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  [[nodiscard]] const Scenario& scenario() const { return *scenario_; }
+  [[nodiscard]] const PlannerChoice& choice() const { return scenario_->planners[planner_]; }
+  [[nodiscard]] const PlannerInfo& info() const { return *info_; }
+  /// Node arithmetic of the world; its cells are those of the map before the run.
+  [[nodiscard]] const Grid2& lattice() const { return *lattice_; }
+
+  [[nodiscard]] Timeline& timeline() { return timeline_; }
+  [[nodiscard]] const Timeline& timeline() const { return timeline_; }
+  /// Where the run can branch, in order; the last one is the latest decision.
+  [[nodiscard]] std::span<const Mark> marks() const { return marks_; }
+  [[nodiscard]] std::span<const Marker> markers() const { return markers_; }
+  /// The last mark at or before a position, or nullptr before the first plan stands.
+  [[nodiscard]] const Mark* mark_at(std::size_t position) const;
+  /// Expansions in each of the log's chunks of kCurveChunk events: the curve under the timeline.
+  [[nodiscard]] std::span<const std::uint32_t> expansion_curve() const { return curve_; }
+  static constexpr std::size_t kCurveChunk = 256;
+
+  /// Asks the background to go on to a target. Further ones replace it.
+  void go(Target target);
+  /// Takes over what was done in the background. True if anything new came.
+  bool pump();
+  /// True while the background works towards the target.
+  [[nodiscard]] bool busy() const;
+  /// Stops the background after its current slice and takes over what was done.
+  void cancel();
+  /// go() and wait, for programs without a window.
+  void finish(Target target);
+
+  /// Puts in a scenario that differs only in surprises from index `common` on. The log is cut where that first makes
+  /// a difference; false if there is no such place after the first plan (the run has to start afresh).
+  bool rebase(std::shared_ptr<const Scenario> scenario, std::size_t common);
+
+ private:
+  struct Batch {
+    std::vector<Event> events;
+    std::vector<Mark> marks;  // their `event` counts from the batch's first
+  };
+
+  void work(const std::stop_token& stop);
+  [[nodiscard]] Batch slice();
+  [[nodiscard]] bool reached() const;
+  void take_over(Batch&& batch);
+  void cut(std::size_t mark_count);
+
+  std::shared_ptr<const Scenario> scenario_;
+  std::size_t planner_;
+  const PlannerInfo* info_;
+  std::unique_ptr<const Grid2> lattice_;
+  Timeline timeline_;
+  std::vector<Mark> marks_;
+  std::vector<Marker> markers_;
+  std::vector<std::uint32_t> curve_;
+
+  // The thread's own while working_, the owner's while not.
+  Recorder recorder_;
+  std::unique_ptr<Mission<Recorder>> mission_;
+
+  mutable std::mutex mutex_;  // guards what follows
+  std::condition_variable_any wake_, idle_;
+  std::deque<Batch> ready_;
+  Target target_;
+  bool working_ = false;
+  bool cancelled_ = false;
+  std::jthread thread_;  // last: it ends before what it uses
+};
+
+}  // namespace replan

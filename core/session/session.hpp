@@ -1,0 +1,98 @@
+// The document and everything that is open in it: the scenario, a run per planner, undo, playback.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/session/commands.hpp"
+#include "core/session/run.hpp"
+
+namespace replan {
+
+/// How the cursor moves by itself.
+struct Playback {
+  int direction = 0;                   ///< 1 forwards, -1 backwards, 0 standing still
+  double expansions_per_second = 240;
+};
+
+/// Owns the document and its runs. Panels read it; only apply() and update() change it.
+///
+/// An edit while a plan stands is an announced surprise at the robot's present step: the planner repairs its plan, and
+/// the whole run stays a function of the scenario. What lies after the cursor then is forgotten. An edit before the
+/// first plan stands changes the map and starts afresh.
+class Session {
+ public:
+  static constexpr double kFullSpeed = 1e6;   ///< from here on a frame shows as much as it can
+  static constexpr double kMovesPerSecond = 15;  ///< the robot's pace while playing, if the speed allows
+
+  /// Starts planning in the background.
+  explicit Session(Scenario scenario, std::string file = {});
+
+  [[nodiscard]] const Scenario& scenario() const { return *scenario_; }
+  [[nodiscard]] std::span<const std::unique_ptr<Run>> runs() const { return runs_; }
+  /// The run whose timeline the transport shows.
+  [[nodiscard]] const Run& run() const { return *runs_.front(); }
+  [[nodiscard]] const Playback& playback() const { return playback_; }
+  [[nodiscard]] const std::string& file() const { return file_; }
+  /// True if there are edits that were not saved.
+  [[nodiscard]] bool modified() const { return edits_done_ != saved_at_; }
+  /// Counts every change of what a view could show: equal numbers, equal pictures.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+  /// What undo would take back and redo bring back; empty if nothing.
+  [[nodiscard]] std::string undo_text() const;
+  [[nodiscard]] std::string redo_text() const;
+  /// One line each, oldest first: what was done and what went wrong.
+  [[nodiscard]] std::span<const std::string> log() const { return log_; }
+
+  /// Carries out a command. An error leaves everything as it was.
+  Result<void> apply(const Command& command);
+  /// Takes over what the background did and plays on by `seconds`. True if something to be seen changed.
+  bool update(double seconds);
+  /// Waits until the background stands still: for programs without a window.
+  void settle();
+
+  /// The scenario as it would be saved: edits made before the robot first moved are part of the map.
+  [[nodiscard]] Scenario to_save() const;
+  /// Tells that to_save() was written to `file`.
+  void saved(const std::string& file);
+
+ private:
+  /// An undoable change. The map is kept as its changed cells, the rest of the scenario whole.
+  struct Edit {
+    std::string label;
+    std::uint64_t stroke = 0;
+    std::vector<CellChange> before, after;
+    std::shared_ptr<const Scenario> rest_before, rest_after;  // without the map's cells
+  };
+
+  Result<void> run_command(const std::monostate&) { return {}; }
+#define REPLAN_COMMAND(NAME, TEXT) Result<void> run_command(const NAME& command);
+#include "core/session/commands.def"
+#undef REPLAN_COMMAND
+
+  Result<void> edit_cells(const std::vector<CellChange>& cells, bool announced, std::uint64_t stroke);
+  void commit(std::string label, std::uint64_t stroke, Scenario changed);
+  void replace(std::shared_ptr<const Scenario> scenario);
+  void restart_runs();
+  void rebase_runs(const std::shared_ptr<const Scenario>& scenario, std::size_t common);
+  [[nodiscard]] std::shared_ptr<const Scenario> patched(const std::vector<CellChange>& cells,
+                                                        const Scenario& rest) const;
+  void seek(std::size_t position);
+  bool play(double seconds);
+  void say(std::string line) { log_.push_back(std::move(line)); }
+
+  std::shared_ptr<const Scenario> scenario_;
+  std::vector<std::unique_ptr<Run>> runs_;
+  std::vector<Edit> undo_, redo_;
+  std::string file_;
+  Playback playback_;
+  double owed_ = 0;        // seconds of play not yet shown
+  bool follow_ = true;     // the cursor stays at the end of the log
+  std::int64_t edits_done_ = 0, saved_at_ = 0;
+  std::uint64_t revision_ = 1;
+  std::vector<std::string> log_;
+};
+
+}  // namespace replan

@@ -1,0 +1,116 @@
+// A robot on its way: sense, tell the planner what changed, replan, move. Cell by cell, in fixed steps, so that the
+// same scenario always gives the same events.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/lattice/box_lattice.hpp"
+#include "core/plan/registry.hpp"
+#include "core/sim/route.hpp"
+#include "core/world/scenario.hpp"
+
+namespace replan {
+
+/// How a mission stands.
+enum class MissionState : std::uint8_t {
+  planning,   ///< the planner is at work
+  driving,    ///< the plan stands, the robot can take its next step
+  arrived,
+  no_path,    ///< no path, and nothing that is scripted can open one: the robot waits for a change by hand
+  collision,  ///< the plan leads into an obstacle (only with `remote_parents=printed`)
+  loop,       ///< the plan leads round in a circle (only with `remote_parents=printed`)
+};
+
+/// The state as its fixed name in JSON output.
+const char* mission_state_name(MissionState state);
+
+/// What a mission has come to so far.
+struct MissionFigures {
+  std::int64_t moves = 0;
+  double travelled = 0;  ///< cells, along the route
+  std::int64_t collisions = 0;
+  std::int64_t replans = 0;
+  double plan_ms = 0;    ///< wall time of the first plan
+  double replan_ms = 0;  ///< of all replans together: taking in the changes and the search
+  Counters counters;     ///< of the planner, all plans together
+  Counters last_plan;    ///< of the latest plan or replan alone
+};
+
+/// A moment between two decisions of the robot, from which a mission can be taken up again.
+struct Mark {
+  std::size_t event = 0;   ///< position in the event log
+  std::int64_t clock = 0;  ///< steps of the robot: moves, and waits while there is no path
+  std::vector<bool> fired; ///< which surprises have happened
+  MissionState state = MissionState::driving;
+  MissionFigures figures;
+  std::shared_ptr<const Route> route;
+  std::size_t next = 0;    ///< the route's cell that the robot enters next
+};
+
+/// One mission with one planner. T is NoTrace or Recorder.
+template <class T>
+class Mission {
+ public:
+  /// `scenario` may go after this. The planner must be in the registry, start and goal on the map.
+  Mission(const Scenario& scenario, const PlannerChoice& choice, T& tracer);
+
+  /// Runs at most `iterations` iterations of the planner's main loop, or takes one decision of the robot. False if
+  /// there is nothing more to do.
+  bool advance(std::int64_t iterations);
+
+  [[nodiscard]] MissionState state() const { return now_.state; }
+  /// True while the robot could decide something: the moment that a Mark records.
+  [[nodiscard]] bool standing() const { return now_.state != MissionState::planning; }
+  /// True if the robot's next decision would be to move or to wait: nothing is due, nothing new is in sight.
+  [[nodiscard]] bool settled() const;
+  /// This moment; its `event` is left to the owner of the log.
+  [[nodiscard]] const Mark& now() const { return now_; }
+  [[nodiscard]] const Route& route() const { return *now_.route; }
+  [[nodiscard]] const Planner<Grid2>& planner() const { return *planner_; }
+  [[nodiscard]] const Grid2& known() const { return known_; }
+
+  /// Puts another list of surprises in place; those that have happened must be the same. A mission that had ended
+  /// goes on if something is due.
+  void set_surprises(std::vector<Surprise> surprises);
+  /// Goes back to a mark of this scenario's own run, `state` being the log's state there.
+  void restore(const Mark& mark, const SearchState& state);
+
+ private:
+  void begin();
+  void search(std::int64_t iterations);
+  void plan_stands();
+  void decide();
+  [[nodiscard]] bool ended() const;
+  [[nodiscard]] std::size_t due_surprise() const;
+  [[nodiscard]] bool surprise_can_come() const;
+  void happen(std::size_t index);
+  [[nodiscard]] std::vector<CellEdit> sense() const;
+  void learn(std::vector<CellEdit> edits);
+  void wait_for_change();
+  void drive();
+  void advance_clock();
+  void enter(NodeId cell);
+
+  T& tr_;
+  std::shared_ptr<const PlannerInfo> info_;
+  Settings settings_;
+  SightRule sight_rule_ = SightRule::supercover;
+  RobotSetup robot_setup_;
+  std::vector<Surprise> surprises_;
+  Grid2 known_;
+  std::vector<std::uint8_t> truth_;
+  std::unique_ptr<Planner<Grid2>> planner_;
+  NodeId start_ = kNoNode, goal_ = kNoNode, robot_ = kNoNode;
+  bool begun_ = false;
+  Counters before_plan_;
+  Mark now_;
+};
+
+/// The map that the robot starts with.
+std::vector<std::uint8_t> initial_knowledge(const Scenario& scenario);
+
+extern template class Mission<NoTrace>;
+extern template class Mission<Recorder>;
+
+}  // namespace replan

@@ -1,0 +1,52 @@
+#include "core/sim/route.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace replan {
+namespace {
+
+std::vector<NodeId> cells_between(const Grid2& lattice, NodeId from, NodeId to, SightRule sight) {
+  std::vector<NodeId> cells;
+  const auto collect = [&](NodeId node, int) {
+    cells.push_back(node);
+    return true;
+  };
+  if (sight == SightRule::supercover) {
+    walk_supercover(lattice, from, to, collect);
+  } else if (from < to) {
+    walk_bresenham(lattice, from, to, collect);
+  } else {
+    // Lines of sight are drawn from the smaller index; the robot drives the same cells the other way.
+    walk_bresenham(lattice, to, from, collect);
+    std::reverse(cells.begin(), cells.end());
+    if (!cells.empty()) {
+      cells.erase(cells.begin());
+      cells.push_back(to);
+    }
+  }
+  return cells;
+}
+
+}  // namespace
+
+Route lay_out(const Grid2& lattice, Path path, PlanStatus status, SightRule sight) {
+  Route route;
+  route.status = status;
+  double walked = 0;
+  for (std::size_t i = 1; i < path.nodes.size(); ++i) {
+    const Cell a = lattice.position(path.nodes[i - 1]), b = lattice.position(path.nodes[i]);
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    for (const NodeId node : cells_between(lattice, path.nodes[i - 1], path.nodes[i], sight)) {
+      const Cell c = lattice.position(node);
+      const double projection = ((c.x - a.x) * (b.x - a.x) + (c.y - a.y) * (b.y - a.y)) / length;
+      route.cells.push_back(node);
+      route.along.push_back(walked + projection);
+    }
+    walked += length;
+  }
+  route.path = std::move(path);
+  return route;
+}
+
+}  // namespace replan

@@ -1,0 +1,77 @@
+// The state of a run at one event of its log, rebuilt from the log alone.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "core/base/cost.hpp"
+#include "core/trace/event.hpp"
+#include "core/trace/paged.hpp"
+
+namespace replan {
+
+/// Everything that a view shows of a run at one moment, and everything that a planner needs to go on from there.
+/// Copies are cheap (see PagedArray). apply() is its own inverse.
+class SearchState {
+ public:
+  SearchState() = default;
+  /// The state before the first event of a run over `nodes` nodes: nothing known, all costs infinite.
+  explicit SearchState(std::size_t nodes);
+  /// As above, with the robot's map and the world as they are before the run.
+  SearchState(std::span<const std::uint8_t> known, std::span<const std::uint8_t> truth);
+
+  [[nodiscard]] std::size_t node_count() const { return narrow_[0].size(); }
+
+  /// Takes the state over the event, forwards or backwards alike.
+  void apply(const Event& event) {
+    const auto kind = static_cast<std::size_t>(event.kind);
+    if (kind < kWideFields) wide_[kind].at(event.node) ^= event.delta;
+    else if (kind < kWideFields + kNarrowFields)
+      narrow_[kind - kWideFields].at(event.node) ^= static_cast<std::uint8_t>(event.delta);
+    else if (event.kind == EventKind::scalar) scalars_[event.node] ^= event.delta;
+  }
+
+  [[nodiscard]] Cost g(NodeId n) const { return cost(EventKind::g, n); }
+  [[nodiscard]] Cost rhs(NodeId n) const { return cost(EventKind::rhs, n); }
+  [[nodiscard]] Cost dist(NodeId n) const { return cost(EventKind::dist, n); }
+  [[nodiscard]] bool queued(NodeId n) const { return wide(EventKind::queue, n) != 0; }
+  /// First key component of a node in the open list, as stored there; the second is min(g, rhs).
+  [[nodiscard]] Cost k1(NodeId n) const { return {static_cast<std::int64_t>(wide(EventKind::queue, n)) - 1}; }
+  [[nodiscard]] Cost k2(NodeId n) const { return std::min(g(n), rhs(n)); }
+  /// Parents; kNoNode if none.
+  [[nodiscard]] NodeId lp(NodeId n) const { return static_cast<NodeId>(wide(EventKind::lp, n)) - 1u; }
+  [[nodiscard]] NodeId rp(NodeId n) const { return static_cast<NodeId>(wide(EventKind::rp, n)) - 1u; }
+  /// Number of the latest expansion of the node, from 1; 0 = never expanded.
+  [[nodiscard]] std::uint32_t order(NodeId n) const { return static_cast<std::uint32_t>(wide(EventKind::visit, n)); }
+  [[nodiscard]] std::uint32_t times_expanded(NodeId n) const {
+    return static_cast<std::uint32_t>(wide(EventKind::visit, n) >> 32);
+  }
+  [[nodiscard]] bool known_blocked(NodeId n) const { return narrow_[0][n] != 0; }
+  [[nodiscard]] bool truly_blocked(NodeId n) const { return narrow_[1][n] != 0; }
+  [[nodiscard]] std::uint64_t scalar(Scalar which) const { return scalars_[static_cast<std::size_t>(which)]; }
+  [[nodiscard]] Cost km() const { return {static_cast<std::int64_t>(scalar(Scalar::km))}; }
+  /// Nodes held by scalars (start, goal, robot ...); kNoNode while unset.
+  [[nodiscard]] NodeId node(Scalar which) const { return static_cast<NodeId>(scalar(which)) - 1u; }
+
+  /// The raw value of any kind, as events hold it; `node` is the Scalar for EventKind::scalar.
+  [[nodiscard]] std::uint64_t value(EventKind kind, NodeId node) const;
+  /// True if the 1024-node page of `node` was ever written for that kind; false lets readers skip it.
+  [[nodiscard]] bool touched(EventKind kind, NodeId node) const;
+
+  /// A hash over all values: equal states have equal hashes, whichever way they were reached.
+  [[nodiscard]] std::uint64_t hash() const;
+  /// Bytes held by this copy alone.
+  [[nodiscard]] std::size_t own_bytes() const;
+
+ private:
+  [[nodiscard]] std::uint64_t wide(EventKind kind, NodeId n) const { return wide_[static_cast<std::size_t>(kind)][n]; }
+  [[nodiscard]] Cost cost(EventKind kind, NodeId n) const { return {static_cast<std::int64_t>(wide(kind, n))}; }
+
+  std::array<PagedArray<std::uint64_t>, kWideFields> wide_;
+  std::array<PagedArray<std::uint8_t>, kNarrowFields> narrow_;
+  std::array<std::uint64_t, static_cast<std::size_t>(Scalar::count)> scalars_{};
+};
+
+}  // namespace replan

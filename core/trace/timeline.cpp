@@ -1,0 +1,79 @@
+#include "core/trace/timeline.hpp"
+
+#include <algorithm>
+
+#include "core/base/hash.hpp"
+
+namespace replan {
+
+Timeline::Timeline(SearchState initial, std::size_t frame_budget)
+    : state_(initial), head_(std::move(initial)), frame_budget_(frame_budget) {
+  frames_.emplace(0, head_);
+}
+
+void Timeline::append(const std::vector<Event>& events) {
+  for (const Event& event : events) {
+    if (size_ % kChunk == 0) chunks_.emplace_back().reserve(kChunk);
+    chunks_.back().push_back(event);
+    head_.apply(event);
+    ++size_;
+    if (size_ % frame_interval_ == 0) capture();
+  }
+}
+
+void Timeline::capture() {
+  // Pages that the head holds alone were written since the last frame: what this frame adds.
+  frame_bytes_ += head_.own_bytes();
+  frames_.emplace(size_, head_);
+  while (frame_bytes_ > frame_budget_ && frames_.size() > 2) thin_out();
+}
+
+void Timeline::thin_out() {
+  frame_interval_ *= 2;
+  const std::size_t before = frames_.size();
+  std::erase_if(frames_, [this](const auto& frame) { return frame.first % frame_interval_ != 0; });
+  // A frame that goes leaves the pages that it shares with those that stay: the rest of the sum is an estimate.
+  frame_bytes_ = frame_bytes_ * frames_.size() / before;
+}
+
+void Timeline::truncate(std::size_t size) {
+  if (size >= size_) return;
+  if (cursor_ > size) seek(size);
+  const std::size_t back = cursor_;
+  seek(size);
+  head_ = state_;
+  seek(back);
+  frames_.erase(frames_.upper_bound(size), frames_.end());
+  chunks_.resize((size + kChunk - 1) / kChunk);
+  if (size % kChunk != 0) chunks_.back().resize(size % kChunk);
+  size_ = size;
+}
+
+void Timeline::seek(std::size_t position) {
+  const auto distance = [position](std::size_t from) { return from > position ? from - position : position - from; };
+  std::size_t best = distance(cursor_);
+  const auto offer = [&](std::size_t at, const SearchState& state) {
+    if (distance(at) >= best) return;
+    best = distance(at);
+    cursor_ = at;
+    state_ = state;
+  };
+  offer(size_, head_);
+  const auto after = frames_.lower_bound(position);
+  if (after != frames_.end()) offer(after->first, after->second);
+  if (after != frames_.begin()) offer(std::prev(after)->first, std::prev(after)->second);
+  while (cursor_ < position) state_.apply(event(cursor_++));
+  while (cursor_ > position) state_.apply(event(--cursor_));
+}
+
+std::uint64_t Timeline::log_hash() const {
+  std::uint64_t seed = size_;
+  for (std::size_t i = 0; i < size_; ++i) {
+    const Event& e = event(i);
+    seed = hash_combine(seed, e.delta ^ mix64(std::uint64_t{e.node} << 16 | std::uint64_t{e.line} << 8 |
+                                              static_cast<std::uint64_t>(e.kind)));
+  }
+  return seed;
+}
+
+}  // namespace replan

@@ -1,0 +1,73 @@
+// The Tracer concept: whom a planner tells what it does. Either nobody, at no cost, or a Recorder.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/base/cost.hpp"
+#include "core/trace/event.hpp"
+
+namespace replan {
+
+template <class T>
+concept Tracer = requires(T tracer, EventKind kind, NodeId node, std::uint64_t word, Cost cost, int line, Scalar scalar) {
+  { T::kEnabled } -> std::convertible_to<bool>;
+  tracer.line(line);
+  tracer.pass(line, node);
+  tracer.change(kind, node, word, word);
+  tracer.change(kind, node, cost, cost);
+  tracer.change(scalar, word, word);
+  tracer.note(kind, node, word);
+};
+
+/// Listens to nothing and compiles to nothing.
+struct NoTrace {
+  static constexpr bool kEnabled = false;
+  static constexpr void line(int) {}
+  static constexpr void pass(int, NodeId) {}
+  static constexpr void change(EventKind, NodeId, std::uint64_t, std::uint64_t) {}
+  static constexpr void change(EventKind, NodeId, Cost, Cost) {}
+  static constexpr void change(Scalar, std::uint64_t, std::uint64_t) {}
+  static constexpr void note(EventKind, NodeId, std::uint64_t = 0) {}
+};
+
+/// Writes events to a buffer that its owner empties between slices of the search.
+class Recorder {
+ public:
+  static constexpr bool kEnabled = true;
+
+  /// The pseudo-code line that the following events belong to.
+  void line(int number) { line_ = static_cast<std::uint8_t>(number); }
+  /// A line that changes nothing by itself, worth a step of its own.
+  void pass(int number, NodeId node) {
+    line(number);
+    push(EventKind::line, node, 0);
+  }
+  void change(EventKind kind, NodeId node, std::uint64_t before, std::uint64_t after) {
+    if (before != after) push(kind, node, before ^ after);
+  }
+  void change(EventKind kind, NodeId node, Cost before, Cost after) {
+    change(kind, node, static_cast<std::uint64_t>(before.raw), static_cast<std::uint64_t>(after.raw));
+  }
+  void change(Scalar scalar, std::uint64_t before, std::uint64_t after) {
+    change(EventKind::scalar, static_cast<NodeId>(scalar), before, after);
+  }
+  void note(EventKind kind, NodeId node, std::uint64_t payload = 0) { push(kind, node, payload); }
+
+  [[nodiscard]] const std::vector<Event>& buffer() const { return buffer_; }
+  /// Hands over what was recorded since the last call.
+  [[nodiscard]] std::vector<Event> take() { return std::exchange(buffer_, {}); }
+  void clear() { buffer_.clear(); }
+
+ private:
+  void push(EventKind kind, NodeId node, std::uint64_t delta) { buffer_.push_back({delta, node, kind, line_, 0}); }
+
+  std::vector<Event> buffer_;
+  std::uint8_t line_ = 0;
+};
+
+static_assert(Tracer<NoTrace> && Tracer<Recorder>);
+
+}  // namespace replan

@@ -1,0 +1,39 @@
+// A map of cells as read from a file, drawn or generated: the plain data that every reader and writer shares.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/cell.hpp"
+
+namespace replan {
+
+/// One cell that is or becomes an obstacle (or free).
+struct CellChange {
+  Cell cell;
+  bool blocked = false;
+  friend constexpr auto operator<=>(const CellChange&, const CellChange&) = default;
+};
+
+/// A rectangle of cells, row-major; nonzero = obstacle.
+struct GridMap {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> blocked;
+  double resolution = 1;  ///< length of a cell's side; metres in ROS maps, 1 where the source says nothing
+
+  GridMap() = default;
+  /// An all-free map.
+  GridMap(int columns, int rows)
+      : width(columns), height(rows), blocked(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
+
+  [[nodiscard]] bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
+  [[nodiscard]] std::size_t index(Cell c) const {
+    return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c.x);
+  }
+  [[nodiscard]] bool at(Cell c) const { return blocked[index(c)] != 0; }
+  void set(Cell c, bool value) { blocked[index(c)] = value ? 1 : 0; }
+  friend bool operator==(const GridMap&, const GridMap&) = default;
+};
+
+}  // namespace replan

@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/base/file.hpp"
+#include "core/world/movingai.hpp"
+#include "core/world/text_lines.hpp"
+
+namespace replan {
+namespace {
+
+/// Digits of a printed number: after the point, and significant ones (leading zeros not counted).
+struct PrintedDigits {
+  int decimals = 0;
+  int significant = 0;
+  bool exponent = false;
+};
+
+PrintedDigits printed_digits(std::string_view text) {
+  PrintedDigits result;
+  bool point = false;
+  for (const char c : text) {
+    if (c == '.') point = true;
+    if (c == 'e' || c == 'E') {
+      result.exponent = true;
+      break;
+    }
+    if (c < '0' || c > '9') continue;
+    result.decimals += point ? 1 : 0;
+    result.significant += c != '0' || result.significant > 0 ? 1 : 0;
+  }
+  return result;
+}
+
+/// Reads one `.scen` text, keeping the place for errors.
+class ScenParser {
+ public:
+  ScenParser(std::string_view text, const std::string& origin) : lines_(text) { scen_.path = origin; }
+
+  Result<ScenFile> parse() {
+    const auto first = lines_.next();
+    std::string_view rest = first.value_or("");
+    const bool versioned = take_word(rest) == "version";
+    const std::string_view version = take_word(rest);
+    if (!versioned) return wrong("not a MovingAI scenario: the first line must be 'version 1'");
+    if ((version != "1" && version != "1.0") || !take_word(rest).empty())
+      return wrong("scenario version " + shown(version) + " is not known: only 1 is");
+    while (const auto line = lines_.next()) {
+      if (line->empty()) continue;
+      if (Result<void> problem = read_problem(*line); !problem) return Error{problem.error()};
+    }
+    scen_.lengths = LengthFormat::of(scen_.problems);
+    return std::move(scen_);
+  }
+
+ private:
+  Error wrong(const std::string& what) const {
+    return {scen_.path + ":" + std::to_string(lines_.number()) + ": " + what};
+  }
+
+  Result<void> read_problem(std::string_view line) {
+    ScenProblem problem;
+    problem.line = lines_.number();
+    std::string_view rest = line;
+    const auto bucket = number_from<int>(take_word(rest));
+    if (!bucket || *bucket < 0) return wrong("the first field, the bucket, must be a whole number from 0");
+    problem.bucket = *bucket;
+    if (Result<void> name = read_name(rest); !name) return name;
+    int* const fields[] = {&problem.width,   &problem.height, &problem.start.x,
+                           &problem.start.y, &problem.goal.x, &problem.goal.y};
+    constexpr const char* kNames[] = {"map width", "map height", "start x", "start y", "goal x", "goal y"};
+    for (std::size_t i = 0; i < std::size(fields); ++i) {
+      const std::string_view word = take_word(rest);
+      const auto number = number_from<int>(word);
+      if (!number || *number < 0)
+        return wrong(std::string("the ") + kNames[i] + " must be a whole number from 0, not " + shown(word));
+      *fields[i] = *number;
+    }
+    problem.printed = take_word(rest);
+    const auto length = number_from<double>(problem.printed);
+    if (!length || !std::isfinite(*length) || *length < 0)
+      return wrong("the optimal length must be a number from 0, not " + shown(problem.printed));
+    if (const std::string_view extra = take_word(rest); !extra.empty())
+      return wrong("the line goes on after its 9 fields: " + shown(extra));
+    problem.length = *length;
+    scen_.problems.push_back(std::move(problem));
+    return {};
+  }
+
+  Result<void> read_name(std::string_view& rest) {
+    const std::string_view name = take_word(rest);
+    if (name.empty()) return wrong("the line ends before its 9 fields");
+    if (scen_.map_name.empty()) scen_.map_name = name;
+    if (name == scen_.map_name) return {};
+    return wrong("the line is for map " + shown(name) + ", the ones before it for " + shown(scen_.map_name) +
+                 ": one file must be for one map");
+  }
+
+  LineReader lines_;
+  ScenFile scen_;
+};
+
+}  // namespace
+
+LengthFormat LengthFormat::of(const std::vector<ScenProblem>& problems) {
+  LengthFormat format;
+  if (problems.empty()) return format;
+  const int decimals = printed_digits(problems.front().printed).decimals;
+  format.fixed = decimals > 0;
+  for (const ScenProblem& problem : problems) {
+    const PrintedDigits digits = printed_digits(problem.printed);
+    format.fixed &= digits.decimals == decimals && !digits.exponent;
+    format.digits = std::max(format.digits, digits.significant);
+  }
+  if (format.fixed) format.digits = decimals;
+  return format;
+}
+
+double LengthFormat::tolerance(double value) const {
+  // Relative errors of the roots of two in use; a length is diagonals at worst.
+  constexpr double kNineDecimals = 2.7e-10, kSinglePrecision = 1.75e-8;
+  // The place of the first digit; a length of 0 is printed exactly by streams, so any unit below a cell's
+  // will do.
+  const int first = value > 0 ? static_cast<int>(std::floor(std::log10(value))) : 0;
+  const double half_unit = 0.5 * std::pow(10.0, fixed ? -digits : first + 1 - digits);
+  // A thousandth more for the rounding of the sums, the file's and ours.
+  return 1.001 * half_unit + value * (fixed ? kNineDecimals : kSinglePrecision);
+}
+
+bool LengthFormat::agrees(double found, std::string_view printed) const {
+  const auto value = number_from<double>(printed);
+  return value && std::isfinite(found) && std::abs(found - *value) <= tolerance(*value);
+}
+
+Result<ScenFile> parse_scen(std::string_view text, const std::string& origin) {
+  return ScenParser(text, origin).parse();
+}
+
+Result<ScenFile> read_scen(const std::string& path) {
+  const Result<std::string> text = read_file(path);
+  if (!text) return Error{text.error()};
+  return parse_scen(*text, path);
+}
+
+Result<std::string> map_beside(const std::string& scen_path, const std::string& map_name) {
+  const std::string name = file_name(map_name);
+  if (name.empty()) return Error{scen_path + ": names no map: give one with --map"};
+  const std::string found = (std::filesystem::path(file_folder(scen_path)) / name).string();
+  std::error_code failed;
+  if (std::filesystem::is_regular_file(found, failed)) return found;
+  return Error{scen_path + ": its map '" + name + "' is not in '" + file_folder(scen_path) +
+               "': put it there or give one with --map"};
+}
+
+Result<void> check_scen_fits(const ScenFile& scen, const GridMap& map, const std::string& map_path) {
+  for (const ScenProblem& problem : scen.problems) {
+    const std::string place = scen.path + ":" + std::to_string(problem.line) + ": ";
+    if (problem.width != map.width || problem.height != map.height)
+      return Error{place + "is for a map of " + std::to_string(problem.width) + " x " +
+                   std::to_string(problem.height) + " cells, '" + map_path + "' has " +
+                   std::to_string(map.width) + " x " + std::to_string(map.height) +
+                   ": give the right map with --map"};
+    for (const Cell end : {problem.start, problem.goal})
+      if (!map.contains(end))
+        return Error{place + "(" + std::to_string(end.x) + ", " + std::to_string(end.y) +
+                     ") is outside the map"};
+  }
+  return {};
+}
+
+}  // namespace replan

@@ -1,0 +1,276 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "core/base/file.hpp"
+#include "core/plan/registry.hpp"
+#include "core/world/json_reader.hpp"
+#include "core/world/map_file.hpp"
+#include "core/world/movingai.hpp"
+#include "core/world/scenario.hpp"
+
+// Keys and ranges stand in assets/scenario.schema.json too; tests/unit/world_scenario_test.cpp holds the two
+// together.
+
+namespace replan {
+namespace {
+
+constexpr std::int64_t kMaxScenarioBytes = std::int64_t{1} << 28;
+constexpr std::size_t kMaxListed = std::size_t{1} << 22;  // cells in all surprises together
+constexpr std::size_t kMaxPlanners = 16;
+constexpr std::int64_t kMaxCount = 1'000'000'000'000;  // steps of the robot
+constexpr double kMaxReach = 10'000;                   // cells
+constexpr double kMaxCamera = 1e9;                     // cells
+constexpr double kMinZoom = 0.001, kMaxZoom = 10'000;  // pixels per cell
+constexpr double kMinResolution = 1e-6, kMaxResolution = 1e6;
+
+std::string shown(Cell cell) {
+  return "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
+}
+
+/// Reads one scenario. Errors are kept in the JsonReader; each step after the first is harmless.
+class ScenarioReader {
+ public:
+  ScenarioReader(JsonNode root, const std::string& folder) : root_(root), folder_(folder) {}
+
+  Scenario read() {
+    check_version();
+    if (!root_.expect_object({"replan", "name", "caption", "map", "start", "goal", "planners", "robot",
+                              "surprises", "view", "seed"}))
+      return {};
+    if (const auto node = root_.find("name")) scenario_.name = node->text();
+    if (const auto node = root_.find("caption")) scenario_.caption = node->text();
+    if (const auto node = root_.require("map")) read_map_of(*node);
+    if (scenario_.map.blocked.empty()) return {};
+    if (const auto node = root_.require("start")) scenario_.start = cell(*node);
+    if (const auto node = root_.require("goal")) scenario_.goal = cell(*node);
+    if (const auto node = root_.require("planners"))
+      for (const JsonNode& item : node->items(1, kMaxPlanners, "a list of 1 to 16 planners"))
+        read_planner(item);
+    if (const auto node = root_.find("robot")) read_robot(*node);
+    if (const auto node = root_.find("surprises"))
+      for (const JsonNode& item : node->items(0, kMaxListed, "a list")) read_surprise(item);
+    if (const auto node = root_.find("view")) read_view(*node);
+    if (const auto node = root_.find("seed")) scenario_.seed = seed(*node);
+    return std::move(scenario_);
+  }
+
+ private:
+  void check_version() const {
+    const auto version = root_.find("replan");
+    if (!version) return root_.fail("not a Replan scenario: the key \"replan\" with the value 1 is missing");
+    if (version->value() != 1)
+      version->fail("must be 1, the only version of the format, not " + version->shown());
+  }
+
+  void read_map_of(const JsonNode& node) {
+    if (!node.expect_object({"file", "rows", "resolution"})) return;
+    const auto file = node.find("file"), rows = node.find("rows"), resolution = node.find("resolution");
+    if (file.has_value() == rows.has_value()) return node.fail("needs either 'file' or 'rows'");
+    if (rows) read_rows(*rows);
+    if (rows && resolution) scenario_.map.resolution = resolution->number(kMinResolution, kMaxResolution);
+    if (rows) return;
+    if (resolution) return resolution->fail("goes with 'rows'; a map file has its own");
+    scenario_.map_file = file->text();
+    if (scenario_.map_file.empty()) return file->fail("must name a file");
+    Result<GridMap> map = replan::read_map((std::filesystem::path(folder_) / scenario_.map_file).string());
+    if (!map) return file->fail(map.error());
+    scenario_.map = std::move(map.value());
+  }
+
+  void read_rows(const JsonNode& node) {
+    const auto rows = node.items(1, static_cast<std::size_t>(kMaxCells), "a list of rows, one text each");
+    if (rows.empty()) return;
+    const auto width = static_cast<std::int64_t>(rows.front().text().size());
+    const auto height = static_cast<std::int64_t>(rows.size());
+    if (width == 0) return rows.front().fail("must have at least one cell");
+    if (width > kMaxCells / height)
+      return node.fail("too large: at most " + std::to_string(kMaxCells) + " cells");
+    GridMap map(static_cast<int>(width), static_cast<int>(height));
+    for (std::size_t y = 0; y < rows.size(); ++y) {
+      const std::string row = rows[y].text();
+      if (row.size() != rows.front().text().size())
+        return rows[y].fail("has " + std::to_string(row.size()) + " cells, the first row has " +
+                            std::to_string(width));
+      for (std::size_t x = 0; x < row.size(); ++x) {
+        const MapLetter letter = map_letter(row[x]);
+        if (letter == MapLetter::unknown)
+          return rows[y].fail("column " + std::to_string(x + 1) +
+                              ": unknown cell letter; known are . G S (free) and @ O T W (obstacle)");
+        map.set({static_cast<int>(x), static_cast<int>(y)}, letter == MapLetter::blocked);
+      }
+    }
+    scenario_.map = std::move(map);
+  }
+
+  /// A cell that must be on the map.
+  [[nodiscard]] Cell cell(const JsonNode& node) const {
+    const auto parts = node.items(2, 2, "a cell [x, y]");
+    if (parts.empty()) return {};
+    const Cell result{static_cast<int>(parts[0].whole(INT32_MIN, INT32_MAX)),
+                      static_cast<int>(parts[1].whole(INT32_MIN, INT32_MAX))};
+    if (!scenario_.map.contains(result))
+      node.fail(shown(result) + " is outside the map: x goes from 0 to " +
+                std::to_string(scenario_.map.width - 1) + ", y from 0 to " +
+                std::to_string(scenario_.map.height - 1));
+    return result;
+  }
+
+  void read_planner(const JsonNode& node) {
+    if (!node.expect_object({"id", "settings"})) return;
+    const auto id = node.require("id");
+    if (!id) return;
+    PlannerChoice choice{id->text(), {}};
+    const Result<const PlannerInfo*> info = require_planner(choice.id);
+    if (!info) return id->fail(info.error());
+    if (const auto settings = node.find("settings")) read_settings(*settings, **info, choice.settings);
+    scenario_.planners.push_back(std::move(choice));
+  }
+
+  static void read_settings(const JsonNode& node, const PlannerInfo& info, Settings& settings) {
+    if (!node.value().is_object()) return node.fail("must be an object {...}, not " + node.shown());
+    for (auto item = node.value().begin(); item != node.value().end(); ++item) {
+      const JsonNode value = *node.find(item.key());
+      const Parameter* parameter = find_parameter(info.parameters, item.key());
+      const bool text = parameter != nullptr && parameter->type == ParameterType::choice;
+      const bool toggle = parameter != nullptr && parameter->type == ParameterType::toggle;
+      if (parameter != nullptr && (text != value.value().is_string() || toggle != value.value().is_boolean()))
+        return value.fail(text ? "must be a text in quotes, " + choices(*parameter) + ", not " + value.shown()
+                          : toggle ? "must be true or false, not " + value.shown()
+                                   : "must be a number from " + plain_number(parameter->low).dump() + " to " +
+                                         plain_number(parameter->high).dump() + ", not " + value.shown());
+      const std::string typed = value.value().is_string() ? value.text() : value.value().dump();
+      if (const auto set = set_from_text(settings, info.parameters, item.key(), typed); !set)
+        return value.fail(set.error());
+    }
+  }
+
+  static std::string choices(const Parameter& parameter) {
+    std::string list;
+    for (const std::string_view choice : parameter.choices)
+      list += (list.empty() ? "one of \"" : ", \"") + std::string(choice) + "\"";
+    return list;
+  }
+
+  void read_robot(const JsonNode& node) {
+    if (!node.expect_object({"knowledge", "sensor_radius", "sensor_blocked"})) return;
+    RobotSetup& robot = scenario_.robot;
+    if (const auto item = node.find("knowledge"))
+      robot.knowledge = static_cast<Knowledge>(item->one_of({"all", "map", "nothing"}));
+    if (const auto item = node.find("sensor_radius")) robot.sensor_radius = item->number(0, kMaxReach);
+    if (const auto item = node.find("sensor_blocked")) robot.sensor_blocked = item->toggle();
+  }
+
+  void read_surprise(const JsonNode& node) {
+    if (!node.expect_object({"at", "add", "remove", "announced"})) return;
+    Surprise surprise;
+    if (const auto at = node.require("at")) surprise.at = trigger(*at);
+    const auto add = node.find("add"), removed = node.find("remove");
+    if (!add && !removed) return node.fail("changes nothing: give 'add' or 'remove'");
+    if (add) read_cells(*add, true, surprise.cells);
+    if (removed) read_cells(*removed, false, surprise.cells);
+    tidy(node, surprise.cells);
+    if (const auto announced = node.find("announced")) surprise.announced = announced->toggle();
+    scenario_.surprises.push_back(std::move(surprise));
+  }
+
+  [[nodiscard]] Trigger trigger(const JsonNode& node) const {
+    Trigger trigger;
+    if (!node.expect_object({"move", "near", "within"})) return trigger;
+    const auto move = node.find("move"), near = node.find("near");
+    if (move.has_value() == near.has_value()) node.fail("needs exactly one of 'move' and 'near'");
+    if (move) trigger.move = move->whole(0, kMaxCount);
+    const auto within = near ? node.require("within") : node.find("within");
+    if (near) trigger.near = cell(*near);
+    if (within && !near) within->fail("goes only with 'near'");
+    if (within) trigger.within = within->number(0, kMaxReach);
+    return trigger;
+  }
+
+  void read_cells(const JsonNode& node, bool blocked, std::vector<CellChange>& changes) {
+    if (!node.expect_object({"cells", "rectangles"})) return;
+    if (const auto cells = node.find("cells"))
+      for (const JsonNode& item : cells->items(0, kMaxListed, "a list of cells [x, y]"))
+        if (take(item, 1)) changes.push_back({cell(item), blocked});
+    if (const auto rectangles = node.find("rectangles"))
+      for (const JsonNode& item :
+           rectangles->items(0, kMaxListed, "a list of rectangles [x, y, width, height]"))
+        read_rectangle(item, blocked, changes);
+  }
+
+  void read_rectangle(const JsonNode& node, bool blocked, std::vector<CellChange>& changes) {
+    const auto parts = node.items(4, 4, "a rectangle [x, y, width, height]");
+    if (parts.empty()) return;
+    const std::int64_t x = parts[0].whole(0, scenario_.map.width - 1),
+                       y = parts[1].whole(0, scenario_.map.height - 1);
+    const std::int64_t width = parts[2].whole(1, scenario_.map.width - x);
+    const std::int64_t height = parts[3].whole(1, scenario_.map.height - y);
+    if (!take(node, static_cast<std::size_t>(width * height))) return;
+    for (std::int64_t row = y; row < y + height; ++row)
+      for (std::int64_t column = x; column < x + width; ++column)
+        changes.push_back({{static_cast<int>(column), static_cast<int>(row)}, blocked});
+  }
+
+  /// Counts listed cells, so that a small file cannot ask for endless memory.
+  bool take(const JsonNode& node, std::size_t count) {
+    listed_ += count;
+    if (listed_ > kMaxListed)
+      node.fail("the surprises list more than " + std::to_string(kMaxListed) + " cells");
+    return listed_ <= kMaxListed;
+  }
+
+  /// Row-major, each cell once.
+  static void tidy(const JsonNode& node, std::vector<CellChange>& changes) {
+    const auto key = [](const CellChange& c) { return std::tuple(c.cell.y, c.cell.x, c.blocked); };
+    std::sort(changes.begin(), changes.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+    changes.erase(std::unique(changes.begin(), changes.end()), changes.end());
+    const auto twice = std::adjacent_find(changes.begin(), changes.end(),
+                                          [](const auto& a, const auto& b) { return a.cell == b.cell; });
+    if (twice != changes.end()) node.fail("cell " + shown(twice->cell) + " is both added and removed");
+  }
+
+  void read_view(const JsonNode& node) {
+    if (!node.expect_object({"overlays", "theme", "camera"})) return;
+    ViewSetup& view = scenario_.view;
+    if (const auto overlays = node.find("overlays"))
+      for (const JsonNode& item : overlays->items(0, 64, "a list of overlay names"))
+        view.overlays.push_back(item.text());
+    if (const auto theme = node.find("theme"))
+      view.theme = theme->one_of({"dark", "light"}) == 0 ? "dark" : "light";
+    const auto camera = node.find("camera");
+    if (!camera || !camera->expect_object({"x", "y", "zoom"})) return;
+    const auto x = camera->require("x"), y = camera->require("y"), zoom = camera->require("zoom");
+    if (!x || !y || !zoom) return;
+    view.camera = {x->number(-kMaxCamera, kMaxCamera), y->number(-kMaxCamera, kMaxCamera),
+                   zoom->number(kMinZoom, kMaxZoom)};
+  }
+
+  static std::uint64_t seed(const JsonNode& node) {
+    if (node.value().is_number_unsigned()) return node.value().get<std::uint64_t>();
+    node.fail("must be a whole number from 0 to 18446744073709551615, not " + node.shown());
+    return 0;
+  }
+
+  JsonNode root_;
+  const std::string& folder_;
+  Scenario scenario_;
+  std::size_t listed_ = 0;
+};
+
+}  // namespace
+
+Result<Scenario> parse_scenario(const std::string& text, const std::string& origin,
+                                const std::string& folder) {
+  JsonReader reader(origin);
+  if (!reader.parse(text)) return Error{reader.error()};
+  Scenario scenario = ScenarioReader(reader.root(), folder).read();
+  if (!reader.ok()) return Error{reader.error()};
+  return scenario;
+}
+
+Result<Scenario> read_scenario(const std::string& path) {
+  const Result<std::string> text = read_file(path, kMaxScenarioBytes);
+  if (!text) return Error{text.error()};
+  return parse_scenario(*text, path, file_folder(path));
+}
+
+}  // namespace replan

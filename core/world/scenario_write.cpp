@@ -1,0 +1,137 @@
+#include <algorithm>
+
+#include "core/base/file.hpp"
+#include "core/plan/registry.hpp"
+#include "core/world/json_reader.hpp"
+#include "core/world/scenario.hpp"
+
+namespace replan {
+namespace {
+
+Json cell_json(Cell cell) {
+  return Json::array({cell.x, cell.y});
+}
+
+Json map_json(const Scenario& scenario) {
+  Json map = Json::object();
+  if (!scenario.map_file.empty()) {
+    map["file"] = scenario.map_file;
+    return map;
+  }
+  Json& rows = map["rows"] = Json::array();
+  for (int y = 0; y < scenario.map.height; ++y) {
+    std::string row;
+    for (int x = 0; x < scenario.map.width; ++x) row += scenario.map.at({x, y}) ? '@' : '.';
+    rows.push_back(std::move(row));
+  }
+  if (scenario.map.resolution != 1) map["resolution"] = plain_number(scenario.map.resolution);
+  return map;
+}
+
+Json planner_json(const PlannerChoice& choice) {
+  Json planner = {{"id", choice.id}};
+  const PlannerInfo* info = find_planner(choice.id);
+  for (const auto& [key, value] : choice.settings.values()) {
+    const Parameter* parameter = info == nullptr ? nullptr : find_parameter(info->parameters, key);
+    const ParameterType type = parameter == nullptr ? ParameterType::real : parameter->type;
+    Json& setting = planner["settings"][key];
+    if (type == ParameterType::choice)
+      setting = format_value(*parameter, value);
+    else if (type == ParameterType::toggle)
+      setting = value != 0;
+    else
+      setting = plain_number(value);
+  }
+  return planner;
+}
+
+/// Cells as few rectangles: each grows from its first cell to the right, then down. Single cells are kept
+/// apart.
+Json cells_json(std::vector<Cell> cells) {
+  const auto before = [](Cell a, Cell b) { return a.y != b.y ? a.y < b.y : a.x < b.x; };
+  std::sort(cells.begin(), cells.end(), before);
+  std::vector<bool> taken(cells.size());
+  const auto find = [&](Cell cell) {  // the index of an untaken cell, or the end
+    const auto at =
+        static_cast<std::size_t>(std::lower_bound(cells.begin(), cells.end(), cell, before) - cells.begin());
+    return at < cells.size() && cells[at] == cell && !taken[at] ? at : cells.size();
+  };
+  Json singles = Json::array(), rectangles = Json::array();
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (taken[i]) continue;
+    const Cell first = cells[i];
+    int width = 0, height = 0;
+    while (find({first.x + width, first.y}) != cells.size()) ++width;
+    for (bool whole = true; whole; height += whole ? 1 : 0)
+      for (int x = 0; x < width && whole; ++x) whole = find({first.x + x, first.y + height}) != cells.size();
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) taken[find({first.x + x, first.y + y})] = true;
+    if (width * height == 1)
+      singles.push_back(cell_json(first));
+    else
+      rectangles.push_back({first.x, first.y, width, height});
+  }
+  Json result = Json::object();
+  if (!singles.empty()) result["cells"] = std::move(singles);
+  if (!rectangles.empty()) result["rectangles"] = std::move(rectangles);
+  return result;
+}
+
+Json surprise_json(const Surprise& surprise) {
+  Json at = Json::object();
+  if (surprise.at.move) at["move"] = *surprise.at.move;
+  if (surprise.at.near) {
+    at["near"] = cell_json(*surprise.at.near);
+    at["within"] = plain_number(surprise.at.within);
+  }
+  std::vector<Cell> added, removed;
+  for (const CellChange& change : surprise.cells) (change.blocked ? added : removed).push_back(change.cell);
+  Json result = {{"at", std::move(at)}};
+  if (!added.empty() || removed.empty()) result["add"] = cells_json(std::move(added));
+  if (!removed.empty()) result["remove"] = cells_json(std::move(removed));
+  if (surprise.announced) result["announced"] = true;
+  return result;
+}
+
+Json robot_json(const RobotSetup& robot) {
+  constexpr const char* kKnowledge[] = {"all", "map", "nothing"};
+  return {{"knowledge", kKnowledge[static_cast<std::size_t>(robot.knowledge)]},
+          {"sensor_radius", plain_number(robot.sensor_radius)},
+          {"sensor_blocked", robot.sensor_blocked}};
+}
+
+Json view_json(const ViewSetup& view) {
+  Json result = Json::object();
+  if (!view.overlays.empty()) result["overlays"] = view.overlays;
+  if (view.theme) result["theme"] = *view.theme;
+  if (view.camera)
+    result["camera"] = {{"x", plain_number(view.camera->x)},
+                        {"y", plain_number(view.camera->y)},
+                        {"zoom", plain_number(view.camera->zoom)}};
+  return result;
+}
+
+}  // namespace
+
+std::string scenario_text(const Scenario& scenario) {
+  Json document = {{"replan", 1}};
+  if (!scenario.name.empty()) document["name"] = scenario.name;
+  if (!scenario.caption.empty()) document["caption"] = scenario.caption;
+  document["map"] = map_json(scenario);
+  document["start"] = cell_json(scenario.start);
+  document["goal"] = cell_json(scenario.goal);
+  Json& planners = document["planners"] = Json::array();
+  for (const PlannerChoice& choice : scenario.planners) planners.push_back(planner_json(choice));
+  document["robot"] = robot_json(scenario.robot);
+  for (const Surprise& surprise : scenario.surprises)
+    document["surprises"].push_back(surprise_json(surprise));
+  if (scenario.view != ViewSetup{}) document["view"] = view_json(scenario.view);
+  document["seed"] = scenario.seed;
+  return pretty_json(document);
+}
+
+Result<void> write_scenario(const Scenario& scenario, const std::string& path) {
+  return write_file_atomically(path, scenario_text(scenario));
+}
+
+}  // namespace replan

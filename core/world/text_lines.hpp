@@ -1,0 +1,69 @@
+// Lines and words of the text formats that maps come in.
+#pragma once
+
+#include <charconv>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace replan {
+
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+inline std::string_view without_trailing_blanks(std::string_view text) {
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// Takes a text apart line by line; both LF and CR LF end a line.
+class LineReader {
+ public:
+  explicit LineReader(std::string_view text) : rest_(text) {}
+
+  /// The next line without its end and trailing blanks, or nothing at the end of the text.
+  std::optional<std::string_view> next() {
+    if (rest_.empty()) return std::nullopt;
+    const std::size_t end = rest_.find('\n');
+    const std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    ++number_;
+    return without_trailing_blanks(line);
+  }
+  /// The number of the line last returned, from 1.
+  [[nodiscard]] int number() const { return number_; }
+
+ private:
+  std::string_view rest_;
+  int number_ = 0;
+};
+
+/// Takes the first word off `line`; empty if there is none.
+inline std::string_view take_word(std::string_view& line) {
+  while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+  std::size_t length = 0;
+  while (length < line.size() && !is_blank(line[length])) ++length;
+  const std::string_view word = line.substr(0, length);
+  line.remove_prefix(length);
+  return word;
+}
+
+/// The number that a whole word spells, or nothing (also if it does not fit).
+template <class Number>
+std::optional<Number> number_from(std::string_view word) {
+  Number value{};
+  const auto [end, failed] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (word.empty() || failed != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+/// A piece of a file as shown in an error: no control characters, not too long.
+inline std::string shown(std::string_view piece) {
+  constexpr std::size_t kLongest = 40;
+  std::string text = "'";
+  for (const char c : piece.substr(0, kLongest)) text += c >= ' ' && c != '\x7F' ? c : '?';
+  return text + (piece.size() > kLongest ? "...'" : "'");
+}
+
+}  // namespace replan

@@ -1,0 +1,51 @@
+// The canvas: a pane of the world with its plan, pan and zoom, and the tools' hands on it.
+#pragma once
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/scene/view.hpp"
+#include "core/session/session.hpp"
+#include "ui/gl/imgui_renderer.hpp"
+#include "ui/look.hpp"
+
+namespace replan::ui {
+
+/// What the mouse does on the canvas.
+enum class Tool : std::uint8_t { select, paint, erase, rectangle, start, goal, surprise };
+
+/// What the window remembers of itself; no part of the document.
+struct ViewState {
+  View view;
+  Tool tool = Tool::paint;
+  int brush = 1;                ///< side of the brush in cells, 1 to 64
+  bool dark = true;
+  bool panels = true;           ///< side panel and tool strip shown
+  int tab = 1;                  ///< chosen side tab
+  bool legend = true;
+};
+
+/// Draws a run into the current ImGui window's rectangle and turns input on it into commands.
+class Canvas {
+ public:
+  explicit Canvas(ImGuiRenderer& renderer);
+  ~Canvas();
+
+  /// Draws pane `pane` of the session at `min`..`max` (screen coordinates). With `interactive` the mouse pans, zooms,
+  /// hovers, pins and uses the tool; commands that come of it are appended to `commands`.
+  void draw(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min, ImVec2 max,
+            bool interactive, std::vector<Command>& commands);
+
+  /// Makes the next draw show the whole world.
+  void fit();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace replan::ui

@@ -1,0 +1,75 @@
+// One small table of OpenGL 3.3 functions. Calls through libGL do nothing under an OSMesa context, so the
+// functions are looked up by whoever made the context and passed by reference; nothing links libGL.
+#pragma once
+
+#include <GL/glcorearb.h>
+
+#include "core/base/result.hpp"
+
+namespace replan::ui {
+
+// Every function the drawing code calls, once: type (without PFNGL...PROC) and name (without gl).
+#define REPLAN_GL_FUNCTIONS(X)                        \
+  X(ACTIVETEXTURE, ActiveTexture)                     \
+  X(ATTACHSHADER, AttachShader)                       \
+  X(BINDBUFFER, BindBuffer)                           \
+  X(BINDTEXTURE, BindTexture)                         \
+  X(BINDVERTEXARRAY, BindVertexArray)                 \
+  X(BLENDEQUATION, BlendEquation)                     \
+  X(BLENDFUNCSEPARATE, BlendFuncSeparate)             \
+  X(BUFFERDATA, BufferData)                           \
+  X(BUFFERSUBDATA, BufferSubData)                     \
+  X(CLEAR, Clear)                                     \
+  X(CLEARCOLOR, ClearColor)                           \
+  X(COMPILESHADER, CompileShader)                     \
+  X(CREATEPROGRAM, CreateProgram)                     \
+  X(CREATESHADER, CreateShader)                       \
+  X(DELETEBUFFERS, DeleteBuffers)                     \
+  X(DELETEPROGRAM, DeleteProgram)                     \
+  X(DELETESHADER, DeleteShader)                       \
+  X(DELETETEXTURES, DeleteTextures)                   \
+  X(DELETEVERTEXARRAYS, DeleteVertexArrays)           \
+  X(DISABLE, Disable)                                 \
+  X(DRAWELEMENTSBASEVERTEX, DrawElementsBaseVertex)   \
+  X(ENABLE, Enable)                                   \
+  X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
+  X(FINISH, Finish)                                   \
+  X(GENBUFFERS, GenBuffers)                           \
+  X(GENERATEMIPMAP, GenerateMipmap)                   \
+  X(GENTEXTURES, GenTextures)                         \
+  X(GENVERTEXARRAYS, GenVertexArrays)                 \
+  X(GETINTEGERV, GetIntegerv)                         \
+  X(GETPROGRAMINFOLOG, GetProgramInfoLog)             \
+  X(GETPROGRAMIV, GetProgramiv)                       \
+  X(GETSHADERINFOLOG, GetShaderInfoLog)               \
+  X(GETSHADERIV, GetShaderiv)                         \
+  X(GETSTRING, GetString)                             \
+  X(GETUNIFORMLOCATION, GetUniformLocation)           \
+  X(LINKPROGRAM, LinkProgram)                         \
+  X(PIXELSTOREI, PixelStorei)                         \
+  X(READPIXELS, ReadPixels)                           \
+  X(SCISSOR, Scissor)                                 \
+  X(SHADERSOURCE, ShaderSource)                       \
+  X(TEXIMAGE2D, TexImage2D)                           \
+  X(TEXPARAMETERI, TexParameteri)                     \
+  X(TEXSUBIMAGE2D, TexSubImage2D)                     \
+  X(UNIFORM1I, Uniform1i)                             \
+  X(UNIFORMMATRIX4FV, UniformMatrix4fv)               \
+  X(USEPROGRAM, UseProgram)                           \
+  X(VERTEXATTRIBPOINTER, VertexAttribPointer)         \
+  X(VIEWPORT, Viewport)
+
+/// The address of a named OpenGL function in the current context, or null.
+using GlLoader = void* (*)(const char* name);
+
+/// The functions of one context; valid while that context lives and is current.
+struct Gl {
+#define REPLAN_GL_MEMBER(type, name) PFNGL##type##PROC name = nullptr;
+  REPLAN_GL_FUNCTIONS(REPLAN_GL_MEMBER)
+#undef REPLAN_GL_MEMBER
+
+  /// Fills the table; the error names the first function that the driver lacks.
+  Result<void> load(GlLoader loader);
+};
+
+}  // namespace replan::ui

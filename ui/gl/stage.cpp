@@ -1,0 +1,108 @@
+#include "ui/gl/stage.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <imgui_internal.h>
+
+#include "ui/keys.hpp"
+
+namespace replan::ui {
+namespace {
+
+/// Makes an ImGui context current for a scope: a headless stage may be drawn in the midst of a window's
+/// frame.
+class Current {
+ public:
+  explicit Current(ImGuiContext* context) : before_(ImGui::GetCurrentContext()) {
+    ImGui::SetCurrentContext(context);
+  }
+  ~Current() { ImGui::SetCurrentContext(before_); }
+  Current(const Current&) = delete;
+  Current& operator=(const Current&) = delete;
+
+ private:
+  ImGuiContext* before_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Stage>> Stage::create(const Gl& gl, float scale) {
+  std::unique_ptr<Stage> stage(new Stage);
+  Result<std::unique_ptr<ImGuiRenderer>> renderer = ImGuiRenderer::create(gl);
+  if (!renderer) return Error{renderer.error()};
+  stage->renderer_ = std::move(*renderer);
+  stage->set_scale(scale);
+  const Current current(stage->context_);
+  stage->refresh();
+  return stage;
+}
+
+Stage::Stage() : context_(ImGui::CreateContext()) {
+  const Current current(context_);
+  ImGuiIO& settings = ImGui::GetIO();
+  // The program remembers its own layout; ImGui shall leave no file behind.
+  settings.IniFilename = nullptr;
+  settings.LogFilename = nullptr;
+  settings.ConfigWindowsMoveFromTitleBarOnly = true;
+  settings.BackendRendererName = "replan";
+  settings.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+  key::install(settings);
+}
+
+Stage::~Stage() {
+  renderer_.reset();
+  ImGui::DestroyContext(context_);
+}
+
+ImGuiIO& Stage::io() {
+  const Current current(context_);
+  return ImGui::GetIO();
+}
+
+void Stage::set_theme(const Theme& theme) {
+  look_.theme = theme;
+  style_stale_ = true;
+}
+
+void Stage::set_scale(float scale) {
+  font_options_.scale = std::clamp(scale, 0.5f, 4.0f);
+  look_.px = Metrics(font_options_.scale);
+  fonts_stale_ = style_stale_ = true;
+}
+
+void Stage::set_language(std::string also, bool chinese) {
+  font_options_.also = std::move(also);
+  font_options_.chinese = chinese;
+  fonts_stale_ = true;
+}
+
+void Stage::refresh() {
+  if (style_stale_) apply(ImGui::GetStyle(), look_.theme, look_.px);
+  if (fonts_stale_) {
+    FontReport report = build_fonts(*ImGui::GetIO().Fonts, font_options_);
+    look_.fonts = report.fonts;
+    notices_ = std::move(report.notices);
+    renderer_->upload_fonts();
+    ImGui::GetIO().FontDefault = look_.fonts.ui;
+  }
+  style_stale_ = fonts_stale_ = false;
+}
+
+void Stage::frame(int width, int height, float seconds, const std::function<void()>& draw) {
+  const Current current(context_);
+  refresh();
+  ImGuiIO& settings = ImGui::GetIO();
+  settings.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+  settings.DeltaTime = std::max(seconds, 1e-5f);
+  input_.feed(settings);
+  ImGui::NewFrame();
+  draw();
+  ImGui::Render();
+  // A tooltip is about to be due: the mouse rests, so no event would bring the frame that shows it.
+  const ImGuiContext& context = *context_;
+  awaits_hint_ = context.HoveredId != 0 && context.HoveredIdTimer < kHintSeconds + 0.05f;
+  renderer_->render(*ImGui::GetDrawData(), look_.theme.background);
+}
+
+}  // namespace replan::ui

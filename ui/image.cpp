@@ -1,0 +1,110 @@
+#include "ui/image.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <span>
+#include <string>
+
+#include <fcntl.h>
+#include <stb/stb_image.h>
+#include <stb/stb_image_write.h>
+#include <unistd.h>
+
+namespace replan::ui {
+namespace {
+
+void append(void* context, void* data, int size) {
+  auto& bytes = *static_cast<std::vector<std::uint8_t>*>(context);
+  const auto* first = static_cast<const std::uint8_t*>(data);
+  bytes.insert(bytes.end(), first, first + size);
+}
+
+Error failed(const std::filesystem::path& path) {
+  return Error{"Cannot write " + path.string() + ": " + std::strerror(errno) + "."};
+}
+
+/// Writes all bytes and flushes them to the disk.
+bool write_all(int file, std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return ::fsync(file) == 0;
+}
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> encode_png(const Image& image) {
+  std::vector<std::uint8_t> bytes;
+  if (stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.rgba.data(),
+                             image.width * 4) == 0) {
+    return Error{"The picture could not be encoded as PNG: out of memory, or it is empty."};
+  }
+  return bytes;
+}
+
+Result<void> write_png(const std::filesystem::path& path, const Image& image) {
+  const Result<std::vector<std::uint8_t>> bytes = encode_png(image);
+  if (!bytes) return Error{bytes.error()};
+  static std::atomic<unsigned> serial = 0;
+  const std::string beside =
+      path.string() + "." + std::to_string(::getpid()) + "-" + std::to_string(++serial);
+  const int file = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file < 0) return failed(path);
+  const bool written = write_all(file, *bytes);
+  const bool closed = ::close(file) == 0;
+  if (written && closed && ::rename(beside.c_str(), path.c_str()) == 0) return {};
+  const Error error = failed(path);
+  ::unlink(beside.c_str());
+  return error;
+}
+
+Result<Image> read_image(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return Error{"Cannot open " + path.string() + ": " + std::strerror(errno) + "."};
+  const std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(file), {}};
+  Image image;
+  int channels = 0;
+  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+      stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &image.width, &image.height,
+                            &channels, 4),
+      stbi_image_free);
+  if (!pixels)
+    return Error{path.string() + " is not a picture that can be read (" + stbi_failure_reason() + ")."};
+  const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4;
+  image.rgba.assign(pixels.get(), pixels.get() + count);
+  return image;
+}
+
+Difference compare(const Image& a, const Image& b, int tolerance) {
+  Difference difference;
+  if (a.width != b.width || a.height != b.height || a.rgba.size() != b.rgba.size()) return difference;
+  difference = {.same_size = true, .max = 0, .mean = 0, .share = 0};
+  if (a.rgba.empty()) return difference;
+  std::uint64_t sum = 0;
+  std::uint64_t apart = 0;
+  for (std::size_t pixel = 0; pixel < a.rgba.size(); pixel += 4) {
+    int worst = 0;
+    for (std::size_t i = pixel; i < pixel + 4; ++i) {
+      const int d = std::abs(static_cast<int>(a.rgba[i]) - static_cast<int>(b.rgba[i]));
+      sum += static_cast<std::uint64_t>(d);
+      worst = std::max(worst, d);
+    }
+    difference.max = std::max(difference.max, worst);
+    apart += worst > tolerance ? 1 : 0;
+  }
+  difference.mean = static_cast<double>(sum) / static_cast<double>(a.rgba.size());
+  difference.share = static_cast<double>(apart) / (static_cast<double>(a.rgba.size()) / 4);
+  return difference;
+}
+
+}  // namespace replan::ui

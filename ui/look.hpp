@@ -1,0 +1,18 @@
+// What every panel and widget needs to draw itself: colours, distances, fonts. Passed by const reference.
+#pragma once
+
+#include "ui/fonts.hpp"
+#include "ui/theme.hpp"
+
+namespace replan::ui {
+
+/// How long the mouse rests on a thing before its tooltip shows: a sweep over the tools shall not flicker.
+inline constexpr float kHintSeconds = 0.35f;
+
+struct Look {
+  Theme theme = dark();
+  Metrics px;
+  Fonts fonts;
+};
+
+}  // namespace replan::ui

@@ -1,0 +1,201 @@
+#include "ui/theme.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace replan::ui {
+namespace {
+
+/// 0xRRGGBB, as designers write it.
+constexpr ImU32 rgb(unsigned hex, unsigned alpha = 255) {
+  return IM_COL32((hex >> 16) & 255u, (hex >> 8) & 255u, hex & 255u, alpha);
+}
+
+// clang-format off
+constexpr Theme kDark = {
+    .name = "dark",
+    .background = rgb(0x14171c), .panel = rgb(0x1b1f26), .raised = rgb(0x222832), .line = rgb(0x2d3440),
+    .text = rgb(0xe6e9ee), .dim = rgb(0x97a1b0), .faint = rgb(0x626c7a),
+    .accent = rgb(0x4cc2ff), .on_accent = rgb(0x10131a),
+    .start = rgb(0x3ddc97), .goal = rgb(0xff5c8a), .robot = rgb(0xffc94d),
+    .surprise = rgb(0xff8a3d), .warning = rgb(0xffb454), .bad = rgb(0xff6b6b), .good = rgb(0x3ddc97),
+    .obstacle = rgb(0x39414d), .free = rgb(0x10131a), .path = rgb(0xffffff),
+    .grid = rgb(0xffffff, 13), .arrow = rgb(0xffffff, 115), .outline = rgb(0x10131a),
+    .selected = rgb(0x243746), .hover = rgb(0x2a313d), .series = rgb(0x253f51), .shade = rgb(0x0b0d10, 150),
+    .diverging_low = rgb(0xff8a3d), .diverging_mid = rgb(0x3a414c), .diverging_high = rgb(0x4c9dff),
+    .field_opacity = 0.55f, .is_dark = true,
+};
+
+constexpr Theme kLight = {
+    .name = "light",
+    .background = rgb(0xeceff3), .panel = rgb(0xffffff), .raised = rgb(0xf4f6f9), .line = rgb(0xd9dee6),
+    .text = rgb(0x1b2430), .dim = rgb(0x586576), .faint = rgb(0x8d98a7),
+    .accent = rgb(0x0077c2), .on_accent = rgb(0xffffff),
+    .start = rgb(0x12855a), .goal = rgb(0xd6336c), .robot = rgb(0xd98a00),
+    .surprise = rgb(0xe8590c), .warning = rgb(0xb86e00), .bad = rgb(0xc92a2a), .good = rgb(0x12855a),
+    .obstacle = rgb(0x3f4a59), .free = rgb(0xffffff), .path = rgb(0x111827),
+    .grid = rgb(0x111827, 26), .arrow = rgb(0x111827, 115), .outline = rgb(0xffffff),
+    .selected = rgb(0xd6e9f6), .hover = rgb(0xe9edf2), .series = rgb(0xcce4f3), .shade = rgb(0x1b2430, 90),
+    .diverging_low = rgb(0xe8590c), .diverging_mid = rgb(0xf0f2f5), .diverging_high = rgb(0x0b5fd0),
+    .field_opacity = 0.62f, .is_dark = false,
+};
+// clang-format on
+
+float linear(ImU32 colour, int shift) {
+  const float v = static_cast<float>((colour >> shift) & 255u) / 255.0f;
+  return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+}
+
+float luminance(ImU32 colour) {
+  return 0.2126f * linear(colour, IM_COL32_R_SHIFT) + 0.7152f * linear(colour, IM_COL32_G_SHIFT) +
+         0.0722f * linear(colour, IM_COL32_B_SHIFT);
+}
+
+void apply_metrics(ImGuiStyle& style, const Metrics& px) {
+  style = ImGuiStyle();
+  style.WindowPadding = {px.l, px.m};
+  style.WindowRounding = style.PopupRounding = px.radius_l;
+  style.ChildRounding = 0;
+  style.FrameRounding = style.GrabRounding = style.TabRounding = px.radius;
+  style.ScrollbarRounding = px(4);
+  style.WindowBorderSize = style.PopupBorderSize = style.FrameBorderSize = px.hair;
+  style.ChildBorderSize = style.TabBorderSize = 0;
+  style.FramePadding = {px(10), px(5)};
+  style.ItemSpacing = {px.s, px.s};
+  style.ItemInnerSpacing = {px.s, px.xs};
+  style.CellPadding = {px(6), px(3)};
+  style.IndentSpacing = px.l;
+  style.ScrollbarSize = px(10);
+  style.GrabMinSize = px(12);
+  style.WindowMinSize = {px(32), px(32)};
+  style.WindowMenuButtonPosition = ImGuiDir_None;
+  style.WindowTitleAlign = {0.0f, 0.5f};
+  style.DisabledAlpha = 0.45f;
+  style.CircleTessellationMaxError = 0.2f;
+}
+
+/// Colours of controls: fields, buttons, rows.
+void apply_controls(ImVec4* colours, const Theme& t) {
+  const auto set = [colours](int slot, ImU32 colour) {
+    colours[slot] = ImGui::ColorConvertU32ToFloat4(colour);
+  };
+  set(ImGuiCol_Text, t.text);
+  set(ImGuiCol_TextDisabled, t.faint);
+  set(ImGuiCol_TextSelectedBg, with_alpha(t.accent, 0.35f));
+  set(ImGuiCol_FrameBg, t.panel);
+  set(ImGuiCol_FrameBgHovered, t.raised);
+  set(ImGuiCol_FrameBgActive, t.raised);
+  set(ImGuiCol_CheckMark, t.accent);
+  set(ImGuiCol_SliderGrab, t.accent);
+  set(ImGuiCol_SliderGrabActive, t.accent);
+  set(ImGuiCol_Button, t.raised);
+  set(ImGuiCol_ButtonHovered, t.hover);
+  set(ImGuiCol_ButtonActive, t.selected);
+  set(ImGuiCol_Header, t.selected);
+  set(ImGuiCol_HeaderHovered, t.hover);
+  set(ImGuiCol_HeaderActive, t.selected);
+  set(ImGuiCol_PlotLines, t.accent);
+  set(ImGuiCol_PlotLinesHovered, t.text);
+  set(ImGuiCol_PlotHistogram, t.accent);
+  set(ImGuiCol_PlotHistogramHovered, t.text);
+  set(ImGuiCol_DragDropTarget, t.accent);
+}
+
+/// Colours of surfaces: windows, tabs, tables, scroll bars.
+void apply_surfaces(ImVec4* colours, const Theme& t) {
+  const auto set = [colours](int slot, ImU32 colour) {
+    colours[slot] = ImGui::ColorConvertU32ToFloat4(colour);
+  };
+  set(ImGuiCol_WindowBg, t.panel);
+  set(ImGuiCol_ChildBg, IM_COL32_BLACK_TRANS);
+  set(ImGuiCol_PopupBg, t.panel);
+  set(ImGuiCol_Border, t.line);
+  set(ImGuiCol_BorderShadow, IM_COL32_BLACK_TRANS);
+  set(ImGuiCol_TitleBg, t.panel);
+  set(ImGuiCol_TitleBgActive, t.panel);
+  set(ImGuiCol_TitleBgCollapsed, t.panel);
+  set(ImGuiCol_MenuBarBg, t.panel);
+  set(ImGuiCol_ScrollbarBg, IM_COL32_BLACK_TRANS);
+  set(ImGuiCol_ScrollbarGrab, t.line);
+  set(ImGuiCol_ScrollbarGrabHovered, t.faint);
+  set(ImGuiCol_ScrollbarGrabActive, t.dim);
+  set(ImGuiCol_Separator, t.line);
+  set(ImGuiCol_SeparatorHovered, t.accent);
+  set(ImGuiCol_SeparatorActive, t.accent);
+  set(ImGuiCol_ResizeGrip, IM_COL32_BLACK_TRANS);
+  set(ImGuiCol_ResizeGripHovered, t.faint);
+  set(ImGuiCol_ResizeGripActive, t.accent);
+  set(ImGuiCol_Tab, t.panel);
+  set(ImGuiCol_TabHovered, t.hover);
+  set(ImGuiCol_TabActive, t.selected);
+  set(ImGuiCol_TabUnfocused, t.panel);
+  set(ImGuiCol_TabUnfocusedActive, t.selected);
+  set(ImGuiCol_TableHeaderBg, t.panel);
+  set(ImGuiCol_TableBorderStrong, t.line);
+  set(ImGuiCol_TableBorderLight, t.line);
+  set(ImGuiCol_TableRowBg, IM_COL32_BLACK_TRANS);
+  set(ImGuiCol_TableRowBgAlt, with_alpha(t.raised, 0.6f));
+  set(ImGuiCol_NavHighlight, t.accent);
+  set(ImGuiCol_NavWindowingHighlight, t.accent);
+  set(ImGuiCol_NavWindowingDimBg, t.shade);
+  set(ImGuiCol_ModalWindowDimBg, t.shade);
+}
+
+}  // namespace
+
+const Theme& dark() {
+  return kDark;
+}
+const Theme& light() {
+  return kLight;
+}
+const Theme& theme_named(std::string_view name) {
+  return name == kLight.name ? kLight : kDark;
+}
+
+ImU32 mix(ImU32 a, ImU32 b, float t) {
+  ImU32 result = 0;
+  for (int shift = 0; shift < 32; shift += 8) {
+    const auto from = static_cast<float>((a >> shift) & 255u);
+    const auto to = static_cast<float>((b >> shift) & 255u);
+    result |= static_cast<ImU32>(std::lround(from + (to - from) * std::clamp(t, 0.0f, 1.0f))) << shift;
+  }
+  return result;
+}
+
+ImU32 with_alpha(ImU32 colour, float alpha) {
+  const auto byte = static_cast<ImU32>(std::lround(std::clamp(alpha, 0.0f, 1.0f) * 255.0f));
+  return (colour & ~IM_COL32_A_MASK) | (byte << IM_COL32_A_SHIFT);
+}
+
+ImU32 over_free(const Theme& theme, ImU32 field) {
+  return mix(theme.free, field, theme.field_opacity);
+}
+
+float contrast(ImU32 a, ImU32 b) {
+  const float la = luminance(a);
+  const float lb = luminance(b);
+  return (std::max(la, lb) + 0.05f) / (std::min(la, lb) + 0.05f);
+}
+
+Metrics::Metrics(float display_scale) : scale(display_scale) {
+  const Metrics& px = *this;
+  hair = std::max(1.0f, std::floor(scale));
+  xs = px(4), s = px(8), m = px(12), l = px(16);
+  radius = px(6), radius_l = px(8);
+  menu = px(34), tools = px(48), side = px(372), transport = px(132), status = px(26);
+  control = px(28), tool = px(34), row = px(23);
+}
+
+float Metrics::operator()(float design_pixels) const {
+  return design_pixels > 0 ? std::max(1.0f, std::round(design_pixels * scale))
+                           : std::round(design_pixels * scale);
+}
+
+void apply(ImGuiStyle& style, const Theme& theme, const Metrics& metrics) {
+  apply_metrics(style, metrics);
+  apply_controls(style.Colors, theme);
+  apply_surfaces(style.Colors, theme);
+}
+
+}  // namespace replan::ui

@@ -1,0 +1,180 @@
+// The widgets that all panels share, so that all panels look the same. Each draws itself from the Look; none
+// keeps state of its own beyond what ImGui remembers by id.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <imgui.h>
+
+#include "ui/colormap.hpp"
+#include "ui/look.hpp"
+
+namespace replan::ui {
+
+// --- Text -----------------------------------------------------------------------------------------------
+
+[[nodiscard]] float text_width(const ImFont* font, std::string_view text);
+/// The text, or its beginning and "…" if it is wider than `width`.
+[[nodiscard]] std::string elide(const ImFont* font, std::string_view text, float width);
+/// Draws at a place; `pos` is the top left of the line.
+void draw_text(ImDrawList& list, const ImFont* font, ImVec2 pos, ImU32 colour, std::string_view text);
+/// Draws centred in a rectangle by the line's height and the text's width.
+void draw_text_centred(ImDrawList& list, const ImFont* font, ImVec2 min, ImVec2 max, ImU32 colour,
+                       std::string_view text);
+/// Draws one icon centred by its ink, not by its advance: icons differ in their bearings.
+void draw_icon(ImDrawList& list, const ImFont* font, ImVec2 centre, ImU32 colour, const char* icon);
+
+/// One line of text as an item.
+void text(const ImFont* font, ImU32 colour, std::string_view text);
+/// Text over several lines, wrapped at the content's right edge.
+void paragraph(const ImFont* font, ImU32 colour, std::string_view text);
+
+// --- Hints ----------------------------------------------------------------------------------------------
+
+/// What a tooltip says: the action, its keys ("Ctrl+Z"), and a sentence or two that teach.
+struct Hint {
+  const char* title = "";
+  const char* keys = "";
+  const char* teach = "";
+};
+/// Shows the tooltip of the last item after a moment's hover; also over disabled items.
+void hint(const Look& look, const Hint& what);
+/// A key as a chip, as an item.
+void key_chip(const Look& look, const char* keys);
+
+// --- Buttons --------------------------------------------------------------------------------------------
+
+struct IconButton {
+  const char* icon;
+  Hint hint;
+  bool selected = false;
+  bool enabled = true;
+  ImU32 colour = 0;  ///< 0: the theme's own
+};
+/// 34 x 34 in the tool strip; selected: accent icon on a tinted ground.
+bool tool_button(const Look& look, const char* id, const IconButton& button);
+/// A short line between groups of tools.
+void tool_separator(const Look& look);
+/// 32 x 28 in the transport; selected: the primary one (play), filled with the accent.
+bool transport_button(const Look& look, const char* id, const IconButton& button);
+/// 24 x 24 without a ground until hovered: beside titles and in rows.
+bool small_button(const Look& look, const char* id, const IconButton& button);
+
+enum class ButtonKind { primary, plain, quiet, danger };
+/// A labelled button; `icon` may be empty. The label is its id; "##" hides what follows it.
+bool button(const Look& look, const char* label, ButtonKind kind = ButtonKind::plain, const char* icon = "");
+
+/// Flat text tabs with an accent underline; returns whether `current` changed.
+bool tabs(const Look& look, const char* id, std::span<const char* const> names, int& current);
+
+// --- Structure ------------------------------------------------------------------------------------------
+
+void section_title(const Look& look, std::string_view title);
+/// A separator over the whole width of the window, with space around.
+void section_rule(const Look& look);
+/// A hairline along an edge of the current window, over its padding: between panels.
+enum class Edge { left, right, top, bottom };
+void edge(const Look& look, Edge side);
+/// Icon, title and a sentence in the middle of the space that is left: what can I do here?
+void empty_state(const Look& look, const char* icon, std::string_view title, std::string_view advice);
+/// A bar from 0 to 1; below 0: unknown, drawn moving.
+void progress(const Look& look, float fraction, std::string_view label);
+
+// --- Values ---------------------------------------------------------------------------------------------
+
+enum class Align { left, right };
+
+struct KeyValue {
+  std::string_view key;
+  std::string_view value;
+  ImU32 colour = 0;     ///< of the value; 0: text
+  bool strong = false;  ///< semibold
+};
+/// Pairs in `columns` columns, filled row by row.
+void key_values(const Look& look, std::span<const KeyValue> pairs, int columns = 2,
+                Align align = Align::left);
+
+struct Column {
+  const char* name;
+  float weight = 1;  ///< share of the width
+  Align align = Align::right;
+};
+struct TableCell {
+  std::string_view text;
+  ImU32 colour = 0;
+  bool strong = false;
+};
+void table_header(const Look& look, std::span<const Column> columns);
+/// One row of fixed height (fits ImGuiListClipper); returns whether it was clicked.
+bool table_row(const Look& look, int id, std::span<const Column> columns, std::span<const TableCell> cells,
+               bool selected = false);
+
+struct CodeLine {
+  int number = 0;
+  std::string_view text;
+  bool current = false;
+  bool breakpoint = false;
+};
+/// A line of pseudo-code; returns whether it was clicked (to set a breakpoint).
+bool code_line(const Look& look, const CodeLine& line);
+
+/// A dot and its text: a verdict in the status bar.
+void status(const Look& look, ImU32 colour, std::string_view text);
+/// "Zoom 14x": a dim word and its number.
+void labelled(const Look& look, std::string_view label, std::string_view value);
+
+// --- Inputs ---------------------------------------------------------------------------------------------
+
+bool combo(const Look& look, const char* id, std::span<const char* const> items, int& current,
+           float width = 0);
+/// A switch with its label; returns whether it changed.
+bool toggle(const Look& look, const char* label, bool& on);
+
+struct SliderSpec {
+  const char* label;
+  double min = 0;
+  double max = 1;
+  double initial = 0;  ///< the default, to which the reset button leads
+  const char* unit = "";
+  int decimals = 2;
+  bool logarithmic = false;
+  double step = 0;  ///< 0: continuous
+};
+/// A label, its value with unit, and a track; a click on the value lets it be typed. Whether it changed.
+bool slider(const Look& look, const SliderSpec& spec, double& value, const Hint& what = {});
+
+/// A one-line text field with an icon, a hint inside it and the key that leads to it.
+bool search_box(const Look& look, const char* id, const char* placeholder, const char* keys,
+                std::string& text, float width);
+
+// --- Over the canvas ------------------------------------------------------------------------------------
+
+struct TextRun {
+  std::string_view text;
+  ImU32 colour;
+  const ImFont* font;
+};
+enum class Corner { top_left, top_right, bottom_left, bottom_right };
+/// A floating chip with a line of text; `pos` is its named corner. Returns its size.
+ImVec2 chip(const Look& look, ImDrawList& list, ImVec2 pos, std::span<const TextRun> runs,
+            Corner corner = Corner::top_left);
+
+enum class Mark { dot, square, outline, line, dashed, arrow, long_arrow };
+struct LegendEntry {
+  Mark mark;
+  ImU32 colour;
+  std::string_view label;
+};
+/// A field's gradient with its range; no map: the chip shows the entries alone.
+struct LegendField {
+  std::string_view label;
+  const Colormap* map = nullptr;
+  std::string_view min;
+  std::string_view max;
+};
+ImVec2 legend(const Look& look, ImDrawList& list, ImVec2 pos, const LegendField& field,
+              std::span<const LegendEntry> entries, Corner corner = Corner::bottom_left);
+
+}  // namespace replan::ui
