@@ -34,6 +34,7 @@ ClearanceField<D>::ClearanceField(const BoxLattice<D>& lattice, ClearanceRules r
   for (NodeId node = 0; node < ranks_.size(); ++node) {
     if (!lattice.blocked(node)) continue;
     ranks_[node] = 0;
+    if (is_inner(lattice, node)) continue;
     for_stencil(lattice, node, [&](NodeId there, std::uint8_t rank) { ranks_[there] = std::min(ranks_[there], rank); });
   }
   if (rules_.border_is_obstacle)
@@ -44,6 +45,19 @@ ClearanceField<D>::ClearanceField(const BoxLattice<D>& lattice, ClearanceRules r
         near_border |= at[axis] < reach_ || lattice.size()[axis] - 1 - at[axis] < reach_;
       if (near_border) ranks_[node] = rank_of(lattice, node);
     }
+}
+
+/// True if no obstacle is nearest to any free cell because of this one: all its face neighbours are obstacles too. (From
+/// the nearest obstacle, the face neighbour towards the free cell along the longer axis is nearer still.)
+template <int D>
+bool ClearanceField<D>::is_inner(const BoxLattice<D>& lattice, NodeId node) const {
+  const auto at = lattice.coordinates(node);
+  NodeId stride = 1;
+  for (std::size_t axis = 0; axis < D; stride *= static_cast<NodeId>(lattice.size()[axis]), ++axis) {
+    if (at[axis] > 0 && !lattice.blocked(node - stride)) return false;
+    if (at[axis] + 1 < lattice.size()[axis] && !lattice.blocked(node + stride)) return false;
+  }
+  return true;
 }
 
 template <int D>

@@ -54,7 +54,7 @@ class ClearanceField {
   /// until the next call.
   std::span<const ClearanceChange> update(const BoxLattice<D>& lattice, std::span<const CellEdit> edits);
 
-  [[nodiscard]] std::size_t memory_bytes() const { return ranks_.capacity(); }
+  [[nodiscard]] std::size_t memory_bytes() const { return ranks_.capacity() + noted_.capacity(); }
 
  private:
   static constexpr std::uint8_t kFar = 255;
@@ -65,6 +65,7 @@ class ClearanceField {
   };
 
   void prepare(const BoxLattice<D>& lattice);
+  [[nodiscard]] bool is_inner(const BoxLattice<D>& lattice, NodeId node) const;
   [[nodiscard]] std::uint8_t rank_of(const BoxLattice<D>& lattice, NodeId node) const;
   void lower(NodeId node, std::uint8_t rank);
   void note(NodeId node);

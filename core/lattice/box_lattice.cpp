@@ -57,6 +57,24 @@ void BoxLattice<D>::set_rules(MoveRules rules) {
 }
 
 template <int D>
+Cost BoxLattice<D>::other_bound(Heuristic heuristic, const Coordinates& p, const Coordinates& q) const {
+  std::int64_t sum = 0, longest = 0;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const std::int64_t d = std::abs(p[axis] - q[axis]);
+    sum += d;
+    longest = std::max(longest, d);
+  }
+  switch (heuristic) {
+    case Heuristic::euclidean: return euclidean_floor(squared_distance(p, q));
+    case Heuristic::chebyshev: return Cost::cells(longest);
+    case Heuristic::zero: return Cost::zero();
+    case Heuristic::octile:  // without diagonals
+    case Heuristic::manhattan: break;
+  }
+  return Cost::cells(sum);
+}
+
+template <int D>
 std::uint32_t BoxLattice<D>::blocked_around(NodeId node) const {
   const Coordinates at = coordinates(node);
   bool inside = true;
@@ -68,10 +86,7 @@ std::uint32_t BoxLattice<D>::blocked_around(NodeId node) const {
     return blocked;
   }
   for (int d = 0; d < kDirections; ++d) {
-    Coordinates there = at;
-    const auto offset = Directions<D>::offset(d);
-    for (std::size_t axis = 0; axis < D; ++axis) there[axis] += offset[axis];
-    if (!contains(there) || blocked_[neighbour(node, d)] != 0) blocked |= 1u << d;
+    if (!contains(step(at, d)) || blocked_[neighbour(node, d)] != 0) blocked |= 1u << d;
   }
   return blocked;
 }
@@ -102,12 +117,8 @@ auto BoxLattice<D>::apply(std::span<const CellEdit> edits) -> std::span<const Mo
   for (const NodeId node : touched_) {
     refresh(node);
     const Coordinates at = coordinates(node);
-    for (int d = 0; d < kDirections; ++d) {
-      Coordinates there = at;
-      const auto offset = Directions<D>::offset(d);
-      for (std::size_t axis = 0; axis < D; ++axis) there[axis] += offset[axis];
-      if (contains(there)) refresh(neighbour(node, d));
-    }
+    for (int d = 0; d < kDirections; ++d)
+      if (contains(step(at, d))) refresh(neighbour(node, d));
   }
   return changes_;
 }

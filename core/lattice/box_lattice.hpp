@@ -90,6 +90,11 @@ class BoxLattice {
   static constexpr Cost step_cost(int direction) {
     return kStepCosts[static_cast<std::size_t>(direction)];
   }
+  /// The place one step from `at`, which need not be inside.
+  static constexpr Coordinates step(Coordinates at, int direction) {
+    for (std::size_t axis = 0; axis < D; ++axis) at[axis] += kOffsets[static_cast<std::size_t>(direction)][axis];
+    return at;
+  }
 
   [[nodiscard]] bool contains(const Coordinates& at) const {
     for (std::size_t axis = 0; axis < D; ++axis)
@@ -153,7 +158,14 @@ class BoxLattice {
     return costs;
   }();
 
+  static constexpr auto kOffsets = [] {
+    std::array<Coordinates, kDirections> offsets{};
+    for (int d = 0; d < kDirections; ++d) offsets[static_cast<std::size_t>(d)] = Directions<D>::offset(d);
+    return offsets;
+  }();
+
   void prepare();
+  [[nodiscard]] Cost other_bound(Heuristic heuristic, const Coordinates& p, const Coordinates& q) const;
   [[nodiscard]] std::uint32_t blocked_around(NodeId node) const;
   [[nodiscard]] MoveMask moves_for(NodeId node) const;
 
@@ -176,33 +188,20 @@ using Voxel3 = BoxLattice<3>;
 extern template class BoxLattice<2>;
 extern template class BoxLattice<3>;
 
+// The default heuristic is asked for at every key; the others stay out of the way.
 template <int D>
 inline Cost BoxLattice<D>::bound(Heuristic heuristic, const Coordinates& p, const Coordinates& q) const {
-  std::array<std::int64_t, D> d{};
-  for (std::size_t axis = 0; axis < D; ++axis) d[axis] = std::abs(p[axis] - q[axis]);
-  switch (heuristic) {
-    case Heuristic::octile: {
-      if (!rules_.diagonals) break;
-      if constexpr (D == 2) {
-        const std::int64_t low = std::min(d[0], d[1]), high = std::max(d[0], d[1]);
-        return {low * kStepCost[2].raw + (high - low) * kStepCost[1].raw};
-      } else {
-        std::sort(d.begin(), d.end());
-        return {d[0] * kStepCost[3].raw + (d[1] - d[0]) * kStepCost[2].raw + (d[2] - d[1]) * kStepCost[1].raw};
-      }
-    }
-    case Heuristic::euclidean: {
-      std::int64_t sum = 0;
-      for (const std::int64_t part : d) sum += part * part;
-      return euclidean_floor(sum);
-    }
-    case Heuristic::chebyshev: return Cost::cells(*std::max_element(d.begin(), d.end()));
-    case Heuristic::zero: return Cost::zero();
-    case Heuristic::manhattan: break;
+  if (heuristic != Heuristic::octile || !rules_.diagonals) return other_bound(heuristic, p, q);
+  if constexpr (D == 2) {
+    const std::int64_t a = std::abs(p[0] - q[0]), b = std::abs(p[1] - q[1]);
+    return {std::min(a, b) * (kStepCost[2].raw - 2 * kStepCost[1].raw) + (a + b) * kStepCost[1].raw};
+  } else {
+    std::array<std::int64_t, D> d{};
+    for (std::size_t axis = 0; axis < D; ++axis) d[axis] = std::abs(p[axis] - q[axis]);
+    const std::int64_t low = std::min({d[0], d[1], d[2]}), high = std::max({d[0], d[1], d[2]});
+    const std::int64_t middle = d[0] + d[1] + d[2] - low - high;
+    return {low * kStepCost[3].raw + (middle - low) * kStepCost[2].raw + (high - middle) * kStepCost[1].raw};
   }
-  std::int64_t sum = 0;
-  for (const std::int64_t part : d) sum += part;
-  return Cost::cells(sum);
 }
 
 template <int D>

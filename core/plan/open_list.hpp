@@ -26,9 +26,11 @@ class OpenList {
   struct Entry {
     K key;
     NodeId node;
+    // Without branches: which of two entries comes first is a coin toss, and a mispredicted one costs more than both
+    // comparisons.
     friend constexpr bool operator<(const Entry& a, const Entry& b) {
-      if (a.key == b.key) return a.node < b.node;
-      return a.key < b.key;
+      const bool second = (a.key.k2 < b.key.k2) | ((a.key.k2 == b.key.k2) & (a.node < b.node));
+      return (a.key.k1 < b.key.k1) | ((a.key.k1 == b.key.k1) & second);
     }
   };
 

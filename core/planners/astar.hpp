@@ -151,10 +151,7 @@ class AStar final : public Planner<L> {
       const NodeId s = lattice_.neighbour(u, d);
       const Cost sum = g_u + L::step_cost(d);
       if (!(sum < g(s))) continue;
-      auto s_at = u_at;
-      const auto by = Directions<L::kDimensions>::offset(d);
-      for (std::size_t axis = 0; axis < L::kDimensions; ++axis) s_at[axis] += by[axis];
-      reach(s, static_cast<std::uint32_t>(L::reverse(d)), sum, s_at);
+      reach(s, static_cast<std::uint32_t>(L::reverse(d)), sum, L::step(u_at, d));
     }
     return true;
   }

@@ -92,6 +92,7 @@ class DStarLite final : public Planner<L> {
   }
 
   void begin(NodeId start, NodeId goal) override {
+    tr_.line(6);
     if constexpr (T::kEnabled) forget_recorded();
     counters_ = {};
     set_scalar(Scalar::start, start_, start);
@@ -121,6 +122,8 @@ class DStarLite final : public Planner<L> {
     }
     tr_.line(115);
     for (const auto& move : change.moves) moves_changed(move.node, move.before);
+    if (switches_.sight)
+      for (const CellEdit& cell : change.cells) sight_map_.change(lattice_.coordinates(cell.node), cell.blocked);
   }
 
   [[nodiscard]] PlanStatus status() const override {
@@ -134,7 +137,8 @@ class DStarLite final : public Planner<L> {
   }
   [[nodiscard]] Counters counters() const override { return counters_; }
   [[nodiscard]] std::size_t memory_bytes() const override {
-    return nodes_.capacity() * sizeof(Node) + open_.peak_bytes() + clearance_.memory_bytes() * 2 + marked_.capacity();
+    return nodes_.capacity() * sizeof(Node) + open_.peak_bytes() + clearance_.memory_bytes() + sight_map_.memory_bytes() +
+           marked_.capacity();
   }
 
   /// Algorithm 1, line 6, from the start on.
@@ -166,10 +170,12 @@ class DStarLite final : public Planner<L> {
     km_ = state.km();
     open_.clear(nodes_);
     if (switches_.clearance) clearance_ = ClearanceField<L::kDimensions>(lattice_, clearance_rules_);
+    if (switches_.sight) sight_map_ = SightMap<L::kDimensions>(lattice_, [this](NodeId c) { return is_bad(c); });
     for (NodeId n = 0; n < nodes_.size(); ++n) restore_node(state, n);
   }
 
  private:
+  using Coordinates = typename L::Coordinates;
   static constexpr std::uint32_t kNoDirection = 31;
   static constexpr Heuristic kHeuristicByChoice[] = {Heuristic::octile, Heuristic::euclidean, Heuristic::zero};
 
@@ -203,6 +209,7 @@ class DStarLite final : public Planner<L> {
     start_at_ = lattice_.coordinates(start_);
     tr_.line(12);
     if (switches_.clearance) distance_transform();
+    if (switches_.sight) sight_map_ = SightMap<L::kDimensions>(lattice_, [this](NodeId c) { return is_bad(c); });
     tr_.line(13);
     set_rhs(goal_, Cost::zero());
     tr_.line(14);
@@ -253,13 +260,10 @@ class DStarLite final : public Planner<L> {
     for (std::uint32_t rest = lattice_.moves(u); rest != 0; rest &= rest - 1) {
       const int d = std::countr_zero(rest);
       const NodeId s = lattice_.neighbour(u, d);
-      offer(s, static_cast<std::uint32_t>(L::reverse(d)), L::step_cost(d) + through_u);
-      if (switches_.sight && nodes_[s].slot != 0 && nodes_[s].rp != remote) {
-        auto s_at = u_at;
-        const auto step = Directions<L::kDimensions>::offset(d);
-        for (std::size_t axis = 0; axis < L::kDimensions; ++axis) s_at[axis] += step[axis];
+      const auto s_at = L::step(u_at, d);
+      offer(s, s_at, static_cast<std::uint32_t>(L::reverse(d)), L::step_cost(d) + through_u);
+      if (switches_.sight && nodes_[s].slot != 0 && nodes_[s].rp != remote)
         offer_remote(s, remote, L::squared_distance(remote_at, s_at));
-      }
     }
   }
 
@@ -310,7 +314,7 @@ class DStarLite final : public Planner<L> {
   }
 
   // Lines 19-33 where only one successor of s improved: s can be reached in direction d at cost `sum`.
-  void offer(NodeId s, std::uint32_t d, Cost sum) {
+  void offer(NodeId s, const Coordinates& at, std::uint32_t d, Cost sum) {
     Node& node = nodes_[s];
     if (sum > node.rhs || (sum == node.rhs && d >= node.lp) || s == goal_) return;
     const bool better = sum < node.rhs;
@@ -318,11 +322,12 @@ class DStarLite final : public Planner<L> {
     set_rhs(s, sum);
     tr_.line(22);
     set_lp(s, d);
-    if (better) update_queue(s);
+    if (better) update_queue(s, at);
   }
 
   // Lines 24-32.
-  void update_queue(NodeId u) {
+  void update_queue(NodeId u) { update_queue(u, lattice_.coordinates(u)); }
+  void update_queue(NodeId u, const Coordinates& at) {
     Node& node = nodes_[u];
     if (node.rp == kNoNode && node.lp != kNoDirection) {
       tr_.line(25);
@@ -330,8 +335,8 @@ class DStarLite final : public Planner<L> {
     }
     if (node.g != node.rhs) {
       tr_.line(31);
-      if (node.slot != 0) re_key(u, calculate_key(u));
-      else put_in(u, calculate_key(u));
+      if (node.slot != 0) re_key(u, calculate_key(u, at));
+      else put_in(u, calculate_key(u, at));
     } else if (node.slot != 0) {
       tr_.line(28);
       take_out(u);
@@ -352,13 +357,13 @@ class DStarLite final : public Planner<L> {
   /// Whether n and s see each other: a cell is bad if it is an obstacle or, with clearance on, dist != 0.
   bool in_sight(NodeId n, NodeId s) {
     ++counters_.sight_checks;
-    const bool seen = switches_.clearance ? line_of_sight(lattice_, sight_rule_, n, s,
-                                                          [this](NodeId c) { return clearance_.near(c); })
-                                          : line_of_sight(lattice_, sight_rule_, n, s,
-                                                          [this](NodeId c) { return lattice_.blocked(c); });
+    const auto bad = [this](NodeId c) { return is_bad(c); };
+    const bool seen = line_of_sight(lattice_, sight_rule_, n, s, bad, sight_map_);
     tr_.note(EventKind::sight, s, std::uint64_t{n} | std::uint64_t{seen} << 32);
     return seen;
   }
+
+  [[nodiscard]] bool is_bad(NodeId c) const { return switches_.clearance ? clearance_.near(c) : lattice_.blocked(c); }
 
   /// Where the robot goes from s: the remote parent if it can be trusted, else the local one.
   NodeId next(NodeId s, Path& path) {
@@ -388,7 +393,7 @@ class DStarLite final : public Planner<L> {
     for (std::uint32_t rest = now & ~before; rest != 0; rest &= rest - 1) {
       const int d = std::countr_zero(rest);
       const Cost sum = L::step_cost(d) + nodes_[lattice_.neighbour(u, d)].g;
-      if (!sum.is_infinite()) offer(u, static_cast<std::uint32_t>(d), sum);
+      if (!sum.is_infinite()) offer(u, lattice_.coordinates(u), static_cast<std::uint32_t>(d), sum);
     }
   }
 
@@ -403,7 +408,10 @@ class DStarLite final : public Planner<L> {
     for (const auto& move : change.moves) affect(move.node);
     tr_.line(114);
     for (const ClearanceChange& changed : clearance_.update(lattice_, change.cells)) {
-      tr_.change(EventKind::dist, changed.node, changed.before, clearance_.penalty(changed.node));
+      const Cost penalty = clearance_.penalty(changed.node);
+      tr_.change(EventKind::dist, changed.node, changed.before, penalty);
+      if (switches_.sight && (changed.before == Cost::zero() || penalty == Cost::zero()))
+        sight_map_.change(lattice_.coordinates(changed.node), penalty != Cost::zero());
       for (std::uint32_t rest = lattice_.moves(changed.node); rest != 0; rest &= rest - 1)
         affect(lattice_.neighbour(changed.node, std::countr_zero(rest)));
     }
@@ -422,9 +430,10 @@ class DStarLite final : public Planner<L> {
   [[nodiscard]] Cost dist(NodeId s) const { return switches_.clearance ? clearance_.penalty(s) : Cost::zero(); }
 
   // Lines 1-3.
-  [[nodiscard]] Key calculate_key(NodeId s) const {
+  [[nodiscard]] Key calculate_key(NodeId s) const { return calculate_key(s, lattice_.coordinates(s)); }
+  [[nodiscard]] Key calculate_key(NodeId s, const Coordinates& at) const {
     const Cost least = std::min(nodes_[s].g, nodes_[s].rhs);
-    return {least + lattice_.bound(heuristic_, start_at_, lattice_.coordinates(s)) + km_, least};
+    return {least + lattice_.bound(heuristic_, start_at_, at) + km_, least};
   }
   [[nodiscard]] Key top_key() const { return open_.empty() ? Key{} : open_.top().key; }
 
@@ -518,13 +527,14 @@ class DStarLite final : public Planner<L> {
   Nodes nodes_;
   OpenList<Key> open_;  // U
   ClearanceField<L::kDimensions> clearance_;
+  SightMap<L::kDimensions> sight_map_;
   DStarLiteSwitches switches_;
   ClearanceRules clearance_rules_;
   Heuristic heuristic_ = Heuristic::octile;
   SightRule sight_rule_ = SightRule::supercover;
   bool checked_ = true;
   NodeId start_ = kNoNode, last_ = kNoNode, goal_ = kNoNode;
-  typename L::Coordinates start_at_{};
+  Coordinates start_at_{};
   Cost km_ = Cost::zero();
   Counters counters_;
   std::vector<std::uint64_t> visits_;   // recorded runs only

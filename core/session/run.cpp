@@ -1,6 +1,7 @@
 #include "core/session/run.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 namespace replan {
 namespace {
@@ -26,6 +27,11 @@ bool is_marker(EventKind kind) {
   }
 }
 
+std::uint64_t next_log_id() {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
+}
+
 SearchState initial_state(const Scenario& scenario) {
   return SearchState(initial_knowledge(scenario), scenario.map.blocked);
 }
@@ -38,7 +44,8 @@ Run::Run(std::shared_ptr<const Scenario> scenario, std::size_t planner)
       info_(find_planner(scenario_->planners[planner].id)),
       lattice_(std::make_unique<const Grid2>(Grid2::Coordinates{scenario_->map.width, scenario_->map.height},
                                              scenario_->map.blocked, move_rules(scenario_->planners[planner].settings))),
-      timeline_(initial_state(*scenario_)) {
+      timeline_(initial_state(*scenario_)),
+      log_id_(next_log_id()) {
   thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }
 
@@ -174,6 +181,7 @@ bool Run::rebase(std::shared_ptr<const Scenario> scenario, std::size_t common) {
 void Run::cut(std::size_t mark_count) {
   marks_.resize(mark_count);
   const std::size_t size = marks_.back().event;
+  log_id_ = next_log_id();
   timeline_.truncate(size);
   while (!markers_.empty() && markers_.back().event >= size) markers_.pop_back();
   curve_.resize(size / kCurveChunk);

@@ -53,6 +53,8 @@ class Run {
   /// Where the run can branch, in order; the last one is the latest decision.
   [[nodiscard]] std::span<const Mark> marks() const { return marks_; }
   [[nodiscard]] std::span<const Marker> markers() const { return markers_; }
+  /// Changes whenever events are cut off, and differs between runs: while it stays the same, the log has only grown.
+  [[nodiscard]] std::uint64_t log_id() const { return log_id_; }
   /// The last mark at or before a position, or nullptr before the first plan stands.
   [[nodiscard]] const Mark* mark_at(std::size_t position) const;
   /// Expansions in each of the log's chunks of kCurveChunk events: the curve under the timeline.
@@ -94,6 +96,7 @@ class Run {
   std::vector<Mark> marks_;
   std::vector<Marker> markers_;
   std::vector<std::uint32_t> curve_;
+  std::uint64_t log_id_;
 
   // The thread's own while working_, the owner's while not.
   Recorder recorder_;

@@ -59,6 +59,11 @@ class SearchState {
   [[nodiscard]] std::uint64_t value(EventKind kind, NodeId node) const;
   /// True if the 1024-node page of `node` was ever written for that kind; false lets readers skip it.
   [[nodiscard]] bool touched(EventKind kind, NodeId node) const;
+  /// The page of `node` for a 64-bit kind, as PagedArray::page(): for readers of long stretches.
+  [[nodiscard]] const std::uint64_t* page(EventKind kind, NodeId node) const {
+    return wide_[static_cast<std::size_t>(kind)].page(node);
+  }
+  static constexpr std::size_t kPage = PagedArray<std::uint64_t>::kPage;
 
   /// A hash over all values: equal states have equal hashes, whichever way they were reached.
   [[nodiscard]] std::uint64_t hash() const;
