@@ -69,7 +69,7 @@ install_packages() {
     echo "  apt-get install --no-install-recommends ${missing[*]}" >&2
     return 1
   fi
-  echo "Installing ${#missing[@]} packages: ${missing[*]}"
+  echo "Installing what is missing: ${missing[*]}"
   log=$(mktemp)
   # A stale list of packages names files that are no longer on the server. Without a network the list that is
   # there may still do.

@@ -42,6 +42,8 @@ class Canvas {
 
   /// Makes the next draw show the whole world.
   void fit();
+  /// True while a zoom is on its way: further frames are due without input.
+  [[nodiscard]] bool animating() const;
 
  private:
   struct Parts;

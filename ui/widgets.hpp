@@ -161,7 +161,7 @@ enum class Corner { top_left, top_right, bottom_left, bottom_right };
 ImVec2 chip(const Look& look, ImDrawList& list, ImVec2 pos, std::span<const TextRun> runs,
             Corner corner = Corner::top_left);
 
-enum class Mark { dot, square, outline, line, dashed, arrow, long_arrow };
+enum class Mark { dot, square, outline, corners, up, down, line, dashed, arrow, long_arrow };
 struct LegendEntry {
   Mark mark;
   ImU32 colour;

@@ -67,6 +67,18 @@ void draw_mark(const Look& look, ImDrawList& list, float x, float y, const Legen
     case Mark::outline:
       list.AddRect({x, y - half}, {x + size, y + half}, entry.colour, 0, 0, stroke);
       break;
+    case Mark::corners:
+      list.AddLine({x, y - half}, {x + half * 0.8f, y - half}, entry.colour, stroke);
+      list.AddLine({x, y - half}, {x, y - half + half * 0.8f}, entry.colour, stroke);
+      list.AddLine({x + size, y + half}, {x + size - half * 0.8f, y + half}, entry.colour, stroke);
+      list.AddLine({x + size, y + half}, {x + size, y + half - half * 0.8f}, entry.colour, stroke);
+      break;
+    case Mark::up:
+      list.AddTriangle({x, y + half}, {x + half, y - half}, {x + size, y + half}, entry.colour, stroke);
+      break;
+    case Mark::down:
+      list.AddTriangle({x, y - half}, {x + half, y + half}, {x + size, y - half}, entry.colour, stroke);
+      break;
     case Mark::line:
       list.AddLine({x, y}, {x + look.px.m, y}, entry.colour, look.px(3));
       break;

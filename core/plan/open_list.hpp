@@ -29,8 +29,8 @@ class OpenList {
     // Without branches: which of two entries comes first is a coin toss, and a mispredicted one costs more than both
     // comparisons.
     friend constexpr bool operator<(const Entry& a, const Entry& b) {
-      const bool second = (a.key.k2 < b.key.k2) | ((a.key.k2 == b.key.k2) & (a.node < b.node));
-      return (a.key.k1 < b.key.k1) | ((a.key.k1 == b.key.k1) & second);
+      const int second = int{a.key.k2 < b.key.k2} | (int{a.key.k2 == b.key.k2} & int{a.node < b.node});
+      return (int{a.key.k1 < b.key.k1} | (int{a.key.k1 == b.key.k1} & second)) != 0;
     }
   };
 

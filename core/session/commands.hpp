@@ -68,6 +68,8 @@ struct Seek {
   std::size_t position = 0;
 };
 struct RunToEnd {};
+/// What was planned until then stays; steps, play and RunToEnd take it up again.
+struct Cancel {};
 
 using Command = std::variant<std::monostate
 #define REPLAN_COMMAND(NAME, TEXT) , NAME

@@ -315,6 +315,11 @@ Result<void> Session::run_command(const RunToEnd&) {
   return {};
 }
 
+Result<void> Session::run_command(const Cancel&) {
+  for (const auto& run : runs_) run->cancel();
+  return {};
+}
+
 void Session::seek(std::size_t position) {
   for (const auto& run : runs_) run->timeline().seek(std::min(position, run->timeline().size()));
 }

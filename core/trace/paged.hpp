@@ -41,8 +41,8 @@ class PagedArray {
   [[nodiscard]] bool touched(std::size_t index) const { return pages_[index / kPage] != nullptr; }
   /// The page that holds `index`, kPage values from a multiple of kPage on; nullptr if untouched. Valid until written to.
   [[nodiscard]] const T* page(std::size_t index) const {
-    const auto& page = pages_[index / kPage];
-    return page ? page->data() : nullptr;
+    const auto& held = pages_[index / kPage];
+    return held ? held->data() : nullptr;
   }
   /// Bytes held by this copy alone; pages shared with other copies are not counted.
   [[nodiscard]] std::size_t own_bytes() const {

@@ -1,8 +1,9 @@
-// A remote parent goes stale when the map changes after its sight was checked. Taken as printed, the DLD* Lite paper's
-// main loop then sends the robot through an obstacle or round in a circle; checked when used, it never does.
-#include <gtest/gtest.h>
-
+// A remote parent goes stale when the map changes after its sight was checked. Taken as printed, the DLD*
+// Lite paper's main loop then sends the robot through an obstacle or round in a circle; checked when used, it
+// never does.
 #include <cstdio>
+
+#include <gtest/gtest.h>
 
 #include "tests/support/worlds.hpp"
 
@@ -22,7 +23,8 @@ std::vector<std::uint8_t> rectangles(Random& random, NodeId start, NodeId goal) 
   const auto covered = [&cells] { return std::count(cells.begin(), cells.end(), 1); };
   while (covered() < kSide * kSide * 17 / 100) {
     const int left = random.between(0, kSide - 1), top = random.between(0, kSide - 1);
-    const int right = std::min(kSide, left + random.between(3, 8)), bottom = std::min(kSide, top + random.between(3, 8));
+    const int right = std::min(kSide, left + random.between(3, 8)),
+              bottom = std::min(kSide, top + random.between(3, 8));
     for (int y = top; y < bottom; ++y)
       for (int x = left; x < right; ++x) cells[static_cast<std::size_t>(y * kSide + x)] = 1;
   }
@@ -59,7 +61,8 @@ std::vector<NodeId> cells_ahead(const oracle::World& world, std::span<const Node
 
 bool crosses(const oracle::World& world, const Path& path, SightRule sight) {
   for (std::size_t i = 1; i < path.nodes.size(); ++i)
-    if (!oracle::sees(world, world.blocked, CornerRule::none, sight, path.nodes[i - 1], path.nodes[i])) return true;
+    if (!oracle::sees(world, world.blocked, CornerRule::none, sight, path.nodes[i - 1], path.nodes[i]))
+      return true;
   return false;
 }
 

@@ -13,9 +13,12 @@ constexpr std::array<std::size_t, 3> kAxes{0, 1, 2};
 
 int tolerated(CornerRule corners) {
   switch (corners) {
-    case CornerRule::none: return 0;
-    case CornerRule::one: return 1;
-    case CornerRule::any: break;
+    case CornerRule::none:
+      return 0;
+    case CornerRule::one:
+      return 1;
+    case CornerRule::any:
+      break;
   }
   return 1000;
 }
@@ -31,9 +34,13 @@ std::vector<Place> offsets(int dimensions) {
   return result;
 }
 
-int axes_of(const Place& by) { return std::abs(by[0]) + std::abs(by[1]) + std::abs(by[2]); }
+int axes_of(const Place& by) {
+  return std::abs(by[0]) + std::abs(by[1]) + std::abs(by[2]);
+}
 
-Place moved(const Place& p, const Place& by) { return {p[0] + by[0], p[1] + by[1], p[2] + by[2]}; }
+Place moved(const Place& p, const Place& by) {
+  return {p[0] + by[0], p[1] + by[1], p[2] + by[2]};
+}
 
 }  // namespace
 
@@ -118,10 +125,12 @@ std::vector<Raw> without_ring(const World& world, const World& ring, const std::
 std::vector<Raw> chamfer_passes(const World& world) {
   std::vector<Raw> distance(world.blocked.size());
   for (std::size_t i = 0; i < distance.size(); ++i) distance[i] = world.blocked[i] != 0 ? 0 : kNever;
-  const std::vector<Place> all = offsets(world.dimensions);  // in raster order: the first half lies before the cell
+  const std::vector<Place> all =
+      offsets(world.dimensions);  // in raster order: the first half lies before the cell
   const auto look = [&](std::size_t i, const Place& by) {
     const Place there = moved(world.place(i), by);
-    if (world.inside(there)) distance[i] = std::min(distance[i], distance[world.index(there)] + step(axes_of(by)));
+    if (world.inside(there))
+      distance[i] = std::min(distance[i], distance[world.index(there)] + step(axes_of(by)));
   };
   for (std::size_t i = 0; i < distance.size(); ++i)
     for (std::size_t k = 0; k < all.size() / 2; ++k) look(i, all[k]);
@@ -171,7 +180,8 @@ std::vector<Raw> penalties(const World& world, const ClearanceRules& rules) {
   return result;
 }
 
-std::vector<Raw> costs_to(const World& world, MoveRules rules, const std::vector<Raw>& penalty, std::size_t goal) {
+std::vector<Raw> costs_to(const World& world, MoveRules rules, const std::vector<Raw>& penalty,
+                          std::size_t goal) {
   std::vector<Raw> cost(world.blocked.size(), kNever);
   if (world.blocked[goal] != 0) return cost;
   using Entry = std::pair<Raw, std::size_t>;
@@ -220,9 +230,10 @@ Raw estimate(const World& world, MoveRules rules, Heuristic heuristic, std::size
 
 namespace {
 
-/// The stretch of the segment a-b that lies in the closed cube of cell c, as times scaled by a common denominator;
-/// first > second if there is none.
-std::pair<std::int64_t, std::int64_t> stretch(const Place& a, const Place& b, const Place& c, std::int64_t whole) {
+/// The stretch of the segment a-b that lies in the closed cube of cell c, as times scaled by a common
+/// denominator; first > second if there is none.
+std::pair<std::int64_t, std::int64_t> stretch(const Place& a, const Place& b, const Place& c,
+                                              std::int64_t whole) {
   std::int64_t first = 0, last = whole;
   for (const std::size_t i : kAxes) {
     // Centres at even places 2a, 2b; the cube spans 2c - 1 to 2c + 1.
@@ -253,8 +264,8 @@ void for_box(const Place& a, const Place& b, Visit&& visit) {
       for (int x = std::min(a[0], b[0]); x <= std::max(a[0], b[0]); ++x) visit(Place{x, y, z});
 }
 
-bool sees_supercover(const World& world, const std::vector<std::uint8_t>& bad, CornerRule corners, const Place& a,
-                     const Place& b) {
+bool sees_supercover(const World& world, const std::vector<std::uint8_t>& bad, CornerRule corners,
+                     const Place& a, const Place& b) {
   const std::int64_t whole = denominator(a, b);
   std::vector<std::int64_t> touches;  // when a bad cell is only touched
   bool clear = true;
@@ -270,8 +281,8 @@ bool sees_supercover(const World& world, const std::vector<std::uint8_t>& bad, C
   return clear;
 }
 
-bool sees_bresenham(const World& world, const std::vector<std::uint8_t>& bad, CornerRule corners, const Place& a,
-                    const Place& b) {
+bool sees_bresenham(const World& world, const std::vector<std::uint8_t>& bad, CornerRule corners,
+                    const Place& a, const Place& b) {
   const auto is_bad = [&](const Place& p) { return bad[world.index(p)] != 0; };
   int longest = 0;
   for (const std::size_t i : kAxes) longest = std::max(longest, std::abs(b[i] - a[i]));
@@ -296,8 +307,8 @@ bool sees_bresenham(const World& world, const std::vector<std::uint8_t>& bad, Co
 
 }  // namespace
 
-bool sees(const World& world, const std::vector<std::uint8_t>& bad, CornerRule corners, SightRule rule, std::size_t a,
-          std::size_t b) {
+bool sees(const World& world, const std::vector<std::uint8_t>& bad, CornerRule corners, SightRule rule,
+          std::size_t a, std::size_t b) {
   const Place p = world.place(std::min(a, b)), q = world.place(std::max(a, b));
   return rule == SightRule::supercover ? sees_supercover(world, bad, corners, p, q)
                                        : sees_bresenham(world, bad, corners, p, q);

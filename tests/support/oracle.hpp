@@ -1,5 +1,5 @@
-// Brute force: what the engine computes, computed again by the plainest means and without a line of its code. Only
-// the names of settings (enums) are shared. Slow and obviously right is the aim.
+// Brute force: what the engine computes, computed again by the plainest means and without a line of its code.
+// Only the names of settings (enums) are shared. Slow and obviously right is the aim.
 //
 // A 2D world is a 3D one of depth 1 in which nothing moves along z.
 #pragma once
@@ -45,26 +45,28 @@ std::vector<std::size_t> neighbours(const World& world, MoveRules rules, std::si
 /// The cost of the step between two neighbours.
 Raw step_between(const World& world, std::size_t a, std::size_t b);
 
-/// Distance from each cell to the nearest obstacle by the paper's two passes with weights 1, sqrt 2 (and sqrt 3 in
-/// 3D), as printed; kNever if there is no obstacle. `border`: the ring of cells just outside counts.
+/// Distance from each cell to the nearest obstacle by the paper's two passes with weights 1, sqrt 2 (and sqrt
+/// 3 in 3D), as printed; kNever if there is no obstacle. `border`: the ring of cells just outside counts.
 std::vector<Raw> two_pass_chamfer(const World& world, bool border);
 /// Distance to the nearest obstacle by looking at all of them.
 std::vector<Raw> exact_euclidean(const World& world, bool border);
 /// dist(s) of the DLD* Lite paper, definitions 1-3.
 std::vector<Raw> penalties(const World& world, const ClearanceRules& rules);
 
-/// Cost from every cell to the goal by Dijkstra's algorithm: steps plus the penalty of each cell stepped into.
-/// kNever where nothing leads. `penalty` may be empty.
-std::vector<Raw> costs_to(const World& world, MoveRules rules, const std::vector<Raw>& penalty, std::size_t goal);
+/// Cost from every cell to the goal by Dijkstra's algorithm: steps plus the penalty of each cell stepped
+/// into. kNever where nothing leads. `penalty` may be empty.
+std::vector<Raw> costs_to(const World& world, MoveRules rules, const std::vector<Raw>& penalty,
+                          std::size_t goal);
 
 /// The estimates of Heuristic, rounded down.
 Raw estimate(const World& world, MoveRules rules, Heuristic heuristic, std::size_t a, std::size_t b);
 
-/// True if a and b see each other where `bad` marks the bad cells. Supercover: each cell of the bounding box is
-/// intersected with the segment in whole numbers; cells that are only touched fall under the corner rule, together
-/// with the others touched at the same point. Bresenham: the k-th cell by rounding, not by running errors.
-bool sees(const World& world, const std::vector<std::uint8_t>& bad, CornerRule corners, SightRule rule, std::size_t a,
-          std::size_t b);
+/// True if a and b see each other where `bad` marks the bad cells. Supercover: each cell of the bounding box
+/// is intersected with the segment in whole numbers; cells that are only touched fall under the corner rule,
+/// together with the others touched at the same point. Bresenham: the k-th cell by rounding, not by running
+/// errors.
+bool sees(const World& world, const std::vector<std::uint8_t>& bad, CornerRule corners, SightRule rule,
+          std::size_t a, std::size_t b);
 /// The cells that the segment between two centres passes through (not those that it only touches), ascending.
 std::vector<std::size_t> crossed_cells(const World& world, std::size_t a, std::size_t b);
 

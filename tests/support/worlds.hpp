@@ -66,13 +66,15 @@ void draw_box(Random& random, const typename BoxLattice<D>::Coordinates& size, i
 
 /// Blocks every other line (plane) across the first axis but for a gap or two: corridors.
 template <int D>
-void draw_corridors(Random& random, const typename BoxLattice<D>::Coordinates& size, std::vector<std::uint8_t>& cells) {
+void draw_corridors(Random& random, const typename BoxLattice<D>::Coordinates& size,
+                    std::vector<std::uint8_t>& cells) {
   const int pitch = random.between(2, 3);
   for (NodeId n = 0; n < cells.size(); ++n)
     if (static_cast<int>(n) % size[0] % pitch == 1) cells[n] = 1;
   for (int x = 1; x < size[0]; x += pitch)
     for (int gaps = random.between(1, 2); gaps > 0; --gaps) {
-      const auto row = random.below(static_cast<std::uint32_t>(cells.size()) / static_cast<std::uint32_t>(size[0]));
+      const auto row =
+          random.below(static_cast<std::uint32_t>(cells.size()) / static_cast<std::uint32_t>(size[0]));
       cells[row * static_cast<std::uint32_t>(size[0]) + static_cast<std::uint32_t>(x)] = 0;
     }
 }
@@ -93,8 +95,8 @@ std::vector<std::uint8_t> random_cells(Random& random, const typename BoxLattice
   return cells;
 }
 
-/// Turns between 1 and `most` cells over, each once: scattered, or close together round a cell. In half of the
-/// cases obstacles go as often as they come, so that worlds do not all fill up.
+/// Turns between 1 and `most` cells over, each once: scattered, or close together round a cell. In half of
+/// the cases obstacles go as often as they come, so that worlds do not all fill up.
 template <int D>
 std::vector<CellEdit> random_edits(Random& random, const oracle::World& world, int most) {
   const auto count = static_cast<std::uint32_t>(world.blocked.size());
@@ -107,7 +109,8 @@ std::vector<CellEdit> random_edits(Random& random, const oracle::World& world, i
       for (std::size_t axis = 0; axis < D; ++axis)
         cell[axis] = std::clamp(middle[axis] + random.between(-1, 1), 0, world.size[axis] - 1);
     auto node = static_cast<NodeId>(world.index(cell));
-    for (int tries = 0; tries < 50 && world.blocked[node] == 0 && thin && left % 2 == 0; ++tries) node = random.below(count);
+    for (int tries = 0; tries < 50 && world.blocked[node] == 0 && thin && left % 2 == 0; ++tries)
+      node = random.below(count);
     const auto same = [node](const CellEdit& edit) { return edit.node == node; };
     if (std::none_of(edits.begin(), edits.end(), same)) edits.push_back({node, world.blocked[node] == 0});
   }
@@ -122,8 +125,10 @@ inline Settings random_settings(Random& random, const PlannerInfo& info) {
     if (parameter.key == "remote_parents") continue;
     if (parameter.type == ParameterType::choice)
       settings.set(parameter.key, random.below(static_cast<std::uint32_t>(parameter.choices.size())));
-    else if (parameter.type == ParameterType::toggle) settings.set(parameter.key, random.below(2));
-    else settings.set(parameter.key, kRanges[random.below(6)]);
+    else if (parameter.type == ParameterType::toggle)
+      settings.set(parameter.key, random.below(2));
+    else
+      settings.set(parameter.key, kRanges[random.below(6)]);
   }
   return settings;
 }
@@ -156,11 +161,11 @@ inline std::vector<oracle::Raw> expected_penalties(const PlannerInfo& info, cons
                                    .border_is_obstacle = settings.get("border", 0) != 0});
 }
 
-/// Why a checked plan is wrong, or empty: cost against a fresh plan of the oracle, status, and the path's nodes,
-/// segments and sum.
+/// Why a checked plan is wrong, or empty: cost against a fresh plan of the oracle, status, and the path's
+/// nodes, segments and sum.
 template <int D>
-std::string fault_of_plan(const PlannerInfo& info, const Settings& settings, const oracle::World& world, NodeId start,
-                          NodeId goal, Planner<BoxLattice<D>>& planner) {
+std::string fault_of_plan(const PlannerInfo& info, const Settings& settings, const oracle::World& world,
+                          NodeId start, NodeId goal, Planner<BoxLattice<D>>& planner) {
   const MoveRules rules = move_rules(settings);
   const auto penalty = expected_penalties(info, settings, world);
   const oracle::Raw fresh =
@@ -175,7 +180,8 @@ std::string fault_of_plan(const PlannerInfo& info, const Settings& settings, con
   const Path path = planner.path();
   if (status != PlanStatus::found) return path.nodes.empty() ? "" : "a path without a plan";
   if (path.loops || path.unchecked) return "a checked path loops or was not checked";
-  if (path.nodes.empty() || path.nodes.front() != start || path.nodes.back() != goal) return "the path's ends";
+  if (path.nodes.empty() || path.nodes.front() != start || path.nodes.back() != goal)
+    return "the path's ends";
   auto sorted = path.nodes;
   std::sort(sorted.begin(), sorted.end());
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return "the path repeats a node";
@@ -183,7 +189,8 @@ std::string fault_of_plan(const PlannerInfo& info, const Settings& settings, con
   oracle::Raw sum = 0;
   for (std::size_t i = 1; i < path.nodes.size(); ++i) {
     const NodeId a = path.nodes[i - 1], b = path.nodes[i];
-    if (!oracle::sees(world, world.blocked, rules.corners, sight, a, b)) return "a segment crosses an obstacle";
+    if (!oracle::sees(world, world.blocked, rules.corners, sight, a, b))
+      return "a segment crosses an obstacle";
     if (info.any_angle) continue;
     const auto near = oracle::neighbours(world, rules, a);
     if (!std::binary_search(near.begin(), near.end(), std::size_t{b})) return "a step is not a move";

@@ -1,5 +1,5 @@
-// The clearance penalty: equal to the paper's two passes (or to brute force), and kept so, bit for bit, by local
-// updates.
+// The clearance penalty: equal to the paper's two passes (or to brute force), and kept so, bit for bit, by
+// local updates.
 #include "core/field/clearance.hpp"
 
 #include <gtest/gtest.h>
@@ -21,12 +21,14 @@ std::vector<ClearanceRules> all_rules() {
 }
 
 std::string describe(const ClearanceRules& rules) {
-  return "range " + std::to_string(rules.range) + (rules.transform == Transform::chamfer ? " chamfer" : " euclidean") +
+  return "range " + std::to_string(rules.range) +
+         (rules.transform == Transform::chamfer ? " chamfer" : " euclidean") +
          (rules.border_is_obstacle ? " border" : "");
 }
 
 template <int D>
-void expect_equals_oracle(const ClearanceField<D>& field, const oracle::World& world, const ClearanceRules& rules) {
+void expect_equals_oracle(const ClearanceField<D>& field, const oracle::World& world,
+                          const ClearanceRules& rules) {
   const auto expected = oracle::penalties(world, rules);
   for (NodeId n = 0; n < expected.size(); ++n) {
     ASSERT_EQ(field.penalty(n).raw, expected[n]) << describe(rules) << ", node " << n;
@@ -96,7 +98,8 @@ void expect_changes(std::span<const ClearanceChange> changes, const std::vector<
 }
 
 template <int D>
-void check_updates(typename BoxLattice<D>::Coordinates size, const ClearanceRules& rules, std::uint64_t seed, int rounds) {
+void check_updates(typename BoxLattice<D>::Coordinates size, const ClearanceRules& rules, std::uint64_t seed,
+                   int rounds) {
   SCOPED_TRACE(describe(rules) + ", seed " + std::to_string(seed));
   Random random(seed);
   TwinWorld<D> world(size, random_cells<D>(random, size), {});

@@ -1,17 +1,16 @@
 // The laws of core/lattice/lattice.hpp, for every lattice under every rule.
-#include "core/lattice/lattice.hpp"
+#include <bit>
 
 #include <gtest/gtest.h>
 
-#include <bit>
-
+#include "core/lattice/lattice.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace replan::test {
 namespace {
 
-constexpr Heuristic kBounds[] = {Heuristic::octile, Heuristic::euclidean, Heuristic::chebyshev, Heuristic::manhattan,
-                                 Heuristic::zero};
+constexpr Heuristic kBounds[] = {Heuristic::octile, Heuristic::euclidean, Heuristic::chebyshev,
+                                 Heuristic::manhattan, Heuristic::zero};
 
 static_assert(Lattice<Grid2> && Lattice<Voxel3>);
 
@@ -24,8 +23,10 @@ std::vector<MoveRules> all_rules() {
 
 template <int D>
 std::vector<typename BoxLattice<D>::Coordinates> sizes() {
-  if constexpr (D == 2) return {{1, 1}, {2, 2}, {1, 2}, {2, 1}, {1, 9}, {9, 1}, {3, 3}, {7, 5}, {12, 9}};
-  else return {{1, 1, 1}, {2, 2, 2}, {1, 1, 6}, {1, 6, 1}, {6, 1, 1}, {3, 3, 3}, {1, 5, 4}, {5, 4, 6}};
+  if constexpr (D == 2)
+    return {{1, 1}, {2, 2}, {1, 2}, {2, 1}, {1, 9}, {9, 1}, {3, 3}, {7, 5}, {12, 9}};
+  else
+    return {{1, 1, 1}, {2, 2, 2}, {1, 1, 6}, {1, 6, 1}, {6, 1, 1}, {3, 3, 3}, {1, 5, 4}, {5, 4, 6}};
 }
 
 template <int D>
@@ -45,7 +46,6 @@ class LatticeLaws : public ::testing::Test {
         }
   }
 };
-
 
 /// Nodes that the moves of n lead to, in the order of the directions.
 template <int D>
@@ -156,7 +156,8 @@ void check_bounds(const typename BoxLattice<D>::Coordinates& size, MoveRules rul
           const int d = std::countr_zero(rest);
           ASSERT_LE(whole, BoxLattice<D>::step_cost(d) + lattice.bound(h, lattice.neighbour(a, d), c));
         }
-        for (NodeId b = 0; b < count; ++b) ASSERT_LE(whole, lattice.bound_up(h, a, b) + lattice.bound(h, b, c));
+        for (NodeId b = 0; b < count; ++b)
+          ASSERT_LE(whole, lattice.bound_up(h, a, b) + lattice.bound(h, b, c));
       }
   }
 }
@@ -186,7 +187,8 @@ TEST(LatticeBounds, areConsistentAcrossLargeLattices) {
       for (std::uint32_t rest = moves; rest != 0; rest &= rest - 1) {
         const int d = std::countr_zero(rest);
         for (const Heuristic h : {Heuristic::octile, Heuristic::euclidean, Heuristic::chebyshev})
-          ASSERT_LE(lattice.bound(h, a, c), lattice.step_cost(d) + lattice.bound(h, lattice.neighbour(a, d), c));
+          ASSERT_LE(lattice.bound(h, a, c),
+                    lattice.step_cost(d) + lattice.bound(h, lattice.neighbour(a, d), c));
       }
     }
   };
@@ -225,10 +227,12 @@ TEST(Coordinates, areExactUpToTheLargestWidths) {
   std::vector<int> widths = {1, 2, 3, 7, 10, 49, 1000, 4095, 4096, 4097, 65521, 1'000'003};
   widths.insert(widths.end(), {(1 << 25) - 1, 1 << 25, (1 << 26) - 1, 1 << 26});
   for (const int width : widths) {
-    const int height = std::max(1, static_cast<int>(std::min<std::int64_t>(kMaxCells / width, 4'000'000 / width + 1)));
+    const int height =
+        std::max(1, static_cast<int>(std::min<std::int64_t>(kMaxCells / width, 4'000'000 / width + 1)));
     const Grid2 lattice({width, height});
     const auto count = static_cast<std::uint32_t>(lattice.node_count());
-    for (int row = 0; row < std::min(height, 2000); ++row) {  // the rows' ends are where a quotient turns over
+    for (int row = 0; row < std::min(height, 2000);
+         ++row) {  // the rows' ends are where a quotient turns over
       const auto first = static_cast<NodeId>(row) * static_cast<NodeId>(width);
       check_coordinates(lattice, first);
       check_coordinates(lattice, first + static_cast<NodeId>(width) - 1);
@@ -240,7 +244,8 @@ TEST(Coordinates, areExactUpToTheLargestWidths) {
 }
 
 TEST(Coordinates, areExactOnTallAndDeepLattices) {
-  for (const auto& size : {std::array{1000, 999, 1}, std::array{3, 1 << 18, 1}, std::array{1, 7, 1 << 17}, std::array{90, 91, 92}}) {
+  for (const auto& size : {std::array{1000, 999, 1}, std::array{3, 1 << 18, 1}, std::array{1, 7, 1 << 17},
+                           std::array{90, 91, 92}}) {
     const Voxel3 lattice(size);
     Random random(2);
     const auto count = static_cast<std::uint32_t>(lattice.node_count());

@@ -1,10 +1,10 @@
 // The open list against an ordered set under random use.
 #include "core/plan/open_list.hpp"
 
-#include <gtest/gtest.h>
-
 #include <set>
 #include <tuple>
+
+#include <gtest/gtest.h>
 
 #include "core/base/random.hpp"
 
@@ -21,7 +21,8 @@ using Reference = std::set<std::tuple<Key, NodeId>>;
 
 Key random_key(Random& random) {
   // Few values, so that ties are common.
-  return {Cost{static_cast<std::int64_t>(random.below(12))}, Cost{static_cast<std::int64_t>(random.below(4))}};
+  return {Cost{static_cast<std::int64_t>(random.below(12))},
+          Cost{static_cast<std::int64_t>(random.below(4))}};
 }
 
 /// An open list and a set that are always told the same.
@@ -91,10 +92,14 @@ TEST(OpenList, behavesLikeAnOrderedSetUnderRandomUse) {
     Twins twins(nodes);
     for (int i = 0; i < 3000; ++i) {
       const std::uint32_t what = random.below(100);
-      if (what < 55) twins.push_or_update(random.below(nodes), random_key(random));
-      else if (what < 75) twins.remove(random.below(nodes));
-      else if (what < 99) twins.pop();
-      else if (random.chance(0.2)) twins.clear();
+      if (what < 55)
+        twins.push_or_update(random.below(nodes), random_key(random));
+      else if (what < 75)
+        twins.remove(random.below(nodes));
+      else if (what < 99)
+        twins.pop();
+      else if (random.chance(0.2))
+        twins.clear();
       twins.compare();
       twins.compare_slots();
       ASSERT_FALSE(HasFatalFailure()) << "seed " << seed << ", operation " << i;

@@ -8,7 +8,8 @@
 namespace replan::test {
 namespace {
 
-/// A small world as rows of text: '#' obstacle, 'S' start, 'G' goal, 's' and 'g' the same inside an obstacle, '*' both.
+/// A small world as rows of text: '#' obstacle, 'S' start, 'G' goal, 's' and 'g' the same inside an obstacle,
+/// '*' both.
 struct Fixture {
   const char* name;
   std::vector<std::string> rows;
@@ -86,14 +87,18 @@ void expect_same(const Answer& a, const Answer& b) {
 }
 
 template <int D, class T>
-Answer answer(const PlannerInfo& info, const BoxLattice<D>& lattice, const Settings& settings, NodeId start, NodeId goal,
-              std::int64_t slice) {
+Answer answer(const PlannerInfo& info, const BoxLattice<D>& lattice, const Settings& settings, NodeId start,
+              NodeId goal, std::int64_t slice) {
   T trace;
   const auto planner = make_planner(info, lattice, settings, trace);
   planner->begin(start, goal);
   for (int i = 0; !planner->advance(slice); ++i)
     if (i > 1'000'000) break;
-  Answer result{.status = planner->status(), .cost = planner->cost(), .path = planner->path(), .counters = {}, .log = {}};
+  Answer result{.status = planner->status(),
+                .cost = planner->cost(),
+                .path = planner->path(),
+                .counters = {},
+                .log = {}};
   result.counters = planner->counters();
   if constexpr (T::kEnabled) result.log = trace.take();
   return result;
@@ -101,7 +106,8 @@ Answer answer(const PlannerInfo& info, const BoxLattice<D>& lattice, const Setti
 
 void expect_counters_match(const Answer& answer) {
   const auto count = [&answer](EventKind kind) {
-    return std::count_if(answer.log.begin(), answer.log.end(), [kind](const Event& e) { return e.kind == kind; });
+    return std::count_if(answer.log.begin(), answer.log.end(),
+                         [kind](const Event& e) { return e.kind == kind; });
   };
   EXPECT_EQ(answer.counters.expansions, count(EventKind::visit));
   EXPECT_EQ(answer.counters.queue_operations, count(EventKind::queue));
@@ -120,7 +126,8 @@ void check_fixture(const PlannerInfo& info, const Fixture& fixture, int depth, S
   const Answer whole = ask(Recorder{}, std::int64_t{1} << 30), sliced = ask(Recorder{}, 1);
   EXPECT_EQ(whole.status, fixture.status);
   EXPECT_EQ(whole.cost.is_infinite(), fixture.status != PlanStatus::found);
-  EXPECT_TRUE(path_is_free(world.lattice, whole.path.nodes, SightRule::supercover) || whole.path.nodes.empty());
+  EXPECT_TRUE(path_is_free(world.lattice, whole.path.nodes, SightRule::supercover) ||
+              whole.path.nodes.empty());
   expect_counters_match(whole);
   expect_same(whole, sliced);
   EXPECT_TRUE(whole.log == sliced.log) << "slices change the log";
@@ -131,7 +138,8 @@ void check_fixture(const PlannerInfo& info, const Fixture& fixture, int depth, S
   planner->begin(stage.start, stage.goal);
   finish(*planner);
   const bool exact = info.optimal(settings) || info.incremental;
-  EXPECT_EQ(exact ? fault_of_plan<D>(info, settings, world.plain, stage.start, stage.goal, *planner) : "", "");
+  EXPECT_EQ(exact ? fault_of_plan<D>(info, settings, world.plain, stage.start, stage.goal, *planner) : "",
+            "");
 }
 
 class EveryPlanner : public ::testing::TestWithParam<const PlannerInfo*> {};
@@ -182,17 +190,22 @@ void check_random_worlds(const PlannerInfo& info, typename BoxLattice<D>::Coordi
   }
 }
 
-TEST_P(EveryPlanner, agreesWithTheOracleOnRandomWorldsIn2d) { check_random_worlds<2>(*GetParam(), {1, 1}, {16, 12}); }
-TEST_P(EveryPlanner, agreesWithTheOracleOnRandomWorldsIn3d) { check_random_worlds<3>(*GetParam(), {1, 1, 1}, {7, 6, 5}); }
+TEST_P(EveryPlanner, agreesWithTheOracleOnRandomWorldsIn2d) {
+  check_random_worlds<2>(*GetParam(), {1, 1}, {16, 12});
+}
+TEST_P(EveryPlanner, agreesWithTheOracleOnRandomWorldsIn3d) {
+  check_random_worlds<3>(*GetParam(), {1, 1, 1}, {7, 6, 5});
+}
 
-/// Work that the log of a whole run shows; a search that starts afresh empties its open list on line 1, which is not
-/// counted as work.
+/// Work that the log of a whole run shows; a search that starts afresh empties its open list on line 1, which
+/// is not counted as work.
 Counters work_in(const std::vector<Event>& log, std::size_t nodes) {
   SearchState state(nodes);
   Counters work;
   for (const Event& event : log) {
     state.apply(event);
-    work.expansions += event.kind == EventKind::visit && state.value(EventKind::visit, event.node) != 0 ? 1 : 0;
+    work.expansions +=
+        event.kind == EventKind::visit && state.value(EventKind::visit, event.node) != 0 ? 1 : 0;
     work.queue_operations += event.kind == EventKind::queue && event.line != 1 ? 1 : 0;
     work.sight_checks += event.kind == EventKind::sight ? 1 : 0;
   }

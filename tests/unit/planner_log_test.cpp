@@ -1,6 +1,6 @@
-// The log of a planner tells the truth: played back it gives the planner's values, which keep D* Lite's invariants;
-// played backwards it leads back through the same states; and a search taken up from any of these states goes on as if
-// it had never stopped.
+// The log of a planner tells the truth: played back it gives the planner's values, which keep D* Lite's
+// invariants; played backwards it leads back through the same states; and a search taken up from any of these
+// states goes on as if it had never stopped.
 #include <gtest/gtest.h>
 
 #include "core/trace/search_state.hpp"
@@ -35,8 +35,10 @@ template <int D>
 Script<D> random_script(const PlannerInfo& info, std::uint64_t seed, int replans) {
   Random random(seed);
   Script<D> script{.info = &info, .settings = random_settings(random, info)};
-  if constexpr (D == 2) script.size = random_size<2>(random, {5, 5}, {14, 11});
-  else script.size = random_size<3>(random, {3, 3, 2}, {6, 5, 4});
+  if constexpr (D == 2)
+    script.size = random_size<2>(random, {5, 5}, {14, 11});
+  else
+    script.size = random_size<3>(random, {3, 3, 2}, {6, 5, 4});
   script.cells = random_cells<D>(random, script.size);
   TwinWorld<D> world(script.size, script.cells, move_rules(script.settings));
   script.goal = random_free(random, world.plain);
@@ -78,8 +80,10 @@ class Player {
   /// Runs the search of step i; `spent` iterations of its budget were spent before.
   void search(std::size_t i, std::int64_t spent = 0) {
     const std::int64_t budget = script_.steps[i].budget;
-    if (budget == 0) finish(*planner_);
-    else if (budget > spent) planner_->advance(budget - spent);
+    if (budget == 0)
+      finish(*planner_);
+    else if (budget > spent)
+      planner_->advance(budget - spent);
   }
   void read_path() { planner_->path(); }
   Marks play(std::size_t i) {
@@ -120,7 +124,8 @@ Heuristic heuristic_of(const Settings& settings) {
   return kByChoice[static_cast<std::size_t>(settings.get("heuristic", 0))];
 }
 
-/// D* Lite's invariants of one node, by the oracle's moves, penalties and estimates; what is broken, or empty.
+/// D* Lite's invariants of one node, by the oracle's moves, penalties and estimates; what is broken, or
+/// empty.
 template <int D>
 std::string broken_invariant(const Script<D>& script, const oracle::World& world,
                              const std::vector<oracle::Raw>& penalty, const SearchState& state, NodeId n) {
@@ -140,8 +145,9 @@ std::string broken_invariant(const Script<D>& script, const oracle::World& world
   if (!penalty.empty() && state.dist(n).raw != penalty[n]) return "dist is not the penalty";
   if (penalty.empty() && state.dist(n).raw != 0) return "dist without clearance";
   if (state.queued(n) != (state.g(n) != state.rhs(n))) return "in U and consistent, or the other way round";
-  const oracle::Raw key = std::min(state.g(n).raw, state.rhs(n).raw) + state.km().raw +
-                          oracle::estimate(world, rules, heuristic_of(script.settings), state.node(Scalar::start), n);
+  const oracle::Raw key =
+      std::min(state.g(n).raw, state.rhs(n).raw) + state.km().raw +
+      oracle::estimate(world, rules, heuristic_of(script.settings), state.node(Scalar::start), n);
   if (state.queued(n) && state.k1(n).raw > key) return "the key in U is above the true one";
   return "";
 }
@@ -212,7 +218,8 @@ void check_forward_values(const PlannerInfo& info, std::uint64_t seed) {
       } else if (n != state.node(Scalar::start)) {
         const NodeId parent = state.lp(n);
         ASSERT_NE(parent, kNoNode);
-        ASSERT_EQ(state.g(n).raw, state.g(parent).raw + oracle::step_between(world, parent, n)) << "node " << n;
+        ASSERT_EQ(state.g(n).raw, state.g(parent).raw + oracle::step_between(world, parent, n))
+            << "node " << n;
       }
     }
   }
@@ -261,7 +268,8 @@ struct WorkMeter {
   std::int64_t iterations = 0;  ///< of the main loop since the last change
   void take(const Event& event, const SearchState& after) {
     if (event.kind == EventKind::pop) ++iterations;
-    if (event.kind == EventKind::visit && after.value(EventKind::visit, event.node) != 0) ++counters.expansions;
+    if (event.kind == EventKind::visit && after.value(EventKind::visit, event.node) != 0)
+      ++counters.expansions;
     if (event.kind == EventKind::queue && event.line != 1) ++counters.queue_operations;
     if (event.kind == EventKind::sight) ++counters.sight_checks;
   }
@@ -301,7 +309,8 @@ void check_restore(const PlannerInfo& info, std::uint64_t seed) {
   for (std::size_t at = 0, i = 0; at <= log.size(); ++at) {
     while (i + 1 < marks.size() && at > marks[i].done) ++i;
     if (at == marks[i].changed) meter.iterations = 0;
-    const bool before_pop = at >= marks[i].changed && at < marks[i].searched && log[at].kind == EventKind::pop;
+    const bool before_pop =
+        at >= marks[i].changed && at < marks[i].searched && log[at].kind == EventKind::pop;
     const bool standing = at == marks[i].searched || at == marks[i].done;
     if ((before_pop && random.chance(0.25)) || standing) {
       check_taken_up(script, log, marks[i], i, at, state, meter);

@@ -12,8 +12,8 @@ constexpr CornerRule kCorners[] = {CornerRule::none, CornerRule::one, CornerRule
 constexpr SightRule kSights[] = {SightRule::supercover, SightRule::bresenham};
 
 template <int D>
-void check_all_pairs(typename BoxLattice<D>::Coordinates size, CornerRule corners, SightRule rule, double density,
-                     std::uint64_t seed) {
+void check_all_pairs(typename BoxLattice<D>::Coordinates size, CornerRule corners, SightRule rule,
+                     double density, std::uint64_t seed) {
   SCOPED_TRACE("seed " + std::to_string(seed) + ", corners " + std::to_string(static_cast<int>(corners)) +
                (rule == SightRule::supercover ? ", supercover" : ", bresenham"));
   Random random(seed);
@@ -24,7 +24,8 @@ void check_all_pairs(typename BoxLattice<D>::Coordinates size, CornerRule corner
   for (NodeId a = 0; a < cells.size(); ++a)
     for (NodeId b = 0; b < cells.size(); ++b) {
       const bool seen = line_of_sight(world.lattice, rule, a, b, bad);
-      ASSERT_EQ(seen, line_of_sight(world.lattice, rule, b, a, bad)) << a << " and " << b << ": not symmetric";
+      ASSERT_EQ(seen, line_of_sight(world.lattice, rule, b, a, bad))
+          << a << " and " << b << ": not symmetric";
       ASSERT_EQ(seen, oracle::sees(world.plain, cells, corners, rule, a, b)) << a << " to " << b;
     }
 }
@@ -69,7 +70,8 @@ TEST(LineOfSight, betweenNeighboursIsTheMoveRule) {
           const auto near = oracle::neighbours(world.plain, {.corners = corners}, n);
           const bool move = std::binary_search(near.begin(), near.end(), std::size_t{m});
           for (const SightRule rule : kSights)
-            ASSERT_EQ(line_of_sight(world.lattice, rule, n, m, [&](NodeId c) { return cells[c] != 0; }), move);
+            ASSERT_EQ(line_of_sight(world.lattice, rule, n, m, [&](NodeId c) { return cells[c] != 0; }),
+                      move);
         }
     }
 }
@@ -95,9 +97,8 @@ void check_walks(typename BoxLattice<D>::Coordinates size) {
   const TwinWorld<D> world(size, std::vector<std::uint8_t>(cell_count<D>(size)), {});
   for (NodeId a = 0; a < world.lattice.node_count(); ++a)
     for (NodeId b = 0; b < world.lattice.node_count(); ++b) {
-      const auto cells = walked(world.lattice, a, [&](auto step) {
-        EXPECT_TRUE(walk_supercover(world.lattice, a, b, step));
-      });
+      const auto cells = walked(world.lattice, a,
+                                [&](auto step) { EXPECT_TRUE(walk_supercover(world.lattice, a, b, step)); });
       ASSERT_EQ(cells, oracle::crossed_cells(world.plain, a, b)) << a << " to " << b;
       std::size_t last = a;
       int steps = 0;

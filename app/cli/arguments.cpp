@@ -1,0 +1,238 @@
+#include "app/cli/arguments.hpp"
+
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/output.hpp"
+#include "core/base/file.hpp"
+#include "core/plan/registry.hpp"
+#include "core/world/map_file.hpp"
+#include "core/world/text_lines.hpp"
+
+namespace replan::cli {
+namespace {
+
+/// One `--set [PLANNER.]KEY=VALUE`, taken apart.
+struct Assignment {
+  std::string_view typed, planner, key, value;
+};
+
+Result<Assignment> take_apart(std::string_view typed) {
+  const std::size_t equals = typed.find('=');
+  if (equals == std::string_view::npos || equals == 0)
+    return Error{"--set " + std::string(typed) + ": give KEY=VALUE, or PLANNER.KEY=VALUE for one planner"};
+  Assignment result{typed, {}, typed.substr(0, equals), typed.substr(equals + 1)};
+  if (const std::size_t dot = result.key.find('.'); dot != std::string_view::npos) {
+    result.planner = result.key.substr(0, dot);
+    result.key = result.key.substr(dot + 1);
+  }
+  return result;
+}
+
+std::string joined(std::span<const std::string_view> names) {
+  std::string list;
+  for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
+  return list;
+}
+
+/// Why a setting fits none of the planners of a run.
+Error unknown_setting(const Assignment& set, std::span<const PlannerChoice> choices) {
+  std::vector<std::string_view> owners, keys;
+  for (const PlannerInfo& info : planners())
+    if (find_parameter(info.parameters, set.key) != nullptr) owners.push_back(info.id);
+  for (const PlannerChoice& choice : choices)
+    for (const Parameter& parameter : find_planner(choice.id)->parameters)
+      if (std::find(keys.begin(), keys.end(), parameter.key) == keys.end()) keys.push_back(parameter.key);
+  const std::string start = "--set " + std::string(set.typed) + ": ";
+  if (!owners.empty())
+    return {start + "none of the planners here has the setting '" + std::string(set.key) + "'; these have: " +
+            joined(owners)};
+  return {start + "unknown setting '" + std::string(set.key) + "'" +
+          suggestion(set.key, keys, "; known: " + joined(keys))};
+}
+
+Result<void> assign(const Assignment& set, std::span<PlannerChoice> choices) {
+  bool known = false, present = set.planner.empty();
+  for (PlannerChoice& choice : choices) {
+    if (!set.planner.empty() && set.planner != choice.id) continue;
+    present = true;
+    const auto& declared = find_planner(choice.id)->parameters;
+    if (find_parameter(declared, set.key) == nullptr) continue;
+    known = true;
+    if (const auto done = set_from_text(choice.settings, declared, set.key, set.value); !done)
+      return Error{"--set " + std::string(set.typed) + ": for planner '" + choice.id + "' " + done.error()};
+  }
+  if (present && known) return {};
+  if (present) return unknown_setting(set, choices);
+  if (const auto info = require_planner(set.planner); !info)
+    return Error{"--set " + std::string(set.typed) + ": " + info.error()};
+  return Error{"--set " + std::string(set.typed) + ": planner '" + std::string(set.planner) +
+               "' is not among the planners here; add it with --planner"};
+}
+
+Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids, std::span<const PlannerChoice> own) {
+  std::vector<PlannerChoice> result;
+  for (const std::string& id : ids) {
+    if (id == "all") {
+      for (const PlannerInfo& info : planners()) result.push_back({std::string(info.id), {}});
+      continue;
+    }
+    const auto info = require_planner(id);
+    if (!info) return Error{"--planner: " + info.error()};
+    const auto kept = std::find_if(own.begin(), own.end(), [&](const PlannerChoice& c) { return c.id == id; });
+    result.push_back({id, kept != own.end() ? kept->settings : Settings{}});
+  }
+  if (ids.empty()) result.assign(own.begin(), own.end());
+  if (result.empty())
+    return Error{"no planner is named: give --planner ID[,ID...]; 'replan list planners' shows them"};
+  return result;
+}
+
+Result<Cell> cell_on_map(std::string_view option, const std::string& text, const GridMap& map,
+                         const std::string& source) {
+  const std::string range = "x from 0 to " + std::to_string(map.width - 1) + ", y from 0 to " +
+                            std::to_string(map.height - 1);
+  if (text.empty())
+    return Error{std::string(option) + " is missing: give " + std::string(option) + " X,Y with " + range};
+  const auto cell = parse_cell(option, text);
+  if (!cell) return cell;
+  if (!map.contains(*cell))
+    return Error{std::string(option) + " " + text + " is outside the map " + source + ": give " + range};
+  return cell;
+}
+
+Result<Scenario> plain_world(const std::string& map_path) {
+  Result<GridMap> map = read_map(map_path);
+  if (!map) return Error{map.error()};
+  Scenario world;
+  world.map = std::move(map.value());
+  world.name = file_stem(map_path);
+  return world;
+}
+
+bool same_choice(const Parameter& a, const Parameter& b) {
+  return a.key == b.key && a.choices == b.choices && a.help == b.help;
+}
+
+std::string values_text(const Parameter& parameter) {
+  switch (parameter.type) {
+    case ParameterType::toggle:
+      return "true|false";
+    case ParameterType::choice: {
+      std::string list;
+      for (const std::string_view choice : parameter.choices) list += (list.empty() ? "" : "|") + std::string(choice);
+      return list;
+    }
+    case ParameterType::real:
+    case ParameterType::whole:
+      break;
+  }
+  return format_value(parameter, parameter.low) + ".." + format_value(parameter, parameter.high) +
+         (parameter.unit.empty() ? "" : " " + std::string(parameter.unit));
+}
+
+}  // namespace
+
+void PlannerArguments::declare(CLI::App& command) {
+  command.add_option("--planner", ids, "Planners to run, or 'all'; 'replan list planners' shows them")
+      ->type_name("ID[,ID...]")
+      ->allow_extra_args(false);
+  command.add_option("--set", settings, "A setting, for each planner that has it or for the one named (repeatable)")
+      ->type_name("[ID.]KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+Result<std::vector<PlannerChoice>> PlannerArguments::choose(std::span<const PlannerChoice> own) const {
+  auto choices = chosen(split_list(ids), own);
+  if (!choices) return choices;
+  for (const std::string& typed : settings) {
+    const auto set = take_apart(typed);
+    if (!set) return Error{set.error()};
+    if (const auto done = assign(*set, choices.value()); !done) return Error{done.error()};
+  }
+  return choices;
+}
+
+void WorldArguments::declare(CLI::App& command) {
+  command.add_option("SCENARIO", scenario, "A scenario file (.json)");
+  command.add_option("--map", map, "A map instead: .map, .png, .bmp, .jpg, .pgm or .ppm")->type_name("FILE");
+  command.add_option("--start", start, "Where the robot starts")->type_name("X,Y");
+  command.add_option("--goal", goal, "Where it is to go")->type_name("X,Y");
+  planners.declare(command);
+}
+
+Result<Scenario> WorldArguments::load() const {
+  if (scenario.empty() == map.empty())
+    return Error{scenario.empty() ? "no world is named: give a scenario file, or --map FILE with --start and --goal"
+                                  : "give either a scenario file or --map, not both"};
+  Result<Scenario> world = map.empty() ? read_scenario(scenario) : plain_world(map);
+  if (!world) return world;
+  for (const auto& [option, text, cell] :
+       {std::tuple{"--start", &start, &world->start}, std::tuple{"--goal", &goal, &world->goal}}) {
+    if (map.empty() && text->empty()) continue;
+    const auto given = cell_on_map(option, *text, world->map, source());
+    if (!given) return Error{given.error()};
+    *cell = *given;
+  }
+  auto choices = planners.choose(world->planners);
+  if (!choices) return Error{choices.error()};
+  world->planners = std::move(choices.value());
+  return world;
+}
+
+Result<Cell> parse_cell(std::string_view option, std::string_view text) {
+  const std::size_t comma = text.find(',');
+  const auto x = number_from<int>(text.substr(0, comma));
+  const auto y = comma == std::string_view::npos ? std::nullopt : number_from<int>(text.substr(comma + 1));
+  if (x && y) return Cell{*x, *y};
+  return Error{std::string(option) + " cannot be '" + std::string(text) +
+               "': give a cell as X,Y in whole numbers, for example " + std::string(option) + " 3,4"};
+}
+
+Result<std::int64_t> parse_count(std::string_view option, std::string_view text, std::int64_t low) {
+  const auto value = number_from<std::int64_t>(text);
+  if (value && *value >= low) return *value;
+  return Error{std::string(option) + " cannot be '" + std::string(text) + "': give a whole number from " +
+               std::to_string(low)};
+}
+
+std::vector<std::string> split_list(std::span<const std::string> texts) {
+  std::vector<std::string> parts;
+  for (std::string_view text : texts)
+    while (!text.empty()) {
+      const std::size_t comma = std::min(text.find(','), text.size());
+      if (comma > 0) parts.emplace_back(text.substr(0, comma));
+      text.remove_prefix(std::min(comma + 1, text.size()));
+    }
+  return parts;
+}
+
+std::string suggestion(std::string_view name, std::span<const std::string_view> names, std::string_view otherwise) {
+  const std::string_view nearest = nearest_name(name, names);
+  return nearest.empty() ? std::string(otherwise) : "; did you mean '" + std::string(nearest) + "'?";
+}
+
+std::string settings_help() {
+  constexpr std::size_t kIndent = 6;
+  std::string text = "Planner settings (--set):\n";
+  std::vector<Parameter> shown;
+  for (const PlannerInfo& info : planners())
+    for (const Parameter& parameter : info.parameters) {
+      const auto again = [&](const Parameter& other) { return same_choice(other, parameter); };
+      if (std::any_of(shown.begin(), shown.end(), again)) continue;
+      shown.push_back(parameter);
+      std::vector<std::string_view> owners;
+      for (const PlannerInfo& other : planners())
+        if (std::any_of(other.parameters.begin(), other.parameters.end(), again)) owners.push_back(other.id);
+      text += "  " + std::string(parameter.key) + "=" + values_text(parameter) + "  (default " +
+              format_value(parameter, parameter.initial) + ")\n" + std::string(kIndent, ' ') +
+              wrapped(parameter.help, kIndent) + "\n" + std::string(kIndent, ' ') +
+              (owners.size() == planners().size() ? "For all planners."
+                                                  : wrapped("For " + joined(owners) + ".", kIndent)) +
+              "\n";
+    }
+  return text;
+}
+
+}  // namespace replan::cli

@@ -1,0 +1,57 @@
+// What several commands are told in the same words: a world, planners, settings.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/cell.hpp"
+#include "core/base/result.hpp"
+#include "core/world/scenario.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace replan::cli {
+
+/// `--planner` and `--set`, as typed.
+struct PlannerArguments {
+  std::vector<std::string> ids;
+  std::vector<std::string> settings;
+
+  void declare(CLI::App& command);
+  /// The planners asked for, in that order; those of `own` (a scenario's) if none is asked for. A planner keeps the
+  /// settings that it has in `own`, and `--set` changes them.
+  [[nodiscard]] Result<std::vector<PlannerChoice>> choose(std::span<const PlannerChoice> own = {}) const;
+};
+
+/// A scenario, or a map with `--start` and `--goal`, as typed.
+struct WorldArguments {
+  std::string scenario;
+  std::string map;
+  std::string start;
+  std::string goal;
+  PlannerArguments planners;
+
+  void declare(CLI::App& command);
+  /// The world and its planners. With `--map` the scenario has no surprises, and its robot knows the map.
+  [[nodiscard]] Result<Scenario> load() const;
+  /// How a summary names it: the file.
+  [[nodiscard]] const std::string& source() const { return scenario.empty() ? map : scenario; }
+};
+
+/// Reads "X,Y"; `option` names it in errors.
+Result<Cell> parse_cell(std::string_view option, std::string_view text);
+/// Reads a whole number of at least `low`.
+Result<std::int64_t> parse_count(std::string_view option, std::string_view text, std::int64_t low);
+/// The parts of "a,b,c", empty ones left out.
+std::vector<std::string> split_list(std::span<const std::string> texts);
+/// "; did you mean 'NAME'?", or `otherwise` if nothing is near.
+std::string suggestion(std::string_view name, std::span<const std::string_view> names, std::string_view otherwise);
+
+/// Every planner's settings, for the end of a command's help.
+std::string settings_help();
+
+}  // namespace replan::cli

@@ -1,0 +1,28 @@
+// The commands of the program. Each is declared once, with its options, help and examples, and carried out when it
+// was the one asked for.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/base/result.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace replan::cli {
+
+/// A command and what it does. The action returns the exit code, or the sentence to complain with.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<Result<int>()> action;
+};
+
+Command add_run(CLI::App& program);
+Command add_batch(CLI::App& program);
+Command add_render(CLI::App& program);
+Command add_convert(CLI::App& program);
+Command add_list(CLI::App& program);
+
+}  // namespace replan::cli

@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/arguments.hpp"
+#include "app/cli/commands.hpp"
+#include "app/cli/output.hpp"
+#include "core/plan/pages.hpp"
+#include "core/plan/registry.hpp"
+#include "core/scene/view.hpp"
+#include "core/world/map_file.hpp"
+#include "core/world/scenario.hpp"
+
+namespace replan::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using enum Table::Align;
+
+/// What is listed, as text and as JSON.
+struct Listing {
+  std::string text;
+  Json json;
+};
+
+Json parameter_json(const Parameter& parameter) {
+  constexpr const char* kTypes[] = {"choice", "real", "whole", "toggle"};
+  Json result = {{"key", parameter.key},
+                 {"label", parameter.label},
+                 {"type", kTypes[static_cast<std::size_t>(parameter.type)]}};
+  if (parameter.type == ParameterType::choice) {
+    result["choices"] = parameter.choices;
+    result["default"] = format_value(parameter, parameter.initial);
+  } else if (parameter.type == ParameterType::toggle) {
+    result["default"] = parameter.initial != 0;
+  } else {
+    result["low"] = parameter.low;
+    result["high"] = parameter.high;
+    result["unit"] = parameter.unit;
+    result["default"] = parameter.initial;
+  }
+  result["help"] = parameter.help;
+  return result;
+}
+
+Result<Listing> list_planners() {
+  Listing listing;
+  Table table({{"id", left}, {"name", left}, {"what it does", left}});
+  for (const PlannerInfo& info : planners()) {
+    table.add({std::string(info.id), std::string(info.name), std::string(info.summary)});
+    Json settings = Json::array();
+    for (const Parameter& parameter : info.parameters) settings.push_back(parameter_json(parameter));
+    listing.json["planners"].push_back({{"id", info.id},
+                                        {"name", info.name},
+                                        {"summary", info.summary},
+                                        {"source", info.source},
+                                        {"incremental", info.incremental},
+                                        {"any_angle", info.any_angle},
+                                        {"clearance", info.clearance},
+                                        {"settings", std::move(settings)}});
+  }
+  listing.text = table.text();
+  return listing;
+}
+
+Result<Listing> list_overlays() {
+  Listing listing;
+  Table table({{"id", left}, {"kind", left}, {"what it shows", left}});
+  for (const OverlayInfo& info : overlays()) {
+    const char* kind = info.is_field() ? "field" : "mark";
+    table.add({std::string(info.id), kind, std::string(info.help)});
+    listing.json["overlays"].push_back({{"id", info.id}, {"label", info.label}, {"kind", kind}, {"help", info.help}});
+  }
+  listing.text = table.text() + "\nFields colour whole cells, one at a time; any number of marks is drawn on top.\n";
+  return listing;
+}
+
+/// One file of the maps folder; nothing if it is no world.
+void list_world(const std::filesystem::path& file, Table& table, Json& json) {
+  const std::string path = file.string(), kind = file.extension() == ".json" ? "scenario" : "map";
+  Scenario world;
+  if (kind == "scenario") {
+    auto scenario = read_scenario(path);
+    if (!scenario) return;
+    world = std::move(scenario.value());
+  } else {
+    auto map = read_map(path);
+    if (!map) return;
+    world.map = std::move(map.value());
+  }
+  const std::string size = std::to_string(world.map.width) + " x " + std::to_string(world.map.height);
+  table.add({path, kind, size, world.name});
+  json.push_back({{"path", path}, {"kind", kind}, {"width", world.map.width}, {"height", world.map.height},
+                  {"name", world.name}, {"caption", world.caption}});
+}
+
+Result<Listing> list_maps() {
+  namespace fs = std::filesystem;
+  std::error_code failed;
+  const fs::path folder = fs::weakly_canonical(fs::path(assets_folder()) / ".." / "maps", failed);
+  std::vector<fs::path> files;
+  for (auto entry = fs::recursive_directory_iterator(folder, failed); !failed && entry != fs::end(entry);
+       entry.increment(failed))
+    if (entry->is_regular_file(failed)) files.push_back(entry->path());
+  if (files.empty()) return Error{"no maps were found in '" + folder.string() + "'"};
+  std::sort(files.begin(), files.end());
+  Listing listing;
+  listing.json["maps"] = Json::array();
+  Table table({{"file", left}, {"kind", left}, {"cells"}, {"name", left}});
+  for (const fs::path& file : files) list_world(file, table, listing.json["maps"]);
+  listing.text = table.text();
+  return listing;
+}
+
+struct Kind {
+  std::string_view name;
+  Result<Listing> (*list)();
+};
+constexpr Kind kKinds[] = {{"planners", list_planners}, {"maps", list_maps}, {"overlays", list_overlays}};
+
+Result<int> list(const std::string& what, bool json) {
+  std::vector<std::string_view> names;
+  for (const Kind& kind : kKinds) {
+    names.push_back(kind.name);
+    if (kind.name != what) continue;
+    const auto listing = kind.list();
+    if (!listing) return Error{listing.error()};
+    print(json ? listing->json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : listing->text);
+    return kDone;
+  }
+  return Error{"cannot list '" + what + "'" + suggestion(what, names, "; give planners, maps or overlays")};
+}
+
+std::string footer() {
+  return "Examples:\n"
+         "  replan list planners\n"
+         "      Each planner's id, as --planner takes it, and what it does.\n"
+         "  replan list overlays --json\n"
+         "      What 'replan render --overlay' can draw, for a program.\n\n" +
+         settings_help();
+}
+
+}  // namespace
+
+Command add_list(CLI::App& program) {
+  struct Arguments {
+    std::string what;
+    bool json = false;
+  };
+  CLI::App* app = program.add_subcommand("list", "Show which planners, maps or overlays there are");
+  const auto arguments = std::make_shared<Arguments>();
+  app->add_option("WHAT", arguments->what, "planners, maps or overlays")->required();
+  app->add_flag("--json", arguments->json, "Print the list as JSON");
+  app->footer(footer);
+  return {app, [arguments] { return list(arguments->what, arguments->json); }};
+}
+
+}  // namespace replan::cli

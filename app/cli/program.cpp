@@ -1,0 +1,130 @@
+#include "app/cli/program.hpp"
+
+#include <csignal>
+#include <filesystem>
+#include <new>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/arguments.hpp"
+#include "app/cli/commands.hpp"
+#include "app/cli/output.hpp"
+#include "app/gui.hpp"
+
+namespace replan::cli {
+namespace {
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  replan maps/demo.json\n"
+    "      Opens the demo in the window.\n"
+    "  replan run maps/demo.json\n"
+    "      Its figures, without a window.\n"
+    "  replan render maps/demo.json -o demo.png --at-end\n"
+    "      A picture, without a display.\n"
+    "  replan batch arena.map.scen --planner astar,dstar-lite\n"
+    "      All problems of a benchmark file.\n\n"
+    "'replan COMMAND --help' tells the options of a command, with examples and every planner setting.\n"
+    "Exit codes: 0 done, 1 no path or a failed check, 2 bad input.";
+
+std::vector<std::string_view> names_of(const std::vector<CLI::App*>& apps) {
+  std::vector<std::string_view> names;
+  for (const CLI::App* app : apps) names.push_back(app->get_name());
+  return names;
+}
+
+/// The command whose options are being read.
+const CLI::App& current(const CLI::App& program) {
+  const auto chosen = program.get_subcommands();
+  return chosen.empty() ? program : *chosen.front();
+}
+
+std::string help_hint(const CLI::App& program) {
+  const CLI::App& app = current(program);
+  return "; see 'replan " + (&app == &program ? "" : app.get_name() + " ") + "--help'";
+}
+
+/// "replan FILE" where there is no such file: perhaps a command was meant.
+Error no_such_file(const CLI::App& program, const std::string& file) {
+  const auto commands = program.get_subcommands([](const CLI::App*) { return true; });
+  const auto names = names_of(commands);
+  return {"there is no file '" + file + "' and no command of that name" +
+          suggestion(file, names, "; see 'replan --help'")};
+}
+
+bool exists(const std::string& file) {
+  std::error_code failed;
+  return std::filesystem::exists(file, failed);
+}
+
+/// An argument that no option takes.
+Error unexpected(const CLI::App& program, const std::string& argument) {
+  const CLI::App& app = current(program);
+  std::vector<std::string> held;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) held.push_back("--" + name);
+  const std::vector<std::string_view> names(held.begin(), held.end());
+  if (!argument.starts_with("-")) return {"there is one argument too many: '" + argument + "'" + help_hint(program)};
+  return {"unknown option '" + argument + "'" + suggestion(argument, names, help_hint(program))};
+}
+
+/// CLI11's errors as one sentence in our words.
+Error sentence(const CLI::App& program, const std::string& file, const CLI::ParseError& error) {
+  const bool window = program.get_subcommands().empty();
+  if (window && !file.empty() && !exists(file)) return no_such_file(program, file);
+  const auto extra = program.remaining(true);
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !extra.empty())
+    return unexpected(program, extra.front());
+  return {std::string(error.what()) + help_hint(program)};
+}
+
+Result<int> open_window(const CLI::App& program, const std::string& file) {
+  if (!file.empty() && !exists(file)) return no_such_file(program, file);
+  return run_window(file);
+}
+
+Result<int> carry_out(const CLI::App& program, const std::vector<Command>& commands, const std::string& file) {
+  for (const Command& command : commands)
+    if (command.app->parsed()) return command.action();
+  return open_window(program, file);
+}
+
+/// Prints the help or the version that was asked for.
+int answer(const CLI::App& program, const CLI::Success& asked) {
+  std::ostringstream out, none;
+  program.exit(asked, out, none);
+  print(out.str());
+  return kDone;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // print() sees a closed pipe as a failed write
+  CLI::App program("Replan: a laboratory for robot path planning. Without a command it opens the window.", "replan");
+  program.set_version_flag("--version", "replan " REPLAN_VERSION, "Print the version and exit");
+  program.require_subcommand(0, 1);
+  program.footer(kFooter);
+  std::string file;
+  program.add_option("FILE", file, "A scenario or a map to open in the window");
+  const std::vector<Command> commands = {add_run(program), add_batch(program), add_render(program),
+                                         add_convert(program), add_list(program)};
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    return finish_output(answer(program, asked));
+  } catch (const CLI::ParseError& error) {
+    complain(sentence(program, file, error).message);
+    return kBadInput;
+  }
+  try {
+    const Result<int> code = carry_out(program, commands, file);
+    if (code) return finish_output(*code);
+    complain(code.error());
+  } catch (const std::bad_alloc&) {
+    complain("there is not enough memory for this world");
+  }
+  return finish_output(kBadInput);
+}
+
+}  // namespace replan::cli

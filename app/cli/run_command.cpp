@@ -1,0 +1,119 @@
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/arguments.hpp"
+#include "app/cli/commands.hpp"
+#include "app/cli/output.hpp"
+#include "core/base/file.hpp"
+#include "core/study/run_report.hpp"
+
+namespace replan::cli {
+namespace {
+
+struct RunArguments {
+  WorldArguments world;
+  bool json = false;
+  std::string csv;
+};
+
+std::string cell_text(Cell cell) {
+  return "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
+}
+
+std::string plans_table(std::span<const RunReport> reports) {
+  using enum Table::Align;
+  Table table({{"planner", left}, {"status", left}, {"nodes"}, {"length"}, {"turns"}, {"turning deg"}, {"clearance min"},
+               {"mean"}, {"plan ms"}, {"expansions"}, {"queue ops"}, {"sight checks"}, {"memory kB"}});
+  for (const RunReport& report : reports) {
+    const PathFigures& figures = report.figures;
+    table.add({report.planner, std::string(report.status), std::to_string(figures.nodes), decimals(figures.length, 3),
+               std::to_string(figures.turns), decimals(figures.turning_angle_deg, 1),
+               decimals(figures.min_clearance, 2), decimals(figures.mean_clearance, 2), decimals(report.plan_ms, 3),
+               std::to_string(report.counters.expansions), std::to_string(report.counters.queue_operations),
+               std::to_string(report.counters.sight_checks),
+               decimals(static_cast<double>(report.memory_bytes) / 1000, 0)});
+  }
+  return table.text();
+}
+
+std::string robots_table(std::span<const RunReport> reports) {
+  using enum Table::Align;
+  Table table({{"planner", left}, {"robot", left}, {"moves"}, {"travelled"}, {"collisions"}, {"replans"},
+               {"replan ms"}});
+  for (const RunReport& report : reports)
+    if (const auto& robot = report.robot)
+      table.add({report.planner, mission_state_name(robot->ending), std::to_string(robot->moves),
+                 decimals(robot->travelled, 3), std::to_string(robot->collisions), std::to_string(robot->replans),
+                 decimals(report.replan_ms, 3)});
+  return table.text();
+}
+
+/// What a user should know of a run that did not succeed; empty if it did.
+std::string explanation(const RunReport& report) {
+  if (report.succeeded()) return {};
+  const std::string who = report.planner + ": ";
+  for (const PlanStatus status : {PlanStatus::no_path, PlanStatus::start_blocked, PlanStatus::goal_blocked})
+    if (report.status == status_name(status)) return who + status_sentence(status) + "\n";
+  const std::string_view ending = report.robot ? mission_state_name(report.robot->ending) : report.status;
+  if (ending == "loop") return who + "The plan leads round in a circle: set remote_parents=checked.\n";
+  if (ending == "collision") return who + "The plan leads into an obstacle: set remote_parents=checked.\n";
+  return who + "The robot did not arrive: the way to the goal was cut off while it drove.\n";
+}
+
+std::string summary(const WorldArguments& arguments, const Scenario& world, std::span<const RunReport> reports) {
+  std::string text = arguments.source() + ": " + std::to_string(world.map.width) + " x " +
+                     std::to_string(world.map.height) + " cells, from " + cell_text(world.start) + " to " +
+                     cell_text(world.goal) + "\n\n" + plans_table(reports);
+  if (reports.front().robot) text += "\n" + robots_table(reports);
+  std::string failures;
+  for (const RunReport& report : reports) failures += explanation(report);
+  return text + (failures.empty() ? "" : "\n" + failures);
+}
+
+Result<int> run(const RunArguments& arguments) {
+  const auto world = arguments.world.load();
+  if (!world) return Error{world.error()};
+  std::vector<RunReport> reports;
+  bool succeeded = true;
+  for (const PlannerChoice& choice : world->planners) {
+    reports.push_back(arguments.world.map.empty() ? drive(*world, choice)
+                                                  : plan_once(world->map, world->start, world->goal, choice));
+    succeeded &= reports.back().succeeded();
+  }
+  const bool table_out = arguments.csv == "-";
+  if (!arguments.csv.empty() && !table_out)
+    if (const auto written = write_file_atomically(arguments.csv, runs_csv(reports)); !written)
+      return Error{written.error()};
+  print(arguments.json ? runs_json(reports)
+        : table_out    ? runs_csv(reports)
+                       : summary(arguments.world, *world, reports));
+  return succeeded ? kDone : kFailed;
+}
+
+std::string footer() {
+  return "Examples:\n"
+         "  replan run maps/demo.json\n"
+         "      Drives the demo's robot with each of the scenario's planners.\n"
+         "  replan run --map arena.map --start 1,11 --goal 40,30 --planner astar,dld-star-lite --set range=3\n"
+         "      Compares two plans on a map.\n"
+         "  replan run maps/demo.json --planner all --set astar.heuristic=euclidean --json\n"
+         "      The figures of all planners, for a program.\n\n"
+         "Status, path and the figures of its shape are those of the first plan; times and counters are of the whole\n"
+         "run. Exit code 0 if every planner found a path (and its robot arrived), 1 if not, 2 for bad input.\n\n" +
+         settings_help();
+}
+
+}  // namespace
+
+Command add_run(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("run", "Plan, and drive a scenario's robot, without drawing");
+  const auto arguments = std::make_shared<RunArguments>();
+  arguments->world.declare(*app);
+  app->add_flag("--json", arguments->json, "Print the runs as JSON, paths included");
+  app->add_option("--csv", arguments->csv, "Write the figures as CSV too; '-' prints them instead")->type_name("FILE");
+  app->footer(footer);
+  return {app, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace replan::cli

@@ -1,0 +1,71 @@
+// What the builders of a scene's layers share.
+#pragma once
+
+#include <algorithm>
+
+#include "core/scene/coverage.hpp"
+#include "core/scene/digest.hpp"
+#include "core/scene/field.hpp"
+#include "core/scene/scene.hpp"
+
+namespace replan {
+
+struct SceneMemory::Parts {
+  RunDigest digest;
+  MapCoverage coverage;
+  FieldRanges ranges;
+};
+
+/// One scene in the making.
+struct SceneContext {
+  const Run& run;
+  const View& view;
+  const Palette& palette;
+  SceneMemory::Parts& memory;
+  Scene& scene;
+
+  const Grid2& lattice = run.lattice();
+  const SearchState& state = run.timeline().state();
+  std::size_t cursor = run.timeline().cursor();
+  double zoom = scene.camera.zoom;  ///< device pixels per cell
+  // Cells in sight, the upper ends excluded.
+  int left = 0, top = 0, right = 0, bottom = 0;
+
+  [[nodiscard]] bool has(Overlay overlay) const { return view.overlays.has(overlay); }
+  /// Device pixels of a length in the design.
+  [[nodiscard]] float pixels(double design) const { return static_cast<float>(design * view.scale); }
+  /// World units of a length in the design.
+  [[nodiscard]] double world(double design) const { return design * view.scale / zoom; }
+  /// 0 where cells are smaller than `from` design pixels, 1 where larger than `to`, between them a ramp.
+  [[nodiscard]] double grown(double from, double to) const {
+    return std::clamp((zoom / view.scale - from) / (to - from), 0.0, 1.0);
+  }
+  [[nodiscard]] bool in_sight(Cell cell) const {
+    return cell.x >= left && cell.x < right && cell.y >= top && cell.y < bottom;
+  }
+  static Point centre(Cell cell) { return {cell.x + 0.5, cell.y + 0.5}; }
+  [[nodiscard]] Point centre(NodeId node) const { return centre(lattice.position(node)); }
+  void add(Shape shape) { scene.shapes.push_back(std::move(shape)); }
+};
+
+/// Cells this small (design pixels) are tinted in the raster instead of outlined; between the two, both by half.
+inline constexpr double kOutlineFrom = 4, kOutlineTo = 7;
+
+/// How strongly the replan before the last, the one before that ... still shows.
+inline constexpr std::size_t kRepairsShown = 4;
+inline double repair_strength(std::size_t age) {
+  constexpr double kStrength[kRepairsShown] = {1, 0.45, 0.25, 0.12};
+  return kStrength[age];
+}
+
+// The layers, from the lowest up.
+void build_raster(SceneContext& context);
+void build_grid(SceneContext& context);
+void build_hatches(SceneContext& context);
+void build_arrows(SceneContext& context);
+void build_outlines(SceneContext& context);
+void build_numbers(SceneContext& context);
+void build_routes(SceneContext& context);
+void build_things(SceneContext& context);
+
+}  // namespace replan

@@ -1,0 +1,75 @@
+#include "core/scene/coverage.hpp"
+
+#include <algorithm>
+
+namespace replan {
+
+void Coverage::allocate(int columns, int rows) {
+  levels_.clear();
+  while (columns > 1 || rows > 1) {
+    columns = (columns + 1) / 2;
+    rows = (rows + 1) / 2;
+    Level level{columns, rows, {}};
+    level.shares.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    levels_.push_back(std::move(level));
+  }
+}
+
+void Coverage::gather(std::size_t level, int x, int y) {
+  Level& below = levels_[level - 1];
+  int sum = 0;
+  for (int dy = 0; dy < 2; ++dy)
+    for (int dx = 0; dx < 2; ++dx)
+      if (2 * x + dx < below.columns && 2 * y + dy < below.rows) sum += below.at(2 * x + dx, 2 * y + dy);
+  levels_[level].at(x, y) = static_cast<std::uint8_t>((sum + 3) / 4);
+}
+
+void Coverage::change(Cell cell, int blocked) {
+  if (levels_.empty()) return;
+  int x = cell.x / 2, y = cell.y / 2;
+  levels_[0].at(x, y) = static_cast<std::uint8_t>(std::min(255, blocked * 64));
+  for (std::size_t level = 1; level < levels_.size(); ++level) gather(level, x /= 2, y /= 2);
+}
+
+namespace {
+
+/// Obstacles among the 2 x 2 cells of the block around a cell.
+int count_block(const Run& run, EventKind kind, Cell cell) {
+  const Grid2& lattice = run.lattice();
+  const SearchState& state = run.timeline().state();
+  int count = 0;
+  for (int y = cell.y & ~1; y <= std::min(cell.y | 1, lattice.height() - 1); ++y)
+    for (int x = cell.x & ~1; x <= std::min(cell.x | 1, lattice.width() - 1); ++x) {
+      const NodeId node = lattice.node(Cell{x, y});
+      count += (kind == EventKind::known ? state.known_blocked(node) : state.truly_blocked(node)) ? 1 : 0;
+    }
+  return count;
+}
+
+}  // namespace
+
+void MapCoverage::follow(const Run& run, const RunDigest& digest) {
+  const Timeline& log = run.timeline();
+  if (run.log_id() != log_id_) {
+    const SearchState& state = log.state();
+    const int columns = run.lattice().width(), rows = run.lattice().height();
+    truth_ = Coverage(columns, rows, [&](NodeId n) { return state.truly_blocked(n); });
+    known_ = Coverage(columns, rows, [&](NodeId n) { return state.known_blocked(n); });
+    log_id_ = run.log_id();
+    position_ = log.cursor();
+    return;
+  }
+  const auto events = digest.map_events();
+  const auto place = [&](std::size_t position) {
+    return std::partition_point(events.begin(), events.end(),
+                                [position](const MapEvent& event) { return event.event < position; });
+  };
+  const auto last = place(std::max(position_, log.cursor()));
+  for (auto event = place(std::min(position_, log.cursor())); event != last; ++event) {
+    const Cell cell = run.lattice().position(event->node);
+    (event->kind == EventKind::known ? known_ : truth_).change(cell, count_block(run, event->kind, cell));
+  }
+  position_ = log.cursor();
+}
+
+}  // namespace replan

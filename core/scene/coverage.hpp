@@ -1,0 +1,69 @@
+// How much of each block of cells is obstacle, for views in which a pixel covers many cells.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/scene/digest.hpp"
+
+namespace replan {
+
+/// Blocks of 2, 4, 8 ... cells a side. A share is kept in 255ths, rounded up: a block with one obstacle is never 0.
+class Coverage {
+ public:
+  Coverage() = default;
+  /// `blocked(node)` for the cells as they are now.
+  template <class Blocked>
+  Coverage(int columns, int rows, Blocked&& blocked) {
+    allocate(columns, rows);
+    if (levels_.empty()) return;
+    Level& first = levels_.front();
+    for (int y = 0; y < rows; ++y)
+      for (int x = 0; x < columns; ++x)
+        if (blocked(static_cast<NodeId>(y) * static_cast<NodeId>(columns) + static_cast<NodeId>(x)))
+          first.at(x / 2, y / 2) = static_cast<std::uint8_t>(std::min(255, first.at(x / 2, y / 2) + 64));
+    for (std::size_t level = 1; level < levels_.size(); ++level)
+      for (int y = 0; y < levels_[level].rows; ++y)
+        for (int x = 0; x < levels_[level].columns; ++x) gather(level, x, y);
+  }
+
+  struct Level {
+    int columns = 0, rows = 0;
+    std::vector<std::uint8_t> shares;
+    std::uint8_t& at(int x, int y) {
+      return shares[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x)];
+    }
+    [[nodiscard]] const std::uint8_t* row(int y) const {
+      return shares.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(columns);
+    }
+  };
+  /// Level n has blocks of 2^n cells; there is none below 1.
+  [[nodiscard]] const Level& level(int n) const { return levels_[static_cast<std::size_t>(n - 1)]; }
+  [[nodiscard]] int levels() const { return static_cast<int>(levels_.size()); }
+
+  /// The 2 x 2 cells around (x, y) have changed; `blocked` of them are obstacles now.
+  void change(Cell cell, int blocked);
+
+ private:
+  void allocate(int columns, int rows);
+  void gather(std::size_t level, int x, int y);
+
+  std::vector<Level> levels_;
+};
+
+/// Coverage by the true and by the known map at a run's cursor.
+class MapCoverage {
+ public:
+  /// Brings both to the cursor's state.
+  void follow(const Run& run, const RunDigest& digest);
+  [[nodiscard]] const Coverage& truth() const { return truth_; }
+  [[nodiscard]] const Coverage& known() const { return known_; }
+
+ private:
+  std::uint64_t log_id_ = 0;
+  std::size_t position_ = 0;
+  Coverage truth_, known_;
+};
+
+}  // namespace replan

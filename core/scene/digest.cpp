@@ -1,0 +1,92 @@
+#include "core/scene/digest.hpp"
+
+#include <algorithm>
+
+namespace replan {
+
+void RunDigest::read(const Run& run) {
+  const Timeline& log = run.timeline();
+  if (run.log_id() != log_id_) {
+    *this = RunDigest();
+    log_id_ = run.log_id();
+    incremental_ = run.info().incremental;
+    stamps_ = PagedArray<std::uint32_t>(run.lattice().node_count());
+  }
+  for (; read_ < log.size(); ++read_) {
+    if (read_ % kStride == 0) {
+      expansions_.push_back(expanded_);
+      popped_at_.push_back(popped_);
+    }
+    take(log.event(read_), read_);
+  }
+}
+
+// A planner that starts every replan afresh wipes its values on the record before its first pop; that is no work of
+// the search and touches nothing.
+void RunDigest::take(const Event& event, std::size_t index) {
+  switch (event.kind) {
+    case EventKind::known:
+    case EventKind::truth: map_events_.push_back({index, event.node, event.kind}); break;
+    case EventKind::plan_begin:
+      plans_.push_back({.begin = index, .first_touch = touches_.size(), .last_touch = touches_.size()});
+      popped_ = false;
+      break;
+    case EventKind::plan_end:
+      if (!plans_.empty()) plans_.back().end = index + 1;
+      break;
+    case EventKind::pop: popped_ = true; break;
+    case EventKind::visit:
+      if (!popped_) break;
+      ++expanded_;
+      touch(event.node, index);
+      break;
+    case EventKind::g:
+    case EventKind::rhs:
+      if (popped_ || incremental_) touch(event.node, index);
+      break;
+    default: break;
+  }
+}
+
+void RunDigest::touch(NodeId node, std::size_t index) {
+  if (plans_.empty()) return;
+  const auto number = static_cast<std::uint32_t>(plans_.size());
+  if (stamps_[node] == number) return;
+  stamps_.at(node) = number;
+  PlanSpan& plan = plans_.back();
+  ++plan.touched;
+  // The first plan may touch millions of vertices; nobody asks for more than their number.
+  if (number == 1) return;
+  touches_.push_back({index, node});
+  plan.last_touch = touches_.size();
+}
+
+std::size_t RunDigest::plans_before(std::size_t position) const {
+  const auto after = std::partition_point(plans_.begin(), plans_.end(),
+                                          [position](const PlanSpan& plan) { return plan.begin < position; });
+  return static_cast<std::size_t>(after - plans_.begin());
+}
+
+std::span<const Touch> RunDigest::touches_before(const PlanSpan& plan, std::size_t position) const {
+  const std::span<const Touch> all(touches_.data() + plan.first_touch, plan.last_touch - plan.first_touch);
+  const auto after =
+      std::partition_point(all.begin(), all.end(), [position](const Touch& touch) { return touch.event < position; });
+  return all.first(static_cast<std::size_t>(after - all.begin()));
+}
+
+std::int64_t RunDigest::expansions(const Run& run, std::size_t position) const {
+  position = std::min(position, read_);
+  if (position == read_) return expanded_;
+  const std::size_t stride = position / kStride;
+  std::int64_t count = expansions_[stride];
+  bool popped = popped_at_[stride];
+  for (std::size_t i = stride * kStride; i < position; ++i) {
+    const EventKind kind = run.timeline().event(i).kind;
+    if (kind == EventKind::plan_begin) popped = false;
+    else if (kind == EventKind::pop) popped = true;
+    else if (kind == EventKind::visit && popped) ++count;
+  }
+  return count;
+}
+
+}  // namespace replan

@@ -1,0 +1,66 @@
+// What a scene needs of a run's past, read out of the log once, as it grows.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/session/run.hpp"
+
+namespace replan {
+
+/// A cell of the map (the true one or the robot's) that changed.
+struct MapEvent {
+  std::size_t event;
+  NodeId node;
+  EventKind kind;
+};
+
+/// A vertex that a replan touched for the first time.
+struct Touch {
+  std::size_t event;
+  NodeId node;
+};
+
+/// A plan or replan. Its touches are [first_touch, last_touch) of RunDigest::touches().
+struct PlanSpan {
+  std::size_t begin;              ///< of its plan_begin
+  std::size_t end = SIZE_MAX;     ///< past its plan_end; SIZE_MAX while there is none
+  std::size_t first_touch = 0, last_touch = 0;
+  std::int64_t touched = 0;
+};
+
+class RunDigest {
+ public:
+  /// Reads on to the end of the log, from the start if events were cut off.
+  void read(const Run& run);
+
+  [[nodiscard]] std::span<const MapEvent> map_events() const { return map_events_; }
+  [[nodiscard]] std::span<const PlanSpan> plans() const { return plans_; }
+  [[nodiscard]] std::span<const Touch> touches() const { return touches_; }
+  /// Number of plans that began before the position.
+  [[nodiscard]] std::size_t plans_before(std::size_t position) const;
+  /// The touches of a plan that happened before the position.
+  [[nodiscard]] std::span<const Touch> touches_before(const PlanSpan& plan, std::size_t position) const;
+  [[nodiscard]] std::int64_t expansions(const Run& run, std::size_t position) const;
+
+ private:
+  static constexpr std::size_t kStride = 1024;
+
+  void take(const Event& event, std::size_t index);
+  void touch(NodeId node, std::size_t index);
+
+  std::uint64_t log_id_ = 0;
+  bool incremental_ = true;
+  std::size_t read_ = 0;
+  bool popped_ = false;                   // in the current plan
+  std::int64_t expanded_ = 0;
+  std::vector<std::int64_t> expansions_;  // before each kStride-th event
+  std::vector<bool> popped_at_;           // and whether popped_ held there
+  std::vector<MapEvent> map_events_;
+  std::vector<PlanSpan> plans_;
+  std::vector<Touch> touches_;
+  PagedArray<std::uint32_t> stamps_;      // number of the last plan that touched the node
+};
+
+}  // namespace replan

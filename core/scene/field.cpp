@@ -1,0 +1,74 @@
+#include "core/scene/field.hpp"
+
+#include <algorithm>
+
+namespace replan {
+
+FieldReader FieldReader::of(Overlay field) {
+  constexpr std::uint64_t kAll = ~std::uint64_t{0}, kLow = 0xFFFFFFFFu;
+  constexpr double kCost = 1.0 / static_cast<double>(Cost::kScale);
+  switch (field) {
+    case Overlay::rhs: return {EventKind::rhs, 0, kAll, 0, -1, kCost};
+    case Overlay::dist: return {EventKind::dist, 0, kAll, 0, 0, kCost};
+    case Overlay::key: return {EventKind::queue, 0, kAll, 1, -1, kCost};
+    case Overlay::order: return {EventKind::visit, 0, kLow, 0, 0, 1};
+    case Overlay::times: return {EventKind::visit, 32, kLow, 0, 0, 1};
+    default: return {EventKind::g, 0, kAll, 0, -1, kCost};
+  }
+}
+
+void RangeTracker::scan(const FieldReader& reader, const SearchState& state, std::size_t page) {
+  Ends ends;
+  const std::size_t first = page * SearchState::kPage;
+  if (const std::uint64_t* words = state.page(reader.kind, static_cast<NodeId>(first)); words != nullptr) {
+    const std::size_t count = std::min(SearchState::kPage, state.node_count() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::int64_t value = reader.read(words[i]);
+      if (value == FieldReader::kNone) continue;
+      ends.low = std::min(ends.low, value);
+      ends.high = std::max(ends.high, value);
+    }
+  }
+  pages_[page] = ends;
+}
+
+std::optional<FieldRange> RangeTracker::follow(const FieldReader& reader, const Timeline& log, std::uint64_t log_id,
+                                               const SearchState& state, std::size_t position) {
+  const std::size_t count = (state.node_count() + SearchState::kPage - 1) / SearchState::kPage;
+  const std::size_t from = std::min(position_, position), to = std::max(position_, position);
+  // Beyond that many events it is cheaper to look at all pages than to find the written ones.
+  const bool afresh = log_id != log_id_ || pages_.size() != count || to - from > state.node_count();
+  if (afresh) {
+    pages_.assign(count, {});
+    for (std::size_t page = 0; page < count; ++page) scan(reader, state, page);
+  } else {
+    std::vector<std::size_t> written;
+    for (std::size_t i = from; i < to; ++i)
+      if (const Event& event = log.event(i); event.kind == reader.kind)
+        written.push_back(event.node / SearchState::kPage);
+    std::sort(written.begin(), written.end());
+    written.erase(std::unique(written.begin(), written.end()), written.end());
+    for (const std::size_t page : written) scan(reader, state, page);
+  }
+  log_id_ = log_id;
+  position_ = position;
+  Ends all;
+  for (const Ends& ends : pages_) {
+    all.low = std::min(all.low, ends.low);
+    all.high = std::max(all.high, ends.high);
+  }
+  if (all.high == FieldReader::kNone) return std::nullopt;
+  return FieldRange{static_cast<double>(all.low) * reader.unit, static_cast<double>(all.high) * reader.unit};
+}
+
+std::optional<FieldRange> FieldRanges::at_cursor(const Run& run, Overlay field) {
+  const Timeline& log = run.timeline();
+  const FieldReader reader = FieldReader::of(field);
+  Pair& pair = trackers_[field];
+  const auto here = pair.cursor.follow(reader, log, run.log_id(), log.state(), log.cursor());
+  const auto there = pair.head.follow(reader, log, run.log_id(), log.head(), log.size());
+  if (!here || !there) return here;
+  return FieldRange{std::min(here->low, there->low), std::max(here->high, there->high)};
+}
+
+}  // namespace replan

@@ -1,0 +1,66 @@
+// The fields that colour cells: how their values are read from a state, and between which ends they lie.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "core/scene/scene.hpp"
+
+namespace replan {
+
+/// Reads a field's value out of the 64-bit word that a state holds for a node.
+struct FieldReader {
+  EventKind kind;
+  unsigned shift;
+  std::uint64_t mask;
+  std::int64_t offset;  ///< taken away from the shifted word
+  std::int64_t none;    ///< values up to this one stand for "no value"; so do infinite costs
+  double unit;          ///< what a step of the word is worth
+
+  static FieldReader of(Overlay field);
+  static constexpr std::int64_t kNone = std::numeric_limits<std::int64_t>::min();
+
+  /// The value in units, or kNone.
+  [[nodiscard]] std::int64_t read(std::uint64_t word) const {
+    const std::int64_t value = static_cast<std::int64_t>(word >> shift & mask) - offset;
+    return value <= none || value >= Cost::kInfinityRaw ? kNone : value;
+  }
+};
+
+/// The least and the greatest value of a field over all cells, kept page by page and brought up to date from the log.
+class RangeTracker {
+ public:
+  /// The range in `state`, which stands at `position` of the log numbered `log_id`.
+  std::optional<FieldRange> follow(const FieldReader& reader, const Timeline& log, std::uint64_t log_id,
+                                   const SearchState& state, std::size_t position);
+
+ private:
+  struct Ends {
+    std::int64_t low = std::numeric_limits<std::int64_t>::max();
+    std::int64_t high = FieldReader::kNone;
+  };
+
+  void scan(const FieldReader& reader, const SearchState& state, std::size_t page);
+
+  std::uint64_t log_id_ = 0;
+  std::size_t position_ = 0;
+  std::vector<Ends> pages_;
+};
+
+/// The ends of the colour map at the run's cursor: over the state there and the state at the end of the log, so that
+/// the colours stand still while one travels between them.
+class FieldRanges {
+ public:
+  std::optional<FieldRange> at_cursor(const Run& run, Overlay field);
+
+ private:
+  struct Pair {
+    RangeTracker cursor, head;
+  };
+  std::map<Overlay, Pair> trackers_;
+};
+
+}  // namespace replan

@@ -1,0 +1,212 @@
+// The lowest layer: a colour per cell, or per pixel where cells are smaller than pixels.
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "core/scene/context.hpp"
+
+namespace replan {
+namespace {
+
+/// The colours of one view's cells.
+class CellColours {
+ public:
+  explicit CellColours(SceneContext& context)
+      : context_(context), original_(context.lattice.cells()), shows_unknown_(context.has(Overlay::unknown)) {
+    const Palette& palette = context.palette;
+    unknown_ = mix(palette.free, palette.obstacle, 0.5f);
+    unknown_surprise_ = mix(palette.free, palette.surprise, 0.6f);
+    gone_ = mix(palette.free, palette.obstacle, 0.3f);
+    for (std::size_t i = 0; i < ramp_.size(); ++i) ramp_[i] = mix(palette.free, palette.field[i], palette.field_opacity);
+    if (!context.scene.range) return;
+    reader_ = FieldReader::of(*context.scene.field);
+    low_ = context.scene.range->low / reader_.unit;
+    const double span = context.scene.range->high / reader_.unit - low_;
+    steps_ = span > 0 ? 255.0 / span : 0;
+  }
+
+  /// The colour of a cell that is no obstacle to the robot.
+  Colour ground(NodeId node) {
+    if (!context_.scene.range) return context_.palette.free;
+    if (node / SearchState::kPage != page_number_) {
+      page_number_ = node / SearchState::kPage;
+      page_ = context_.state.page(reader_.kind, node);
+    }
+    if (page_ == nullptr) return context_.palette.free;
+    const std::int64_t value = reader_.read(page_[node % SearchState::kPage]);
+    if (value == FieldReader::kNone) return context_.palette.free;
+    const double step = std::clamp((static_cast<double>(value) - low_) * steps_, 0.0, 255.0);
+    return ramp_[static_cast<std::size_t>(step + 0.5)];
+  }
+
+  Colour cell(NodeId node) {
+    const bool truth = context_.state.truly_blocked(node), known = context_.state.known_blocked(node);
+    if (!truth && !known) return ground(node);
+    const bool surprising = truth && original_[node] == 0;
+    if (surprising && (known || shows_unknown_)) context_.scene.show(Sign::surprise);
+    if (truth && known) return surprising ? context_.palette.surprise : context_.palette.obstacle;
+    if (!shows_unknown_) return known ? context_.palette.obstacle : ground(node);
+    context_.scene.show(truth ? Sign::unknown : Sign::gone);
+    if (known) return gone_;
+    return surprising ? unknown_surprise_ : unknown_;
+  }
+
+  [[nodiscard]] bool shows_unknown() const { return shows_unknown_; }
+  [[nodiscard]] Colour unknown() const { return unknown_; }
+
+ private:
+  SceneContext& context_;
+  std::span<const std::uint8_t> original_;
+  bool shows_unknown_;
+  Colour unknown_ = 0, unknown_surprise_ = 0, gone_ = 0;
+  std::array<Colour, 256> ramp_{};
+  FieldReader reader_ = FieldReader::of(Overlay::g);
+  double low_ = 0, steps_ = 0;
+  std::size_t page_number_ = SIZE_MAX;
+  const std::uint64_t* page_ = nullptr;
+};
+
+void paint_cells(SceneContext& context, CellColours& colours) {
+  Raster& raster = context.scene.raster;
+  raster.columns = context.right - context.left;
+  raster.rows = context.bottom - context.top;
+  raster.x = context.left;
+  raster.y = context.top;
+  raster.width = raster.columns;
+  raster.height = raster.rows;
+  raster.texels.resize(static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows));
+  std::size_t texel = 0;
+  for (int y = context.top; y < context.bottom; ++y) {
+    const NodeId row = context.lattice.node(Cell{0, y});
+    for (int x = context.left; x < context.right; ++x)
+      raster.texels[texel++] = colours.cell(row + static_cast<NodeId>(x));
+  }
+}
+
+/// Which cells, or blocks of them, the pixels along one axis cover.
+struct Axis {
+  std::vector<int> first, last;  ///< blocks, the last included
+  std::vector<int> middle;       ///< cell in the middle
+
+  Axis(double origin, double per_pixel, int pixels, int cells, int level) {
+    for (int p = 0; p < pixels; ++p) {
+      const auto cell = [&](double at) { return std::clamp(static_cast<int>(std::floor(origin + at * per_pixel)), 0, cells - 1); };
+      first.push_back(cell(p) >> level);
+      last.push_back(std::max(cell(p), cell(p + 1.0 - 1e-9)) >> level);
+      middle.push_back(cell(p + 0.5));
+    }
+  }
+};
+
+/// The greatest share of obstacles in the rows of blocks first..last, block by block.
+void gather_rows(const Coverage& coverage, int level, int first, int last, std::vector<std::uint8_t>& shares) {
+  const Coverage::Level& blocks = coverage.level(level);
+  shares.assign(blocks.row(first), blocks.row(first) + blocks.columns);
+  for (int y = first + 1; y <= last; ++y) {
+    const std::uint8_t* row = blocks.row(y);
+    for (std::size_t x = 0; x < shares.size(); ++x) shares[x] = std::max(shares[x], row[x]);
+  }
+}
+
+/// As above from the cells themselves; only those in sight are filled in.
+template <class Blocked>
+void gather_cells(const SceneContext& context, int first, int last, std::vector<std::uint8_t>& shares, Blocked&& blocked) {
+  shares.assign(static_cast<std::size_t>(context.lattice.width()), 0);
+  for (int y = first; y <= last; ++y) {
+    const NodeId row = context.lattice.node(Cell{0, y});
+    for (int x = context.left; x < context.right; ++x)
+      if (blocked(row + static_cast<NodeId>(x))) shares[static_cast<std::size_t>(x)] = 255;
+  }
+}
+
+/// A thin wall must still be seen, and a solid one told from a thin one.
+float obstacle_opacity(std::uint8_t share) { return share == 0 ? 0 : 0.4f + 0.6f * static_cast<float>(share) / 255.0f; }
+
+void paint_pixel_row(SceneContext& context, CellColours& colours, const Axis& across, int row,
+                     const std::vector<std::uint8_t>& truth, const std::vector<std::uint8_t>& known, Colour* texels) {
+  const NodeId first = context.lattice.node(Cell{0, row});
+  for (std::size_t p = 0; p < across.first.size(); ++p) {
+    std::uint8_t t = 0, k = 0;
+    for (auto block = static_cast<std::size_t>(across.first[p]); block <= static_cast<std::size_t>(across.last[p]); ++block) {
+      t = std::max(t, truth[block]);
+      k = std::max(k, known[block]);
+    }
+    Colour colour = k == 255 ? context.palette.obstacle : colours.ground(first + static_cast<NodeId>(across.middle[p]));
+    if (t > k && colours.shows_unknown()) {
+      colour = mix(colour, colours.unknown(), obstacle_opacity(t));
+      context.scene.show(Sign::unknown);
+    }
+    if (k > 0 && k < 255) colour = mix(colour, context.palette.obstacle, obstacle_opacity(k));
+    texels[p] = colour;
+  }
+}
+
+/// Cells that are not as they were at first stand out from their block.
+void paint_changed_cells(SceneContext& context, CellColours& colours) {
+  Raster& raster = context.scene.raster;
+  for (const MapEvent& event : context.memory.digest.map_events()) {
+    if (event.event >= context.cursor) break;
+    const Cell cell = context.lattice.position(event.node);
+    if (!context.in_sight(cell)) continue;
+    const bool truth = context.state.truly_blocked(event.node);
+    if (truth == (context.lattice.cells()[event.node] != 0)) continue;
+    const auto place = [](double at, int count) { return std::clamp(static_cast<int>(std::floor(at)), 0, count - 1); };
+    const int column = place((cell.x + 0.5 - raster.x) * context.zoom, raster.columns);
+    const int row = place((cell.y + 0.5 - raster.y) * context.zoom, raster.rows);
+    raster.texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(raster.columns) +
+                  static_cast<std::size_t>(column)] = colours.cell(event.node);
+  }
+}
+
+void paint_pixels(SceneContext& context, CellColours& colours) {
+  Raster& raster = context.scene.raster;
+  const double per_pixel = 1 / context.zoom;
+  // On the view's own pixels, so that each texel is drawn as one.
+  const auto span = [&](double middle, int pixels, int from, int to, double& origin, int& count) {
+    const double begin = middle - pixels / 2.0 * per_pixel;
+    const double first = std::max(0.0, std::floor((from - begin) / per_pixel));
+    const double last = std::min(static_cast<double>(pixels), std::ceil((to - begin) / per_pixel));
+    origin = begin + first * per_pixel;
+    count = std::max(0, static_cast<int>(last - first));
+  };
+  span(context.scene.camera.x, context.scene.width, context.left, context.right, raster.x, raster.columns);
+  span(context.scene.camera.y, context.scene.height, context.top, context.bottom, raster.y, raster.rows);
+  raster.width = raster.columns * per_pixel;
+  raster.height = raster.rows * per_pixel;
+  raster.texels.resize(static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows));
+  const MapCoverage& coverage = context.memory.coverage;
+  const int level = std::min(static_cast<int>(std::floor(std::log2(per_pixel))), coverage.truth().levels());
+  const Axis across(raster.x, per_pixel, raster.columns, context.lattice.width(), level);
+  const Axis down(raster.y, per_pixel, raster.rows, context.lattice.height(), level);
+  std::vector<std::uint8_t> truth, known;
+  for (std::size_t p = 0; p < down.first.size(); ++p) {
+    if (level == 0) {
+      gather_cells(context, down.first[p], down.last[p], truth, [&](NodeId n) { return context.state.truly_blocked(n); });
+      gather_cells(context, down.first[p], down.last[p], known, [&](NodeId n) { return context.state.known_blocked(n); });
+    } else {
+      gather_rows(coverage.truth(), level, down.first[p], down.last[p], truth);
+      gather_rows(coverage.known(), level, down.first[p], down.last[p], known);
+    }
+    paint_pixel_row(context, colours, across, down.middle[p], truth, known,
+                    raster.texels.data() + p * static_cast<std::size_t>(raster.columns));
+  }
+  paint_changed_cells(context, colours);
+}
+
+}  // namespace
+
+void build_raster(SceneContext& context) {
+  Scene& scene = context.scene;
+  scene.field = context.view.overlays.field();
+  if (scene.field) scene.range = context.memory.ranges.at_cursor(context.run, *scene.field);
+  if (context.right <= context.left || context.bottom <= context.top) return;
+  CellColours colours(context);
+  if (context.zoom >= 1) {
+    paint_cells(context, colours);
+  } else {
+    context.memory.coverage.follow(context.run, context.memory.digest);
+    paint_pixels(context, colours);
+  }
+}
+
+}  // namespace replan

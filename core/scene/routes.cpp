@@ -1,0 +1,155 @@
+// What runs across cells: path, trail, sight checks; and the things that stand on them.
+#include <cmath>
+
+#include "core/scene/context.hpp"
+
+namespace replan {
+namespace {
+
+/// Where the robot is, or will be put.
+NodeId robot_node(const SceneContext& context) {
+  const NodeId robot = context.state.node(Scalar::robot);
+  return robot == kNoNode ? context.lattice.node(context.run.scenario().start) : robot;
+}
+
+/// The route's vertices from the robot on. It drives cells, not the segments' inner points, so the first piece leads
+/// from its cell to the next vertex.
+std::vector<NodeId> ahead(const Mark& mark, const Grid2& lattice) {
+  const std::vector<NodeId>& path = mark.route->path.nodes;
+  if (mark.next == 0 || path.empty()) return path;
+  std::vector<NodeId> rest = {mark.route->cells[mark.next - 1]};
+  const double driven = mark.route->along[mark.next - 1];
+  double walked = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Cell a = lattice.position(path[i - 1]), b = lattice.position(path[i]);
+    walked += std::hypot(b.x - a.x, b.y - a.y);
+    if (walked > driven + 1e-9) rest.push_back(path[i]);
+  }
+  return rest;
+}
+
+/// The lp chain from the start while no plan stands yet; empty unless it reaches the goal.
+std::vector<NodeId> chain_of_parents(const SceneContext& context) {
+  const NodeId from = context.state.node(Scalar::start), to = context.state.node(Scalar::goal);
+  if (from == kNoNode || to == kNoNode) return {};
+  std::vector<NodeId> chain = {context.run.info().from_goal ? from : to};
+  const NodeId end = context.run.info().from_goal ? to : from;
+  while (chain.back() != end) {
+    const NodeId next = context.state.lp(chain.back());
+    if (next == kNoNode || chain.size() > context.lattice.node_count()) return {};
+    chain.push_back(next);
+  }
+  return chain;
+}
+
+void add_path(SceneContext& context) {
+  const RunDigest& digest = context.memory.digest;
+  const std::size_t plans = digest.plans_before(context.cursor);
+  const bool searching = plans > 0 && digest.plans()[plans - 1].end > context.cursor;
+  const Mark* mark = context.run.mark_at(context.cursor);
+  const std::vector<NodeId> nodes = mark != nullptr ? ahead(*mark, context.lattice)
+                                    : searching     ? chain_of_parents(context)
+                                                    : std::vector<NodeId>();
+  if (nodes.size() < 2) return;
+  Polyline line{{}, context.palette.path, context.pixels(3), 0};
+  if (searching) line.colour = faded(line.colour, 0.4);
+  for (const NodeId node : nodes) line.points.push_back(context.centre(node));
+  context.scene.show(Sign::path);
+  const std::vector<Point> points = line.points;
+  context.add(std::move(line));
+  if (!context.has(Overlay::rp) || !context.run.info().any_angle) return;
+  context.scene.show(Sign::rp);
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+    context.add(Disc{points[i], context.pixels(4), searching ? faded(context.palette.accent, 0.5) : context.palette.accent, 0, 0});
+}
+
+void add_trail(SceneContext& context) {
+  std::vector<NodeId> nodes = {context.lattice.node(context.run.scenario().start)};
+  for (const Marker& marker : context.run.markers()) {
+    if (marker.event >= context.cursor) break;
+    if (marker.kind == EventKind::move) nodes.push_back(context.run.timeline().event(marker.event).node);
+  }
+  if (nodes.size() < 2) return;
+  Polyline line{{}, faded(context.palette.robot, 0.75), context.pixels(2), 0};
+  for (const NodeId node : nodes) line.points.push_back(context.centre(node));
+  context.scene.show(Sign::trail);
+  context.add(std::move(line));
+}
+
+void add_cross(SceneContext& context, Point at, Colour colour) {
+  const double arm = context.world(4);
+  context.add(Line{{at.x - arm, at.y - arm}, {at.x + arm, at.y + arm}, colour, context.pixels(2)});
+  context.add(Line{{at.x - arm, at.y + arm}, {at.x + arm, at.y - arm}, colour, context.pixels(2)});
+}
+
+/// The sight checks since the last vertex was taken; a stopped ray ends in a cross.
+void add_sight(SceneContext& context) {
+  const Timeline& log = context.run.timeline();
+  const std::size_t most = 4096;  // reading out a path may check as many segments as it has
+  const std::size_t first = context.cursor > most ? context.cursor - most : 0;
+  for (std::size_t i = context.cursor; i-- > first;) {
+    const Event& event = log.event(i);
+    if (event.kind == EventKind::pop || event.kind == EventKind::plan_begin || event.kind == EventKind::move) break;
+    if (event.kind != EventKind::sight) continue;
+    const bool seen = (event.delta >> 32) != 0;
+    const Colour colour = seen ? context.palette.good : context.palette.bad;
+    const Point from = context.centre(event.node), to = context.centre(static_cast<NodeId>(event.delta));
+    context.scene.show(seen ? Sign::sight_free : Sign::sight_stopped);
+    context.add(Line{from, to, colour, context.pixels(1.6)});
+    if (!seen) add_cross(context, {(from.x + to.x) / 2, (from.y + to.y) / 2}, colour);
+  }
+}
+
+double heading(const SceneContext& context) {
+  const Mark* mark = context.run.mark_at(context.cursor);
+  if (mark == nullptr || mark->next >= mark->route->cells.size()) return 0;
+  const Point from = context.centre(robot_node(context)), to = context.centre(mark->route->cells[mark->next]);
+  return std::atan2(to.y - from.y, to.x - from.x);
+}
+
+void add_sensor(SceneContext& context) {
+  const RobotSetup& setup = context.run.scenario().robot;
+  if (!context.has(Overlay::sensor) || setup.knowledge == Knowledge::all) return;
+  context.scene.show(Sign::sensor);
+  context.add(Ring{context.centre(robot_node(context)), setup.sensor_radius, context.palette.robot, context.pixels(1.2),
+                   context.pixels(4)});
+}
+
+void add_cell_frames(SceneContext& context) {
+  const auto frame = [&](Cell cell, Colour colour, double stroke) {
+    if (!context.lattice.contains(cell)) return;
+    const auto x = static_cast<double>(cell.x), y = static_cast<double>(cell.y);
+    context.add(Outline{x, y, 1, 1, OutlineShape::square, colour, context.pixels(stroke), 0});
+  };
+  if (context.view.hovered) frame(*context.view.hovered, faded(context.palette.text, 0.6), 1.2);
+  if (!context.view.pinned) return;
+  frame(*context.view.pinned, context.palette.accent, 2);
+}
+
+}  // namespace
+
+void build_routes(SceneContext& context) {
+  if (context.has(Overlay::trail)) add_trail(context);
+  if (context.has(Overlay::path)) add_path(context);
+  if (context.has(Overlay::sight)) add_sight(context);
+}
+
+void build_things(SceneContext& context) {
+  add_sensor(context);
+  add_cell_frames(context);
+  // Never so small that they are lost, never so large that they hide their cell.
+  const double cell = context.zoom / context.view.scale;
+  const auto radius = context.pixels(std::clamp(cell * 0.4, 6.0, 11.0));
+  const float rim = context.pixels(2);
+  const Palette& palette = context.palette;
+  const Scenario& scenario = context.run.scenario();
+  context.add(Disc{context.centre(scenario.start), radius, palette.start, palette.outline, rim, Glyph::dot});
+  context.add(Disc{context.centre(scenario.goal), radius * 1.15f, palette.goal, palette.outline, rim, Glyph::target});
+  const NodeId robot = robot_node(context);
+  const Mark* mark = context.run.mark_at(context.cursor);
+  // Before it has moved, the robot would only hide the start.
+  if (mark == nullptr || (robot == context.lattice.node(scenario.start) && mark->clock == 0)) return;
+  context.add(Disc{context.centre(robot), radius, palette.robot, palette.outline, rim, Glyph::heading, heading(context)});
+}
+
+}  // namespace replan

@@ -1,0 +1,99 @@
+#include "core/scene/scene.hpp"
+
+#include <cmath>
+
+#include "core/scene/context.hpp"
+
+namespace replan {
+namespace {
+
+/// Sets which cells are in sight.
+void clip(SceneContext& context) {
+  const Scene& scene = context.scene;
+  const double half_width = scene.width / 2.0 / context.zoom, half_height = scene.height / 2.0 / context.zoom;
+  const auto bound = [](double at, int limit) { return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(limit))); };
+  context.left = bound(std::floor(scene.camera.x - half_width), context.lattice.width());
+  context.right = bound(std::ceil(scene.camera.x + half_width), context.lattice.width());
+  context.top = bound(std::floor(scene.camera.y - half_height), context.lattice.height());
+  context.bottom = bound(std::ceil(scene.camera.y + half_height), context.lattice.height());
+}
+
+}  // namespace
+
+Camera resolve(const Camera& camera, int columns, int rows, Viewport viewport) {
+  Camera resolved = camera;
+  if (camera.zoom <= 0) {
+    resolved = {columns / 2.0, rows / 2.0, std::min(viewport.width / (columns + 2.0), viewport.height / (rows + 2.0))};
+    // Whole pixels where that costs little: cells of one size, and sharp lines between them.
+    if (resolved.zoom >= 8) resolved.zoom = std::floor(resolved.zoom);
+    resolved.zoom = std::max(resolved.zoom, 1e-3);
+  }
+  // The world's corner lies on a whole pixel, so that nothing shimmers while the view is moved.
+  const auto snap = [zoom = resolved.zoom](double middle, int pixels) {
+    return (pixels / 2.0 - std::round(pixels / 2.0 - middle * zoom)) / zoom;
+  };
+  resolved.x = snap(resolved.x, viewport.width);
+  resolved.y = snap(resolved.y, viewport.height);
+  return resolved;
+}
+
+SceneMemory::SceneMemory() : parts_(std::make_unique<Parts>()) {}
+SceneMemory::~SceneMemory() = default;
+SceneMemory::SceneMemory(SceneMemory&&) noexcept = default;
+SceneMemory& SceneMemory::operator=(SceneMemory&&) noexcept = default;
+
+SceneMemory::Parts& SceneMemory::of(const Run& run) {
+  parts_->digest.read(run);
+  return *parts_;
+}
+
+std::int64_t SceneMemory::expansions(const Run& run, std::size_t position) {
+  return of(run).digest.expansions(run, position);
+}
+
+std::optional<std::size_t> SceneMemory::searching_since(const Run& run, std::size_t position) {
+  const RunDigest& digest = of(run).digest;
+  const std::size_t count = digest.plans_before(position);
+  if (count == 0) return position == 0 ? std::optional<std::size_t>(0) : std::nullopt;
+  const PlanSpan& plan = digest.plans()[count - 1];
+  if (plan.end <= position) return std::nullopt;
+  return plan.begin;
+}
+
+RepairFigures SceneMemory::repair(const Run& run, std::size_t position) {
+  const RunDigest& digest = of(run).digest;
+  const std::size_t count = digest.plans_before(position);
+  if (count < 2) return {};
+  RepairFigures figures;
+  figures.number = static_cast<std::int64_t>(count) - 1;
+  figures.touched = static_cast<std::int64_t>(digest.touches_before(digest.plans()[count - 1], position).size());
+  figures.from_scratch = digest.plans().front().touched;
+  return figures;
+}
+
+Scene build_scene(const Run& run, const View& view, Viewport viewport, const Palette& palette, SceneMemory& memory) {
+  Scene scene;
+  scene.width = viewport.width;
+  scene.height = viewport.height;
+  scene.scale = view.scale;
+  scene.background = palette.background;
+  scene.camera = resolve(view.camera, run.lattice().width(), run.lattice().height(), viewport);
+  SceneContext context{run, view, palette, memory.of(run), scene};
+  clip(context);
+  build_raster(context);
+  build_grid(context);
+  build_hatches(context);
+  build_arrows(context);
+  build_outlines(context);
+  build_numbers(context);
+  build_routes(context);
+  build_things(context);
+  return scene;
+}
+
+Scene build_scene(const Run& run, const View& view, Viewport viewport, const Palette& palette) {
+  SceneMemory memory;
+  return build_scene(run, view, viewport, palette, memory);
+}
+
+}  // namespace replan

@@ -1,0 +1,123 @@
+#include "core/study/batch.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "core/plan/figures.hpp"
+#include "core/plan/registry.hpp"
+#include "core/world/json_reader.hpp"
+
+namespace replan {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// One planner at work on one file.
+class Batch {
+ public:
+  Batch(const GridMap& map, const LengthFormat& lengths, const PlannerChoice& choice)
+      : lattice_({map.width, map.height}, map.blocked, move_rules(choice.settings)),
+        planner_(make_planner(*find_planner(choice.id), lattice_, choice.settings, trace_)),
+        lengths_(lengths) {
+    report_.planner = choice.id;
+    report_.comparable = lengths_apply(choice);
+  }
+
+  void solve(const ScenProblem& problem) {
+    ++report_.problems;
+    const NodeId start = lattice_.node(problem.start), goal = lattice_.node(problem.goal);
+    if (lattice_.blocked(start) || lattice_.blocked(goal)) {
+      ++report_.skipped;
+      return;
+    }
+    const auto begin = Clock::now();
+    planner_->begin(start, goal);
+    const bool found = finish(*planner_) == PlanStatus::found;
+    report_.total_ms += std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+    report_.expansions += planner_->counters().expansions;
+    if (found)
+      compare(problem, path_length(lattice_, planner_->path().nodes));
+    else
+      mismatch(problem, 0);
+  }
+
+  BatchReport report() {
+    report_.mean_ratio = ratios_ > 0 ? ratio_sum_ / static_cast<double>(ratios_) : 0;
+    return std::move(report_);
+  }
+
+ private:
+  void compare(const ScenProblem& problem, double length) {
+    ++report_.found;
+    if (!lengths_.agrees(length, problem.printed)) mismatch(problem, length);
+    if (problem.length == 0) {  // the way from a cell to itself: any length is an error as it stands
+      report_.max_relative_error = std::max(report_.max_relative_error, length);
+      return;
+    }
+    const double ratio = length / problem.length;
+    report_.max_relative_error = std::max(report_.max_relative_error, std::abs(ratio - 1));
+    ratio_sum_ += ratio;
+    ++ratios_;
+  }
+
+  void mismatch(const ScenProblem& problem, double found) {
+    if (!report_.comparable) return;
+    ++report_.mismatches;
+    if (report_.first_mismatches.size() < BatchReport::kMismatchesKept)
+      report_.first_mismatches.push_back({problem.line, found, problem.length});
+  }
+
+  Grid2 lattice_;
+  NoTrace trace_;
+  std::unique_ptr<Planner<Grid2>> planner_;
+  LengthFormat lengths_;
+  BatchReport report_;
+  double ratio_sum_ = 0;
+  std::int64_t ratios_ = 0;
+};
+
+}  // namespace
+
+bool lengths_apply(const PlannerChoice& choice) {
+  const MoveRules rules = move_rules(choice.settings);
+  return find_planner(choice.id)->optimal(choice.settings) && rules.diagonals && rules.corners == MoveRules{}.corners;
+}
+
+std::vector<ScenProblem> even_sample(std::span<const ScenProblem> problems, std::size_t limit) {
+  if (limit == 0 || limit >= problems.size()) return {problems.begin(), problems.end()};
+  std::vector<ScenProblem> sample;
+  sample.reserve(limit);
+  const std::size_t gaps = limit > 1 ? limit - 1 : 1;
+  for (std::size_t i = 0; i < limit; ++i) sample.push_back(problems[i * (problems.size() - 1) / gaps]);
+  return sample;
+}
+
+BatchReport run_batch(const GridMap& map, const LengthFormat& lengths, std::span<const ScenProblem> problems,
+                      const PlannerChoice& choice, const BatchWatch& watch) {
+  Batch batch(map, lengths, choice);
+  std::size_t done = 0;
+  for (const ScenProblem& problem : problems) {
+    if (watch.stop.stop_requested()) break;
+    batch.solve(problem);
+    if (watch.progress) watch.progress(++done);
+  }
+  return batch.report();
+}
+
+std::string batch_json(std::span<const BatchReport> reports) {
+  Json document = {{"planners", Json::array()}};
+  for (const BatchReport& report : reports)
+    document["planners"].push_back({{"planner", report.planner},
+                                    {"problems", report.problems},
+                                    {"found", report.found},
+                                    {"mismatches", report.mismatches},
+                                    {"max_relative_error", report.max_relative_error},
+                                    {"total_ms", report.total_ms},
+                                    {"expansions", report.expansions},
+                                    {"skipped", report.skipped},
+                                    {"comparable", report.comparable},
+                                    {"mean_ratio", report.mean_ratio}});
+  return pretty_json(document);
+}
+
+}  // namespace replan

@@ -1,0 +1,156 @@
+#include "core/study/run_report.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "core/plan/common_parameters.hpp"
+#include "core/plan/registry.hpp"
+#include "core/world/json_reader.hpp"
+
+namespace replan {
+namespace {
+
+SightRule sight_rule(const PlannerChoice& choice) {
+  return static_cast<SightRule>(static_cast<int>(choice.settings.get(parameters::kSight)));
+}
+
+/// Status, path and the figures of its shape. A plan that was made with unchecked parents is looked at here, so that
+/// nobody takes it for a path that can be driven.
+void report_plan(RunReport& report, const Grid2& lattice, const Path& path, PlanStatus status, SightRule sight) {
+  report.status = status_name(status);
+  if (path.loops)
+    report.status = mission_state_name(MissionState::loop);
+  else if (path.unchecked && !path_is_free(lattice, path.nodes, sight))
+    report.status = mission_state_name(MissionState::collision);
+  report.path.reserve(path.nodes.size());
+  for (const NodeId node : path.nodes) report.path.push_back(lattice.position(node));
+  report.figures = path_figures(lattice, path.nodes);
+}
+
+double finite(double value) {
+  return std::isfinite(value) ? value : 0;
+}
+
+std::string csv_number(const NamedFigure& figure) {
+  return plain_number(figure.value).dump();
+}
+
+Json figures_json(std::span<const NamedFigure> figures) {
+  Json result = Json::object();
+  for (const NamedFigure& figure : figures) {
+    Json& value = result[std::string(figure.key)];
+    if (figure.whole)
+      value = static_cast<std::int64_t>(figure.value);
+    else
+      value = figure.value;
+  }
+  return result;
+}
+
+}  // namespace
+
+RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice) {
+  const Grid2 lattice({map.width, map.height}, map.blocked, move_rules(choice.settings));
+  NoTrace trace;
+  const auto planner = make_planner(*find_planner(choice.id), lattice, choice.settings, trace);
+  RunReport report;
+  report.planner = choice.id;
+  const auto begin = std::chrono::steady_clock::now();
+  planner->begin(lattice.node(start), lattice.node(goal));
+  const PlanStatus status = finish(*planner);
+  report.plan_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  report_plan(report, lattice, planner->path(), status, sight_rule(choice));
+  report.counters = planner->counters();
+  report.memory_bytes = static_cast<std::int64_t>(planner->memory_bytes());
+  return report;
+}
+
+RunReport drive(const Scenario& scenario, const PlannerChoice& choice) {
+  constexpr std::int64_t kSlice = std::int64_t{1} << 20;
+  NoTrace trace;
+  Mission<NoTrace> mission(scenario, choice, trace);
+  RunReport report;
+  report.planner = choice.id;
+  while (!mission.standing() && mission.advance(kSlice)) {
+  }
+  report_plan(report, mission.known(), mission.route().path, mission.route().status, sight_rule(choice));
+  while (mission.advance(kSlice)) {
+  }
+  const MissionFigures& figures = mission.now().figures;
+  report.plan_ms = figures.plan_ms;
+  report.replan_ms = figures.replan_ms;
+  report.replans = figures.replans;
+  report.counters = figures.counters;
+  report.memory_bytes = static_cast<std::int64_t>(mission.planner().memory_bytes());
+  report.robot = RobotReport{.ending = mission.state(),
+                             .moves = figures.moves,
+                             .travelled = figures.travelled,
+                             .collisions = figures.collisions,
+                             .replans = figures.replans};
+  return report;
+}
+
+std::vector<NamedFigure> named_figures(const RunReport& report) {
+  const auto whole = [](std::string_view key, std::int64_t value) {
+    return NamedFigure{key, static_cast<double>(value), true};
+  };
+  const auto real = [](std::string_view key, double value) { return NamedFigure{key, finite(value), false}; };
+  return {whole("nodes", report.figures.nodes),
+          real("length", report.figures.length),
+          whole("turns", report.figures.turns),
+          real("turning_angle_deg", report.figures.turning_angle_deg),
+          real("min_clearance", report.figures.min_clearance),
+          real("mean_clearance", report.figures.mean_clearance),
+          real("plan_ms", report.plan_ms),
+          real("replan_ms", report.replan_ms),
+          whole("replans", report.replans),
+          whole("expansions", report.counters.expansions),
+          whole("queue_operations", report.counters.queue_operations),
+          whole("sight_checks", report.counters.sight_checks),
+          whole("memory_bytes", report.memory_bytes)};
+}
+
+std::vector<NamedFigure> named_figures(const RobotReport& robot) {
+  return {{"moves", static_cast<double>(robot.moves), true},
+          {"travelled", finite(robot.travelled), false},
+          {"collisions", static_cast<double>(robot.collisions), true},
+          {"replans", static_cast<double>(robot.replans), true}};
+}
+
+std::string runs_json(std::span<const RunReport> reports) {
+  Json document = {{"runs", Json::array()}};
+  for (const RunReport& report : reports) {
+    Json run = {{"planner", report.planner}, {"status", report.status}};
+    Json& path = run["path"] = Json::array();
+    for (const Cell cell : report.path) path.push_back(Json::array({cell.x, cell.y}));
+    run["figures"] = figures_json(named_figures(report));
+    if (report.robot) {
+      run["robot"] = {{"reached", report.robot->reached()}, {"ending", mission_state_name(report.robot->ending)}};
+      run["robot"].update(figures_json(named_figures(*report.robot)));
+    }
+    document["runs"].push_back(std::move(run));
+  }
+  return pretty_json(document);
+}
+
+std::string runs_csv(std::span<const RunReport> reports) {
+  const bool robots = !reports.empty() && reports.front().robot.has_value();
+  std::string names = "planner,status", lines;
+  for (const NamedFigure& figure : named_figures(RunReport{})) names += "," + std::string(figure.key);
+  if (robots) {
+    names += ",robot_reached,robot_ending";
+    for (const NamedFigure& figure : named_figures(RobotReport{})) names += ",robot_" + std::string(figure.key);
+  }
+  for (const RunReport& report : reports) {
+    lines += report.planner + "," + std::string(report.status);
+    for (const NamedFigure& figure : named_figures(report)) lines += "," + csv_number(figure);
+    if (report.robot) {
+      lines += std::string(report.robot->reached() ? ",true," : ",false,") + mission_state_name(report.robot->ending);
+      for (const NamedFigure& figure : named_figures(*report.robot)) lines += "," + csv_number(figure);
+    }
+    lines += "\n";
+  }
+  return names + "\n" + lines;
+}
+
+}  // namespace replan

@@ -1,0 +1,67 @@
+// What one planner came to on one world: a plan alone, or a robot that drives it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/plan/figures.hpp"
+#include "core/plan/planner.hpp"
+#include "core/sim/mission.hpp"
+#include "core/world/scenario.hpp"
+
+namespace replan {
+
+/// The robot's side of a run.
+struct RobotReport {
+  MissionState ending = MissionState::planning;  ///< arrived, no_path, collision or loop
+  std::int64_t moves = 0;
+  double travelled = 0;  ///< cells, along the route
+  std::int64_t collisions = 0;
+  std::int64_t replans = 0;
+  [[nodiscard]] bool reached() const { return ending == MissionState::arrived; }
+};
+
+/// One run of one planner. `status`, `path` and its figures are of the first plan, from the start to the goal on
+/// the map as it was known then; times, counters and memory are of the whole run, replans included.
+struct RunReport {
+  std::string planner;  ///< registry id
+  std::string_view status = "no-path";  ///< status_name(), or "loop" or "collision" for a plan that cannot be driven
+  std::vector<Cell> path;
+  PathFigures figures;
+  double plan_ms = 0;    ///< wall time of the first plan
+  double replan_ms = 0;  ///< of all replans together
+  std::int64_t replans = 0;
+  Counters counters;
+  std::int64_t memory_bytes = 0;  ///< held by the planner, the map not counted
+  std::optional<RobotReport> robot;
+
+  /// True if the plan leads to the goal and the robot, where there is one, arrived.
+  [[nodiscard]] bool succeeded() const { return robot ? robot->reached() : status == "found"; }
+};
+
+/// Plans once. Start and goal must be on the map, the planner in the registry.
+RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice);
+/// Drives the scenario's robot with one planner until there is nothing more to do.
+RunReport drive(const Scenario& scenario, const PlannerChoice& choice);
+
+/// A figure by its fixed name in JSON and CSV.
+struct NamedFigure {
+  std::string_view key;
+  double value = 0;    ///< always finite
+  bool whole = false;  ///< counts; times and lengths are not
+};
+/// The 13 figures of a run: nodes, length, ... memory_bytes.
+std::vector<NamedFigure> named_figures(const RunReport& report);
+/// moves, travelled, collisions, replans.
+std::vector<NamedFigure> named_figures(const RobotReport& robot);
+
+/// `{"runs": [...]}`.
+std::string runs_json(std::span<const RunReport> reports);
+/// One line for each run under a line of names; the path is left out.
+std::string runs_csv(std::span<const RunReport> reports);
+
+}  // namespace replan

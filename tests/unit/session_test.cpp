@@ -1,0 +1,220 @@
+// The session: live edits, time travel, undo; and that a run is a function of its scenario.
+#include "core/session/session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "core/base/random.hpp"
+
+namespace replan {
+namespace {
+
+/// A room with a wall and a gap in it, and a robot that knows the map.
+Scenario wall_with_gap(const std::string& planner) {
+  Scenario scenario;
+  scenario.map = GridMap(24, 16);
+  for (int y = 0; y < 16; ++y)
+    if (y != 5) scenario.map.set({12, y}, true);
+  scenario.start = {2, 8};
+  scenario.goal = {21, 8};
+  scenario.planners = {{planner, {}}};
+  scenario.robot.sensor_radius = 4;
+  return scenario;
+}
+
+std::vector<CellChange> block(int x, int y, int width, int height, bool blocked = true) {
+  std::vector<CellChange> cells;
+  for (int j = y; j < y + height; ++j)
+    for (int i = x; i < x + width; ++i) cells.push_back({{i, j}, blocked});
+  return cells;
+}
+
+void run_to_end(Session& session) {
+  ASSERT_TRUE(session.apply(RunToEnd{}).ok());
+  while (session.run().busy()) session.update(0);
+  session.update(0);
+}
+
+const Mark& last_mark(const Session& session) { return session.run().marks().back(); }
+
+class SessionOf : public testing::TestWithParam<const char*> {};
+
+TEST_P(SessionOf, OpensWithAPlanAndDrivesToTheGoal) {
+  Session session(wall_with_gap(GetParam()));
+  session.settle();
+  EXPECT_EQ(last_mark(session).state, MissionState::driving);
+  EXPECT_EQ(session.run().timeline().cursor(), session.run().timeline().size());
+  run_to_end(session);
+  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
+  EXPECT_EQ(last_mark(session).figures.collisions, 0);
+}
+
+TEST_P(SessionOf, AnEditWhileAPlanStandsIsRepairedAndTheRunRepeatsFromItsScenario) {
+  Session session(wall_with_gap(GetParam()));
+  session.settle();
+  ASSERT_TRUE(session.apply(PaintCells{block(6, 4, 2, 6), 1}).ok());
+  session.settle();
+  EXPECT_EQ(last_mark(session).figures.replans, 1);
+  ASSERT_TRUE(session.apply(Step{StepUnit::move, 5}).ok());
+  ASSERT_TRUE(session.apply(DropSurprise{block(12, 5, 1, 1), 2}).ok());
+  ASSERT_TRUE(session.apply(PaintCells{block(12, 10, 1, 1, false), 3}).ok());
+  run_to_end(session);
+  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
+
+  Session again(session.scenario());
+  run_to_end(again);
+  EXPECT_EQ(again.run().timeline().size(), session.run().timeline().size());
+  EXPECT_EQ(again.run().timeline().log_hash(), session.run().timeline().log_hash());
+}
+
+TEST_P(SessionOf, StepsBackBeforeASurpriseAndForwardAgainWithEqualHashes) {
+  Session session(wall_with_gap(GetParam()));
+  session.settle();
+  const std::uint64_t planned = session.run().timeline().state().hash();
+  const std::size_t before = session.run().timeline().cursor();
+  ASSERT_TRUE(session.apply(PaintCells{block(6, 4, 2, 6), 1}).ok());
+  session.settle();
+  const std::uint64_t repaired = session.run().timeline().state().hash();
+  const std::size_t after = session.run().timeline().cursor();
+  EXPECT_NE(planned, repaired);
+  while (session.run().timeline().cursor() > before) ASSERT_TRUE(session.apply(Step{StepUnit::line, -1}).ok());
+  EXPECT_EQ(session.run().timeline().state().hash(), planned);
+  while (session.run().timeline().cursor() < after) ASSERT_TRUE(session.apply(Step{StepUnit::expansion, 1}).ok());
+  EXPECT_EQ(session.run().timeline().state().hash(), repaired);
+}
+
+TEST_P(SessionOf, AnEditInThePastBranchesFromThatMoment) {
+  Session session(wall_with_gap(GetParam()));
+  run_to_end(session);
+  const auto marks = session.run().marks();
+  ASSERT_TRUE(session.apply(Seek{marks[marks.size() / 2].event}).ok());
+  const std::int64_t clock = session.run().mark_at(session.run().timeline().cursor())->clock;
+  ASSERT_TRUE(session.apply(PaintCells{block(18, 2, 1, 10), 1}).ok());
+  session.settle();
+  EXPECT_EQ(last_mark(session).clock, clock);
+  run_to_end(session);
+  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
+  Session again(session.scenario());
+  run_to_end(again);
+  EXPECT_EQ(again.run().timeline().log_hash(), session.run().timeline().log_hash());
+}
+
+TEST_P(SessionOf, UndoBringsTheRunBackAndRedoTheRepair) {
+  Session session(wall_with_gap(GetParam()));
+  session.settle();
+  const std::uint64_t planned = session.run().timeline().log_hash();
+  ASSERT_TRUE(session.apply(PaintCells{block(6, 4, 2, 3), 9}).ok());
+  ASSERT_TRUE(session.apply(PaintCells{block(6, 7, 2, 3), 9}).ok());  // the same stroke
+  session.settle();
+  const std::uint64_t repaired = session.run().timeline().log_hash();
+  ASSERT_TRUE(session.apply(Undo{}).ok());
+  session.settle();
+  EXPECT_EQ(session.run().timeline().log_hash(), planned);
+  EXPECT_TRUE(session.undo_text().empty());
+  ASSERT_TRUE(session.apply(Redo{}).ok());
+  session.settle();
+  EXPECT_EQ(session.run().timeline().log_hash(), repaired);
+  EXPECT_FALSE(session.apply(Redo{}).ok());
+}
+
+INSTANTIATE_TEST_SUITE_P(Planners, SessionOf,
+                         testing::Values("dijkstra", "astar", "dstar-lite", "los-dstar-lite", "dist-dstar-lite",
+                                         "dld-star-lite"),
+                         [](const auto& planner) {
+                           std::string name = planner.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST(Session, RandomCommandsGiveARunThatRepeatsFromItsScenario) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    Session session(wall_with_gap(seed % 2 == 0 ? "dld-star-lite" : "dstar-lite"));
+    for (int i = 0; i < 25; ++i) {
+      const int x = random.between(3, 19), y = random.between(0, 12);
+      const std::size_t size = session.run().timeline().size();
+      switch (random.below(8)) {
+        case 0: (void)session.apply(PaintCells{block(x, y, 2, 3, random.chance(0.6)), 0}); break;
+        case 1: (void)session.apply(DropSurprise{block(x, y, 3, 2, random.chance(0.7)), 0}); break;
+        case 2: (void)session.apply(Step{StepUnit::move, random.between(-4, 6)}); break;
+        case 3: (void)session.apply(Seek{random.below(static_cast<std::uint32_t>(size + 1))}); break;
+        case 4: (void)session.apply(Undo{}); break;
+        case 5: (void)session.apply(Redo{}); break;
+        case 6: (void)session.apply(Step{StepUnit::expansion, random.between(-20, 20)}); break;
+        default: session.settle(); break;
+      }
+    }
+    run_to_end(session);
+    Session again(session.scenario());
+    run_to_end(again);
+    ASSERT_EQ(again.run().timeline().log_hash(), session.run().timeline().log_hash()) << "seed " << seed;
+  }
+}
+
+TEST(Session, NoPathIsAnAnswerAndTheRobotGoesOnWhenTheMapOpens) {
+  Scenario scenario = wall_with_gap("dstar-lite");
+  scenario.map.set({12, 5}, true);
+  Session session(scenario);
+  run_to_end(session);
+  EXPECT_EQ(last_mark(session).state, MissionState::no_path);
+  EXPECT_EQ(last_mark(session).route->status, PlanStatus::no_path);
+  ASSERT_TRUE(session.apply(PaintCells{block(12, 9, 1, 2, false), 1}).ok());
+  run_to_end(session);
+  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
+}
+
+TEST(Session, ARobotUnderASurpriseWaitsUntilItIsFree) {
+  Scenario scenario = wall_with_gap("dld-star-lite");
+  scenario.surprises.push_back({.at = {.move = 3, .near = {}, .within = 0}, .cells = block(3, 5, 3, 6), .announced = true});
+  scenario.surprises.push_back({.at = {.move = 8, .near = {}, .within = 0}, .cells = block(3, 5, 3, 6, false), .announced = true});
+  Session session(scenario);
+  run_to_end(session);
+  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
+  EXPECT_EQ(last_mark(session).figures.collisions, 0);
+  EXPECT_GT(last_mark(session).clock, last_mark(session).figures.moves);
+}
+
+TEST(Session, EditsBeforeTheRobotMovedArePartOfTheSavedMap) {
+  Session session(wall_with_gap("dstar-lite"));
+  session.settle();
+  ASSERT_TRUE(session.apply(PaintCells{block(6, 4, 2, 2), 1}).ok());
+  const Scenario saved = session.to_save();
+  EXPECT_TRUE(saved.surprises.empty());
+  EXPECT_TRUE(saved.map.at({6, 4}));
+  EXPECT_TRUE(session.modified());
+  session.saved("x.json");
+  EXPECT_FALSE(session.modified());
+}
+
+TEST(Session, RefusesWhatLiesOutsideAndSaysSo) {
+  Session session(wall_with_gap("dstar-lite"));
+  const auto refused = session.apply(PaintCells{{{{24, 0}, true}}, 1});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().find("outside"), std::string::npos);
+  EXPECT_FALSE(session.apply(ChoosePlanner{0, "dstar-light"}).ok());
+  EXPECT_FALSE(session.apply(SetParameter{0, "range", 3}).ok());  // D* Lite has no range
+}
+
+TEST(Session, PlaysForwardsToTheArrivalAndBackToTheBeginning) {
+  Session session(wall_with_gap("dld-star-lite"));
+  session.settle();
+  ASSERT_TRUE(session.apply(Seek{0}).ok());
+  ASSERT_TRUE(session.apply(SetSpeed{2000}).ok());
+  ASSERT_TRUE(session.apply(Play{1}).ok());
+  int frames = 0;
+  for (; frames < 20000 && session.playback().direction != 0; ++frames) {
+    if (session.run().busy()) std::this_thread::sleep_for(std::chrono::milliseconds(1));  // as between two frames
+    session.update(0.05);
+  }
+  EXPECT_LT(frames, 20000);
+  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
+  EXPECT_EQ(session.run().timeline().cursor(), session.run().timeline().size());
+  ASSERT_TRUE(session.apply(Play{-1}).ok());
+  for (int frame = 0; frame < 20000 && session.playback().direction != 0; ++frame) session.update(0.05);
+  EXPECT_EQ(session.run().timeline().cursor(), 0u);
+}
+
+}  // namespace
+}  // namespace replan

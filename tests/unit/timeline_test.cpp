@@ -1,0 +1,111 @@
+// The timeline: every moment is the same whichever way it was reached.
+#include "core/trace/timeline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "core/base/random.hpp"
+
+namespace replan {
+namespace {
+
+constexpr std::size_t kNodes = 5000;
+
+/// A log of random changes, kept consistent with the values they change.
+std::vector<Event> random_log(std::size_t count, std::uint64_t seed) {
+  Random random(seed);
+  SearchState values(kNodes);
+  std::vector<Event> log;
+  while (log.size() < count) {
+    Event event;
+    event.kind = static_cast<EventKind>(random.below(static_cast<std::uint32_t>(EventKind::gave_up) + 1));
+    event.node = event.kind == EventKind::scalar ? random.below(static_cast<std::uint32_t>(Scalar::count))
+                                                 : random.below(kNodes);
+    const bool narrow = event.kind == EventKind::known || event.kind == EventKind::truth;
+    event.delta = narrow ? 1 : random.next();
+    event.line = static_cast<std::uint8_t>(random.below(64));
+    values.apply(event);
+    log.push_back(event);
+  }
+  return log;
+}
+
+TEST(Timeline, SeekingReachesTheSameStateFromEverywhere) {
+  const std::vector<Event> log = random_log(3000, 1);
+  Timeline timeline{SearchState(kNodes)};
+  timeline.append(log);
+  std::vector<std::uint64_t> hashes;
+  SearchState state(kNodes);
+  hashes.push_back(state.hash());
+  for (const Event& event : log) {
+    state.apply(event);
+    hashes.push_back(state.hash());
+  }
+  for (std::size_t p = 0; p <= log.size(); p += 37) {  // forwards
+    timeline.seek(p);
+    ASSERT_EQ(timeline.state().hash(), hashes[p]);
+  }
+  for (std::size_t p = log.size(); p > 50; p -= 41) {  // backwards
+    timeline.seek(p);
+    ASSERT_EQ(timeline.state().hash(), hashes[p]);
+  }
+  Random random(7);
+  for (int i = 0; i < 300; ++i) {
+    const std::size_t p = random.below(static_cast<std::uint32_t>(log.size()) + 1);
+    timeline.seek(p);
+    ASSERT_EQ(timeline.cursor(), p);
+    ASSERT_EQ(timeline.state().hash(), hashes[p]);
+  }
+}
+
+TEST(Timeline, KeyFramesAreThinnedOutUnderTheirBudgetAndSeeksStayRight) {
+  const std::vector<Event> log = random_log(600000, 2);
+  Timeline rich{SearchState(kNodes)};
+  Timeline poor(SearchState(kNodes), 1);  // no budget: frames are thrown away as they come
+  rich.append(log);
+  poor.append(log);
+  EXPECT_GT(rich.key_frames(), 3u);
+  EXPECT_LE(poor.key_frames(), 2u);
+  for (const std::size_t p : {0u, 131072u, 131073u, 300000u, 599999u, 42u, 600000u}) {
+    rich.seek(p);
+    poor.seek(p);
+    ASSERT_EQ(rich.state().hash(), poor.state().hash()) << "at " << p;
+  }
+}
+
+TEST(Timeline, TruncatingForgetsAndAppendingGoesOn) {
+  const std::vector<Event> log = random_log(300000, 3);
+  Timeline timeline{SearchState(kNodes)};
+  timeline.append(log);
+  timeline.seek(100000);
+  const std::uint64_t then = timeline.state().hash();
+  const std::uint64_t whole = timeline.log_hash();
+  for (const std::size_t cut : {200000u, 131072u, 65536u, 1u}) {
+    timeline.seek(timeline.size());
+    timeline.truncate(cut);
+    EXPECT_EQ(timeline.size(), cut);
+    EXPECT_EQ(timeline.cursor(), cut);
+    timeline.append({log.begin() + static_cast<std::ptrdiff_t>(cut), log.end()});
+    ASSERT_EQ(timeline.log_hash(), whole);
+    timeline.seek(100000);
+    ASSERT_EQ(timeline.state().hash(), then);
+    timeline.seek(timeline.size());
+    ASSERT_EQ(timeline.state().hash(), timeline.head().hash());
+  }
+}
+
+TEST(PagedArray, CopiesShareUntilOneWrites) {
+  PagedArray<int> a(5000, 7);
+  EXPECT_EQ(a[4999], 7);
+  EXPECT_FALSE(a.touched(4999));
+  a.at(4999) = 1;
+  PagedArray<int> b = a;
+  b.at(4998) = 2;
+  EXPECT_EQ(a[4998], 7);
+  EXPECT_EQ(b[4999], 1);
+  EXPECT_FALSE(b.touched(0));
+}
+
+}  // namespace
+}  // namespace replan

@@ -1,0 +1,136 @@
+#include "ui/canvas_chips.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "ui/colormap.hpp"
+#include "ui/widgets.hpp"
+
+namespace replan::ui {
+namespace {
+
+struct SignEntry {
+  Sign sign;
+  Mark mark;
+  ImU32 Theme::*colour;
+  const char* label;
+};
+constexpr std::array<SignEntry, static_cast<std::size_t>(Sign::count)> kSigns = {{
+    {Sign::repair, Mark::outline, &Theme::warning, "last repair"},
+    {Sign::lp, Mark::arrow, &Theme::dim, "lp"},
+    {Sign::rp, Mark::long_arrow, &Theme::accent, "rp"},
+    {Sign::queue, Mark::corners, &Theme::accent, "open list"},
+    {Sign::over, Mark::up, &Theme::accent, "over"},
+    {Sign::under, Mark::down, &Theme::warning, "under"},
+    {Sign::surprise, Mark::square, &Theme::surprise, "surprise"},
+    {Sign::unknown, Mark::square, &Theme::faint, "not known"},
+    {Sign::gone, Mark::square, &Theme::faint, "gone"},
+    {Sign::sight_free, Mark::line, &Theme::good, "sight"},
+    {Sign::sight_stopped, Mark::line, &Theme::bad, "no sight"},
+    {Sign::path, Mark::line, &Theme::path, "path"},
+    {Sign::trail, Mark::line, &Theme::robot, "trail"},
+    {Sign::sensor, Mark::dashed, &Theme::robot, "sensor"},
+}};
+
+std::string value_text(Overlay field, double value) {
+  char text[32];
+  const bool whole = field == Overlay::order || field == Overlay::times || value == std::floor(value);
+  if (whole) return grouped(static_cast<std::int64_t>(value));
+  std::snprintf(text, sizeof text, "%.1f", value);
+  return text;
+}
+
+/// The width that an entry takes in a legend, a little too large rather than too small.
+float entry_width(const Look& look, const LegendEntry& entry) {
+  return look.px(18 + 5 + 13) + text_width(look.fonts.ui, entry.label);
+}
+
+/// Entries in rows of chips from the bottom up, the first row beside the field's gradient.
+void draw_legend(const Look& look, ImDrawList& list, const Scene& scene, ImVec2 min, ImVec2 max) {
+  const float margin = look.px(12), room = max.x - min.x - 2 * margin;
+  LegendField field;
+  std::string low, high;
+  float width = look.px(20);
+  if (scene.range) {
+    low = value_text(*scene.field, scene.range->low);
+    high = value_text(*scene.field, scene.range->high);
+    field = {overlays()[static_cast<std::size_t>(*scene.field)].label, &viridis(), low, high};
+    width += look.px(120 + 28) + text_width(look.fonts.ui, field.label) + text_width(look.fonts.mono, low + high + " ... ");
+  }
+  std::vector<std::vector<LegendEntry>> rows(1);
+  const auto put = [&](const LegendEntry& entry) {
+    if (const float more = entry_width(look, entry); width + more > room && !rows.back().empty()) {
+      rows.emplace_back();
+      width = look.px(20) + more;
+    } else {
+      width += more;
+    }
+    rows.back().push_back(entry);
+  };
+  for (const SignEntry& entry : kSigns)
+    if (scene.shows(entry.sign)) put({entry.mark, look.theme.*entry.colour, entry.label});
+  put({Mark::dot, look.theme.start, "start"});
+  put({Mark::dot, look.theme.goal, "goal"});
+  float bottom = max.y - margin;
+  for (const auto& row : rows) {
+    const bool first = &row == rows.data();
+    bottom -= legend(look, list, {min.x + margin, bottom}, first ? field : LegendField{}, row).y + look.px.xs;
+  }
+}
+
+}  // namespace
+
+std::string grouped(std::int64_t number) {
+  std::string text = std::to_string(std::abs(number));
+  for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, " ");
+  return number < 0 ? "-" + text : text;
+}
+
+StateMessage state_message(const Run& run, SceneMemory& memory) {
+  const std::size_t cursor = run.timeline().cursor();
+  const replan::Mark* mark = run.mark_at(cursor);
+  if (memory.searching_since(run, cursor)) {
+    if (!run.busy() || cursor != run.timeline().size()) return {};
+    const std::int64_t expanded = memory.expansions(run, cursor);
+    return {"Planning: " + grouped(expanded) + " expansions so far", false};
+  }
+  if (mark == nullptr) return {};
+  switch (mark->state) {
+    case MissionState::collision: return {"The plan led the robot into an obstacle that it could not see.", true};
+    case MissionState::loop: return {"The plan leads round in a circle: its remote parents were never checked.", true};
+    default: break;
+  }
+  if (mark->route->status == PlanStatus::found || mark->route->status == PlanStatus::searching) return {};
+  return {status_sentence(mark->route->status), true};
+}
+
+void draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene& scene, SceneMemory& memory,
+                const ViewState& state, ImVec2 min, ImVec2 max) {
+  const Theme& theme = look.theme;
+  const float margin = look.px(12);
+  const std::size_t cursor = run.timeline().cursor();
+  const replan::Mark* mark = run.mark_at(cursor);
+  std::string figures = grouped(memory.expansions(run, cursor)) + " expansions";
+  if (mark != nullptr && !mark->route->path.nodes.empty())
+    figures += " · " + grouped(static_cast<std::int64_t>(mark->route->path.nodes.size())) + " nodes";
+  const std::array<TextRun, 2> title = {{{run.info().name, theme.text, look.fonts.title}, {figures, theme.dim, look.fonts.small}}};
+  const ImVec2 left = chip(look, list, {min.x + margin, min.y + margin}, title);
+  float below = min.y + margin + left.y + look.px.s;
+  if (const RepairFigures repair = memory.repair(run, cursor); repair.number > 0) {
+    const std::string text = "replan " + grouped(repair.number) + " · " + grouped(repair.touched) + " of " +
+                             grouped(repair.from_scratch) + " touched";
+    const std::array<TextRun, 1> runs = {{{text, theme.warning, look.fonts.ui}}};
+    const bool fits = left.x + text_width(look.fonts.ui, text) + look.px(20) + 3 * margin <= max.x - min.x;
+    const ImVec2 size = chip(look, list, {max.x - margin, fits ? min.y + margin : below}, runs, Corner::top_right);
+    if (!fits) below += size.y + look.px.s;
+  }
+  if (const StateMessage message = state_message(run, memory); !message.text.empty()) {
+    const std::array<TextRun, 1> runs = {{{message.text, message.bad ? theme.bad : theme.text, look.fonts.ui}}};
+    chip(look, list, {min.x + margin, below}, runs);
+  }
+  if (state.legend) draw_legend(look, list, scene, min, max);
+}
+
+}  // namespace replan::ui

@@ -1,0 +1,90 @@
+// The table of all user actions (actions.def) and what is drawn from it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "core/scene/view.hpp"
+#include "core/session/commands.hpp"
+#include "ui/canvas.hpp"
+#include "ui/shell/frame.hpp"
+#include "ui/widgets.hpp"
+
+namespace replan::ui {
+
+enum class ActionId : std::uint8_t {
+#define REPLAN_ACTION(ID, MENU, GROUP, LABEL, ICON, CHORD, HELD, TEACH, EFFECT) ID,
+#define REPLAN_OVERLAY(OVERLAY, CHORD) overlay_##OVERLAY,
+#include "ui/shell/actions.def"
+#undef REPLAN_OVERLAY
+#undef REPLAN_ACTION
+  count
+};
+
+enum class Menu : std::uint8_t { file, edit, world, planner, view, help, overlays };
+
+/// A key with its modifiers; key 0: none.
+struct Chord {
+  int key = 0;
+  bool ctrl = false;
+  bool shift = false;
+  bool alt = false;
+  friend bool operator==(const Chord&, const Chord&) = default;
+};
+/// As printed in menus: "Ctrl+Shift+S"; empty for no key.
+std::string chord_text(const Chord& chord);
+
+/// What actions read and change. Effects on the session are queued; they happen after drawing.
+struct ActionContext {
+  const Session& session;
+  ViewState& view;
+  PanelState& panels;
+  std::vector<Command>& commands;
+  Wish& wish;
+
+  void push(Command command) { commands.push_back(std::move(command)); }
+  void step(StepUnit unit, int count) { push(Step{unit, count}); }
+  void toggle_play(int direction);
+  void resize_brush(int by);
+  void clear_world();
+  void move_pin(int dx, int dy);
+  void toggle_overlay(Overlay overlay);
+  void show_tab(int tab);
+};
+
+struct Action {
+  ActionId id;
+  const char* name;  ///< its identifier: "step_forward"
+  Menu menu;
+  int group;
+  std::string label;
+  const char* icon;
+  Chord chord;
+  std::string keys;  ///< chord_text(chord)
+  bool held;         ///< repeats while the key is held
+  std::string teach;
+  void (*effect)(ActionContext& context);
+
+  [[nodiscard]] Hint hint() const { return {label.c_str(), keys.c_str(), teach.c_str()}; }
+};
+
+/// All actions in the order of the table.
+std::span<const Action> actions();
+const Action& action(ActionId id);
+ActionId overlay_action(Overlay overlay);
+
+/// Whether the action would do something now (undo: is there anything to take back?).
+bool available(const Action& action, const ActionContext& context);
+/// Whether it is a switch that is on, or the chosen one of several.
+bool checked(const Action& action, const ActionContext& context);
+/// Actions whose chord was pressed this frame; none while text is typed.
+std::vector<ActionId> pressed_actions(const ImGuiIO& io);
+/// Whether a key of a repeating action is down: frames are needed although no event comes.
+bool key_is_held(const ImGuiIO& io);
+
+}  // namespace replan::ui

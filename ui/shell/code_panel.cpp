@@ -1,0 +1,109 @@
+// The Code tab: what just happened, the planner's pseudo-code with the current line lit, and its page.
+#include <algorithm>
+
+#include <imgui_internal.h>
+
+#include "ui/icons.hpp"
+#include "ui/shell/format.hpp"
+#include "ui/shell/panels.hpp"
+
+namespace replan::ui {
+namespace {
+
+/// The second row of a long line: no number, the same ground.
+void continuation(const Look& look, const PseudoLine& line, bool current, ImU32 colour) {
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, look.px(20));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  ImGui::Dummy(size);
+  ImGui::PopStyleVar();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (current) {
+    list.AddRectFilled(origin, {origin.x + size.x, origin.y + size.y}, look.theme.selected);
+    list.AddRectFilled(origin, {origin.x + look.px(3), origin.y + size.y}, look.theme.accent);
+  }
+  draw_text(list, look.fonts.mono, {origin.x + look.px(36), origin.y + (size.y - look.fonts.mono->FontSize) * 0.5f}, colour, line.text);
+}
+
+void pseudo_line(const Look& look, const PseudoLine& line, bool current) {
+  if (line.number == 0) {
+    continuation(look, line, current, current ? look.theme.text : line.unused ? look.theme.faint : look.theme.dim);
+    return;
+  }
+  if (!line.unused) {
+    code_line(look, {line.printed, line.text, current});
+    return;
+  }
+  // Lines that this planner never comes to stand back.
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0f);
+  Look faint = look;
+  faint.theme.dim = mix(look.theme.panel, look.theme.faint, 0.75f);
+  faint.theme.faint = faint.theme.dim;
+  code_line(faint, {line.printed, line.text, current});
+  ImGui::PopStyleVar();
+}
+
+void what_happened(Frame& frame) {
+  const Look& look = frame.look;
+  const Run& run = frame.run();
+  const std::size_t cursor = run.timeline().cursor();
+  section_title(look, cursor == 0 ? "Nothing has happened yet" : "Event " + grouped(cursor) + " of " + grouped(run.timeline().size()));
+  if (cursor == 0) paragraph(look.fonts.ui, look.theme.dim, "Press " + action(ActionId::line_forward).keys + " to take the first line.");
+  else paragraph(look.fonts.mono, look.theme.text, last_event_text(run));
+}
+
+void sections(Frame& frame, const PlannerPage& page) {
+  const Look& look = frame.look;
+  for (const PageSection& section : page.sections) {
+    if (section.title == "Pseudo-code") continue;
+    section_rule(look);
+    section_title(look, section.title);
+    for (const std::string& paragraph_text : section.paragraphs) paragraph(look.fonts.ui, look.theme.dim, paragraph_text);
+  }
+}
+
+}  // namespace
+
+void draw_pseudo_code(Frame& frame, const PlannerPage&, const PseudoBlock& block, int around) {
+  const int current = current_line(frame.run());
+  std::size_t first = 0, last = block.lines.size();
+  if (around > 0) {
+    const auto at = std::find_if(block.lines.begin(), block.lines.end(), [&](const PseudoLine& l) { return l.number == current; });
+    const auto middle = static_cast<std::size_t>(at - block.lines.begin());
+    const auto reach = static_cast<std::size_t>(around);
+    last = std::min(std::max(middle + reach + 1, 2 * reach + 1), block.lines.size());
+    first = last > 2 * reach + 1 ? last - 2 * reach - 1 : 0;
+  }
+  int number = 0;
+  ImGui::PushID(block.title.c_str());
+  for (std::size_t i = first; i < last; ++i) {
+    const PseudoLine& line = block.lines[i];
+    if (line.number != 0) number = line.number;
+    const bool lit = number == current && number != 0;
+    pseudo_line(frame.look, line, lit);
+    if (around == 0 && lit && line.number != 0 && frame.panels.code_line != current) {
+      const ImRect seen = ImGui::GetCurrentWindow()->InnerClipRect;
+      if (ImGui::GetItemRectMin().y < seen.Min.y || ImGui::GetItemRectMax().y > seen.Max.y) ImGui::SetScrollHereY(0.4f);
+      frame.panels.code_line = current;
+    }
+  }
+  ImGui::PopID();
+}
+
+void draw_code_panel(Frame& frame) {
+  const Look& look = frame.look;
+  const Result<PlannerPage>& page = page_of(frame.panels, frame.run().choice().id);
+  if (!page) {
+    empty_state(look, icon::book, "This planner's page is missing", page.error());
+    return;
+  }
+  what_happened(frame);
+  for (const PseudoBlock& block : page->code) {
+    section_rule(look);
+    section_title(look, block.title);
+    draw_pseudo_code(frame, *page, block, 0);
+  }
+  sections(frame, *page);
+}
+
+}  // namespace replan::ui

@@ -1,0 +1,31 @@
+// Numbers, cells and events as the window prints them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/base/cell.hpp"
+#include "core/base/cost.hpp"
+#include "core/session/run.hpp"
+
+namespace replan::ui {
+
+/// "9 214": thousands apart.
+std::string grouped(std::int64_t number);
+std::string grouped(std::size_t number);
+std::string fixed(double number, int decimals);
+/// "41.213", "∞".
+std::string cost_text(Cost cost, int decimals = 3);
+/// "(31, 18)".
+std::string cell_text(Cell cell);
+/// "(31, 18)", or "none" for kNoNode.
+std::string node_text(const Run& run, NodeId node);
+/// "1.4 MB".
+std::string bytes_text(std::size_t bytes);
+/// "3 cells", "1 cell".
+std::string count_text(std::int64_t count, const char* one, const char* many);
+
+/// What the event before the cursor did, as a sentence: "rhs(31, 18): 41.213 → 43.799". Empty at the beginning.
+std::string last_event_text(const Run& run);
+
+}  // namespace replan::ui

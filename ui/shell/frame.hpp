@@ -1,0 +1,84 @@
+// What the panels of the window share: what they read, what they remember, and where their wishes go.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "core/plan/figures.hpp"
+#include "core/plan/pages.hpp"
+#include "core/session/session.hpp"
+#include "ui/canvas.hpp"
+#include "ui/look.hpp"
+
+namespace replan::ui {
+
+inline constexpr int kPlannerTab = 0;
+inline constexpr int kCellTab = 1;
+inline constexpr int kCodeTab = 2;
+inline constexpr int kFiguresTab = 3;
+inline constexpr int kLogTab = 4;
+
+/// What an action asks of the shell itself; done after drawing.
+enum class Wish : std::uint8_t { none, new_world, open, save, save_as, quit, fit, keys };
+
+/// Path figures of one pane, kept until another plan stands.
+struct FigureCache {
+  std::shared_ptr<const Route> route;
+  PathFigures figures;
+};
+
+/// Counts over the open list of one pane, kept until the session's next revision.
+struct QueueCount {
+  std::uint64_t revision = 0;
+  std::size_t size = 0;
+};
+
+/// What the panels remember between frames; no part of the document.
+struct PanelState {
+  float side_width = 372;  ///< of the design; the user drags it
+  std::size_t pane = 0;    ///< whose planner, cells, code and figures the side shows
+  StepUnit unit = StepUnit::expansion;
+  std::map<std::string, double> drafts;  ///< settings while their slider is dragged
+  std::vector<FigureCache> figures;
+  std::vector<QueueCount> queues;
+  std::map<std::string, Result<PlannerPage>, std::less<>> pages;
+  std::size_t log_lines = 0;   ///< how many the Log showed: it follows its end
+  int code_line = 0;           ///< the line that the Code page scrolled to
+  bool animated = false;       ///< something on it moves by itself
+  double frame_ms = 0;         ///< CPU time of a frame, smoothed; 0: not measured
+  std::vector<std::string> notices;  ///< for the Log: what the platform had to say (missing fonts)
+};
+
+/// What a panel gets. The session is read only; changes go to `commands`.
+struct Frame {
+  const Look& look;
+  const Session& session;
+  ViewState& view;
+  PanelState& panels;
+  std::vector<Command>& commands;
+  Wish& wish;
+
+  [[nodiscard]] const Run& run() const {
+    return *session.runs()[std::min(panels.pane, session.runs().size() - 1)];
+  }
+  /// The cell that the Cell panel is about: the pinned one, else the one under the cursor; inside the world.
+  [[nodiscard]] std::optional<Cell> cell() const;
+};
+
+/// A fixed part of the window: no decoration, own ground and padding.
+void area(const char* id, ImVec2 pos, ImVec2 size, ImU32 ground, ImVec2 padding, const std::function<void()>& draw,
+          ImGuiWindowFlags flags = 0);
+
+/// The page of a planner, read once.
+const Result<PlannerPage>& page_of(PanelState& panels, std::string_view planner);
+/// How many vertices are in the open list at the cursor.
+std::size_t queue_size(PanelState& panels, const Session& session, std::size_t pane);
+/// The page's line that the latest event at the cursor belongs to; 0 before the first.
+int current_line(const Run& run);
+
+}  // namespace replan::ui

@@ -1,0 +1,106 @@
+// The menu bar: menus from the table of actions, the planner list, and the name of the file.
+#include <imgui_internal.h>
+
+#include "core/base/file.hpp"
+#include "ui/icons.hpp"
+#include "ui/shell/panels.hpp"
+
+namespace replan::ui {
+namespace {
+
+void menu_item(Frame& frame, const Action& each) {
+  const ActionContext context = context_of(frame);
+  const std::string label = each.id == ActionId::undo && !frame.session.undo_text().empty()
+                                ? "Undo: " + frame.session.undo_text()
+                            : each.id == ActionId::redo && !frame.session.redo_text().empty()
+                                ? "Redo: " + frame.session.redo_text()
+                                : each.label;
+  if (ImGui::MenuItemEx(label.c_str(), each.icon, each.keys.c_str(), checked(each, context), available(each, context)))
+    perform(frame, each.id);
+  hint(frame.look, {"", "", each.teach.c_str()});
+}
+
+/// The entries of a menu, with a line between groups.
+void menu_items(Frame& frame, Menu menu) {
+  int group = -1;
+  for (const Action& each : actions()) {
+    if (each.menu != menu) continue;
+    if (group >= 0 && each.group != group) ImGui::Separator();
+    group = each.group;
+    menu_item(frame, each);
+  }
+}
+
+void planner_items(Frame& frame) {
+  for (const PlannerInfo& info : planners()) {
+    const bool chosen = frame.run().choice().id == info.id;
+    if (ImGui::MenuItemEx(std::string(info.name).c_str(), "", "", chosen))
+      frame.commands.push_back(ChoosePlanner{frame.panels.pane, std::string(info.id)});
+    hint(frame.look, {"", "", std::string(info.summary).c_str()});
+  }
+  ImGui::Separator();
+}
+
+void menu(Frame& frame, const char* name, Menu which) {
+  ImGui::PushStyleColor(ImGuiCol_Text, frame.look.theme.dim);
+  const bool open = ImGui::BeginMenu(name);
+  ImGui::PopStyleColor();
+  if (!open) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(frame.look.px.s, frame.look.px(7)));
+  if (which == Menu::planner) planner_items(frame);
+  menu_items(frame, which);
+  if (which == Menu::view) {
+    ImGui::Separator();
+    if (ImGui::BeginMenuEx("Overlays", icon::eye)) {
+      menu_items(frame, Menu::overlays);
+      ImGui::EndMenu();
+    }
+  }
+  ImGui::PopStyleVar();
+  ImGui::EndMenu();
+}
+
+void file_name_at_right(Frame& frame) {
+  const Look& look = frame.look;
+  const Session& session = frame.session;
+  const std::string shown = !session.file().empty()            ? file_name(session.file())
+                            : session.scenario().name.empty() ? "untitled"
+                                                              : session.scenario().name;
+  const char* state = session.modified() ? " — edited" : session.file().empty() ? " — not saved yet" : "";
+  const ImRect bar = ImGui::GetCurrentWindow()->MenuBarRect();
+  const float right = bar.Max.x - look.px.l;
+  const float room = right - ImGui::GetCursorScreenPos().x - look.px.l - text_width(look.fonts.ui, state);
+  const std::string name = elide(look.fonts.ui, shown, room);
+  const float y = bar.Min.y + (look.px.menu - look.fonts.ui->FontSize) * 0.5f;
+  const float state_x = right - text_width(look.fonts.ui, state);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (room < look.px(40)) return;
+  draw_text(list, look.fonts.ui, {state_x - text_width(look.fonts.ui, name), y}, look.theme.text, name);
+  draw_text(list, look.fonts.ui, {state_x, y}, look.theme.dim, state);
+}
+
+}  // namespace
+
+void draw_menu_bar(Frame& frame) {
+  const Look& look = frame.look;
+  const float vertical = (look.px.menu - look.fonts.ui->FontSize) * 0.5f;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(10), vertical));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px(20), look.px.xs));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.m, look.px(10)));
+  if (ImGui::BeginMenuBar()) {
+    ImGui::SetCursorPosX(look.px(14));
+    text(look.fonts.title, look.theme.text, "Replan");
+    menu(frame, "File", Menu::file);
+    menu(frame, "Edit", Menu::edit);
+    menu(frame, "World", Menu::world);
+    menu(frame, "Planner", Menu::planner);
+    menu(frame, "View", Menu::view);
+    menu(frame, "Help", Menu::help);
+    file_name_at_right(frame);
+    ImGui::EndMenuBar();
+  }
+  ImGui::PopStyleVar(3);
+  edge(look, Edge::bottom);
+}
+
+}  // namespace replan::ui

@@ -1,0 +1,44 @@
+// The overlays: one field at most, any number of marks.
+#include "ui/shell/panels.hpp"
+
+namespace replan::ui {
+namespace {
+
+void overlay_switch(Frame& frame, const OverlayInfo& info, float width) {
+  const Look& look = frame.look;
+  const Action& each = action(overlay_action(info.overlay));
+  bool on = frame.view.view.overlays.has(info.overlay);
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  ImGui::BeginGroup();
+  if (toggle(look, each.label.c_str(), on)) frame.view.view.overlays.set(info.overlay, on);
+  if (!each.keys.empty()) {
+    ImGui::SetCursorScreenPos({origin.x + width - text_width(look.fonts.small, each.keys) - look.px(10), origin.y + look.px(3)});
+    key_chip(look, each.keys.c_str());
+  }
+  ImGui::SetCursorScreenPos(origin);
+  ImGui::Dummy({width, look.px(20)});
+  ImGui::EndGroup();
+  hint(look, each.hint());
+}
+
+}  // namespace
+
+void draw_overlay_switches(Frame& frame) {
+  const Look& look = frame.look;
+  const float width = look.px(190);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px.l, look.px(6)));
+  ImGui::BeginGroup();
+  section_title(look, "Colours of cells: one at a time");
+  for (const OverlayInfo& info : overlays())
+    if (info.is_field()) overlay_switch(frame, info, width);
+  ImGui::EndGroup();
+  ImGui::Dummy({0, look.px.xs});
+  ImGui::BeginGroup();
+  section_title(look, "Marks");
+  for (const OverlayInfo& info : overlays())
+    if (!info.is_field()) overlay_switch(frame, info, width);
+  ImGui::EndGroup();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace replan::ui

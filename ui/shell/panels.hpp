@@ -1,0 +1,32 @@
+// The parts of the window. Each draws itself from a Frame and queues what it wants changed.
+#pragma once
+
+#include "ui/shell/actions.hpp"
+#include "ui/shell/frame.hpp"
+
+namespace replan::ui {
+
+/// An ActionContext over a frame.
+ActionContext context_of(Frame& frame);
+/// Does what the action does, if it is available.
+void perform(Frame& frame, ActionId id);
+
+// Each in the current ImGui window or child.
+void draw_menu_bar(Frame& frame);
+void draw_tool_strip(Frame& frame);
+void draw_transport(Frame& frame);
+void draw_timeline(Frame& frame, ImVec2 min, ImVec2 max);
+void draw_status_bar(Frame& frame);
+void draw_side(Frame& frame);
+void draw_planner_panel(Frame& frame);
+void draw_cell_panel(Frame& frame);
+void draw_code_panel(Frame& frame);
+void draw_figures_panel(Frame& frame);
+void draw_log_panel(Frame& frame);
+
+/// All overlays with their switches, keys and explanations; for popups and menus.
+void draw_overlay_switches(Frame& frame);
+/// The pseudo-code block with the current line lit; `around` > 0: only so many lines about it.
+void draw_pseudo_code(Frame& frame, const PlannerPage& page, const PseudoBlock& block, int around);
+
+}  // namespace replan::ui

@@ -1,0 +1,57 @@
+// The side panel: tabs, and below them which planner of several they are about.
+#include <algorithm>
+#include <array>
+
+#include "ui/shell/panels.hpp"
+
+namespace replan::ui {
+namespace {
+
+/// Several planners run side by side: whose values shall the tabs show?
+void choose_pane(Frame& frame) {
+  const Look& look = frame.look;
+  const auto runs = frame.session.runs();
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float width = (ImGui::GetContentRegionAvail().x) / static_cast<float>(runs.size());
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(origin, {origin.x + width * static_cast<float>(runs.size()), origin.y + look.px.control}, look.theme.raised, look.px.radius);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const ImVec2 min(origin.x + width * static_cast<float>(i), origin.y), max(min.x + width, origin.y + look.px.control);
+    ImGui::SetCursorScreenPos(min);
+    ImGui::PushID(static_cast<int>(i));
+    if (ImGui::InvisibleButton("pane", {width, look.px.control})) frame.panels.pane = i;
+    const bool chosen = i == frame.panels.pane, hovered = ImGui::IsItemHovered();
+    hint(look, {"Pane", "", "Whose values the tabs show."});
+    ImGui::PopID();
+    if (chosen) list.AddRectFilled(min, max, look.theme.selected, look.px.radius);
+    const std::string name = elide(look.fonts.ui, runs[i]->info().name, width - look.px.l);
+    draw_text_centred(list, look.fonts.ui, min, max, chosen || hovered ? look.theme.text : look.theme.dim, name);
+  }
+  ImGui::SetCursorScreenPos({origin.x, origin.y + look.px.control + look.px.m});
+}
+
+}  // namespace
+
+void draw_side(Frame& frame) {
+  const Look& look = frame.look;
+  static constexpr std::array<const char*, 5> kNames = {"Planner", "Cell", "Code", "Figures", "Log"};
+  frame.view.tab = std::clamp(frame.view.tab, 0, static_cast<int>(kNames.size()) - 1);
+  tabs(look, "tabs", kNames, frame.view.tab);
+  edge(look, Edge::left);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.l, look.px.m));
+  // A child of its own per tab, so that each keeps its scroll position.
+  ImGui::BeginChild(kNames[static_cast<std::size_t>(frame.view.tab)], {0, 0}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::PopStyleVar();
+  const bool per_pane = frame.view.tab == kPlannerTab || frame.view.tab == kCellTab || frame.view.tab == kCodeTab;
+  if (per_pane && frame.session.runs().size() > 1) choose_pane(frame);
+  switch (frame.view.tab) {
+    case kPlannerTab: draw_planner_panel(frame); break;
+    case kCellTab: draw_cell_panel(frame); break;
+    case kCodeTab: draw_code_panel(frame); break;
+    case kFiguresTab: draw_figures_panel(frame); break;
+    default: draw_log_panel(frame); break;
+  }
+  ImGui::EndChild();
+}
+
+}  // namespace replan::ui

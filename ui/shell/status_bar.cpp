@@ -1,0 +1,151 @@
+// The status bar: the cell under the cursor, the search in numbers, and how the mission stands.
+#include <string>
+
+#include "ui/icons.hpp"
+#include "ui/shell/format.hpp"
+#include "ui/shell/panels.hpp"
+
+namespace replan::ui {
+namespace {
+
+struct Verdict {
+  ImU32 colour;
+  std::string text;
+};
+
+/// Whether a plan was begun between the last decision and the cursor, and has not been finished.
+bool searching(const Run& run, const Mark* mark) {
+  const Timeline& log = run.timeline();
+  const std::size_t from = mark == nullptr ? 0 : mark->event;
+  const auto& markers = run.markers();
+  for (std::size_t i = markers.size(); i-- > 0 && markers[i].event >= from;)
+    if (markers[i].event < log.cursor() && markers[i].kind == EventKind::plan_begin) return true;
+  return false;
+}
+
+Verdict verdict(const Theme& theme, const Run& run) {
+  const Mark* mark = run.mark_at(run.timeline().cursor());
+  if (mark == nullptr) return run.timeline().cursor() == 0 ? Verdict{theme.faint, "not planned yet"} : Verdict{theme.accent, "searching"};
+  if (searching(run, mark)) return {theme.warning, "replanning"};
+  switch (mark->state) {
+    case MissionState::planning: return {theme.accent, "searching"};
+    case MissionState::arrived: return {theme.good, "arrived"};
+    case MissionState::collision: return {theme.bad, "would hit an obstacle"};
+    case MissionState::loop: return {theme.bad, "goes round in a circle"};
+    case MissionState::no_path:
+    case MissionState::driving: break;
+  }
+  switch (mark->route->status) {
+    case PlanStatus::start_blocked: return {theme.bad, "the start is blocked"};
+    case PlanStatus::goal_blocked: return {theme.bad, "the goal is blocked"};
+    case PlanStatus::no_path: return {theme.bad, "no path"};
+    default: return {theme.good, "plan stands"};
+  }
+}
+
+std::string cell_state(const Frame& frame, Cell cell) {
+  const Run& run = frame.run();
+  const SearchState& state = run.timeline().state();
+  const NodeId node = run.lattice().node(cell);
+  const bool truth = state.truly_blocked(node), known = state.known_blocked(node);
+  const std::string what = truth ? "obstacle" : "free";
+  if (truth == known) return what + " · known";
+  return what + (truth ? " · not seen yet" : " · believed blocked");
+}
+
+/// Writes items from the left until the room ends.
+class Line {
+ public:
+  Line(const Look& look, float right) : look_(look), right_(right) {}
+
+  void pair(std::string_view label, std::string_view value, const Hint& what) {
+    if (!next(text_width(look_.fonts.ui, label) + text_width(look_.fonts.mono, value) + look_.px.xs)) return;
+    ImGui::BeginGroup();
+    labelled(look_, label, value);
+    ImGui::EndGroup();
+    hint(look_, what);
+  }
+  void word(std::string_view words) {
+    if (next(text_width(look_.fonts.ui, words))) text(look_.fonts.ui, look_.theme.dim, words);
+  }
+  void dot(const Verdict& verdict) {
+    if (next(text_width(look_.fonts.ui, verdict.text) + look_.px(14))) status(look_, verdict.colour, verdict.text);
+  }
+  bool next(float width) {
+    const float gap = first_ ? 0 : look_.px(22);
+    const float x = first_ ? ImGui::GetCursorScreenPos().x : ImGui::GetItemRectMax().x;
+    if (x + gap + width > right_) return false;
+    if (!first_) ImGui::SameLine(0, gap);
+    first_ = false;
+    return true;
+  }
+
+ private:
+  const Look& look_;
+  float right_;
+  bool first_ = true;
+};
+
+/// The numbers at the right edge; returns where they begin.
+float right_side(Frame& frame) {
+  const Look& look = frame.look;
+  const Run& run = frame.session.run();
+  const Mark* mark = run.mark_at(run.timeline().cursor());
+  const std::string moves = "robot " + count_text(static_cast<std::int64_t>(run.timeline().state().scalar(Scalar::moves)), "step", "steps");
+  const std::string time = frame.panels.frame_ms > 0 ? fixed(frame.panels.frame_ms, 1) + " ms" : "";
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float right = origin.x + ImGui::GetContentRegionAvail().x;
+  const float time_x = right - text_width(look.fonts.mono, "00.0 ms");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_text(list, look.fonts.mono, {right - text_width(look.fonts.mono, time), origin.y}, look.theme.dim, time);
+  const float moves_x = time_x - look.px(16) - text_width(look.fonts.ui, moves);
+  if (mark != nullptr) draw_text(list, look.fonts.ui, {moves_x, origin.y}, look.theme.dim, moves);
+  return moves_x;
+}
+
+/// While the background searches: what it has come to, and the way to stop it.
+void busy(Frame& frame, Line& line) {
+  const Look& look = frame.look;
+  const Run& run = frame.session.run();
+  if (!run.busy()) return;
+  frame.panels.animated = true;
+  const std::string words = "Searching… " + grouped(run.timeline().size()) + " events";
+  if (!line.next(text_width(look.fonts.ui, words) + look.px(28))) return;
+  text(look.fonts.ui, look.theme.accent, words);
+  ImGui::SameLine(0, look.px.xs);
+  ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y - look.px(5)});
+  const Action& stop = action(ActionId::cancel);
+  if (small_button(look, stop.name, {.icon = stop.icon, .hint = stop.hint()})) perform(frame, ActionId::cancel);
+}
+
+}  // namespace
+
+void draw_status_bar(Frame& frame) {
+  const Look& look = frame.look;
+  edge(look, Edge::top);
+  const float end = right_side(frame);
+  Line line(look, end - look.px.l);
+  const Run& run = frame.run();
+  const View& view = frame.view.view;
+  const std::optional<Cell> cell = view.hovered ? view.hovered : view.pinned;
+  if (cell && frame.session.scenario().map.contains(*cell)) {
+    line.pair("Cell", std::to_string(cell->x) + ", " + std::to_string(cell->y), {"Cell", "", "Column and row, from (0, 0) at the top left."});
+    line.word(cell_state(frame, *cell));
+  }
+  line.dot(verdict(look.theme, run));
+  busy(frame, line);
+  const Mark* mark = run.mark_at(run.timeline().cursor());
+  if (mark != nullptr && mark->route->status == PlanStatus::found)
+    line.pair("path", fixed(path_length(run.lattice(), mark->route->path.nodes), 1),
+              {"Path length", "", "Of the plan that stands, in cells, measured along its straight segments."});
+  line.pair("|U|", grouped(queue_size(frame.panels, frame.session, std::min(frame.panels.pane, frame.session.runs().size() - 1))),
+            {"Open list", "", "How many vertices wait in the open list U."});
+  if (run.info().from_goal)
+    line.pair("km", cost_text(run.timeline().state().km(), 2),
+              {"km", "", "The way the robot has gone between replans, added to new keys so that old ones stay valid."});
+  if (view.camera.zoom > 0)
+    line.pair("Zoom", fixed(view.camera.zoom / std::max(1e-3, view.scale), view.camera.zoom < 10 * view.scale ? 1 : 0) + "×",
+              {"Zoom", "", "Pixels per cell."});
+}
+
+}  // namespace replan::ui

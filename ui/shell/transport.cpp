@@ -1,0 +1,127 @@
+// The transport under the canvas: buttons, unit, speed, counter, and the timeline below them.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/icons.hpp"
+#include "ui/shell/format.hpp"
+#include "ui/shell/panels.hpp"
+
+namespace replan::ui {
+namespace {
+
+constexpr double kSlowest = 1;
+
+void transport_action(Frame& frame, ActionId id, const char* icon, bool primary = false) {
+  const Action& each = action(id);
+  if (transport_button(frame.look, each.name, {.icon = icon, .hint = each.hint(), .selected = primary})) perform(frame, id);
+  ImGui::SameLine(0, frame.look.px(6));
+}
+
+ActionId step_action(StepUnit unit, bool forwards) {
+  switch (unit) {
+    case StepUnit::line: return forwards ? ActionId::line_forward : ActionId::line_back;
+    case StepUnit::expansion: return forwards ? ActionId::step_forward : ActionId::step_back;
+    case StepUnit::move: return forwards ? ActionId::move_forward : ActionId::move_back;
+    case StepUnit::replan: return forwards ? ActionId::replan_forward : ActionId::replan_back;
+  }
+  return ActionId::step_forward;
+}
+
+void buttons(Frame& frame) {
+  const int direction = frame.session.playback().direction;
+  transport_action(frame, ActionId::to_start, icon::fast_backward);
+  transport_action(frame, ActionId::play_back, icon::backward);
+  transport_action(frame, step_action(frame.panels.unit, false), icon::step_backward);
+  transport_action(frame, ActionId::play, direction != 0 ? icon::pause : icon::play, true);
+  transport_action(frame, step_action(frame.panels.unit, true), icon::step_forward);
+  transport_action(frame, ActionId::to_end, icon::fast_forward);
+}
+
+void step_unit(Frame& frame, bool roomy) {
+  const Look& look = frame.look;
+  static constexpr std::array<const char*, 4> kUnits = {"line", "expansion", "robot move", "replan"};
+  ImGui::SameLine(0, look.px(roomy ? 20 : 8));
+  if (roomy) {
+    ImGui::AlignTextToFramePadding();
+    text(look.fonts.ui, look.theme.dim, "Step");
+    ImGui::SameLine(0, look.px(6));
+  }
+  int unit = static_cast<int>(frame.panels.unit);
+  if (combo(look, "##unit", kUnits, unit, look.px(106))) frame.panels.unit = static_cast<StepUnit>(unit);
+  hint(look, {"Step over", "", "What one press of the step buttons goes over: a line of pseudo-code, an expansion, a move of the robot, or all up to the next plan."});
+}
+
+std::string speed_text(double speed) {
+  if (speed >= Session::kFullSpeed) return "as fast as possible";
+  if (speed >= 1000) return grouped(static_cast<std::int64_t>(std::llround(speed / 100) * 100)) + " /s";
+  return fixed(speed, speed < 10 ? 1 : 0) + " /s";
+}
+
+/// A log scale whose right end means "as fast as possible".
+void speed(Frame& frame, bool roomy) {
+  const Look& look = frame.look;
+  ImGui::SameLine(0, look.px(roomy ? 20 : 10));
+  if (roomy) {
+    ImGui::AlignTextToFramePadding();
+    text(look.fonts.ui, look.theme.dim, "Speed");
+    ImGui::SameLine(0, look.px.s);
+  }
+  const float width = look.px(roomy ? 110 : 70), height = look.px.control, knob = look.px(6);
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton("speed", {width, height});
+  const double range = std::log(Session::kFullSpeed / kSlowest);
+  double now = frame.session.playback().expansions_per_second;
+  if (ImGui::IsItemActive()) {
+    const double at = std::clamp((ImGui::GetIO().MousePos.x - origin.x - knob) / (width - 2 * knob), 0.0f, 1.0f);
+    now = at > 0.97 ? Session::kFullSpeed : kSlowest * std::exp(range * at);
+    frame.commands.push_back(SetSpeed{now});
+  }
+  hint(look, {"Speed", "", "Expansions per second, on a log scale; at the right end as fast as possible. The robot drives at most 15 cells a second."});
+  const auto part = static_cast<float>(std::clamp(std::log(now / kSlowest) / range, 0.0, 1.0));
+  const float x = origin.x + knob + part * (width - 2 * knob), y = origin.y + height * 0.5f;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({origin.x, y - look.px(2)}, {origin.x + width, y + look.px(2)}, look.theme.line, look.px(2));
+  list.AddRectFilled({origin.x, y - look.px(2)}, {x, y + look.px(2)}, look.theme.accent, look.px(2));
+  list.AddCircleFilled({x, y}, knob, look.theme.accent);
+  ImGui::SameLine(0, look.px.s);
+  ImGui::AlignTextToFramePadding();
+  text(look.fonts.mono, look.theme.text, roomy || now < Session::kFullSpeed ? speed_text(now) : "max");
+}
+
+/// "9 214 / 11 870 events", or what the background is doing, at the right edge.
+void counter(Frame& frame, float left, float right, float top) {
+  const Look& look = frame.look;
+  const Timeline& log = frame.session.run().timeline();
+  const std::string now = grouped(log.cursor());
+  const std::string all = " / " + grouped(log.size());
+  std::string tail = " events";
+  const ImFont* mono = look.fonts.mono;
+  if (text_width(mono, now + all + tail) > right - left) tail.clear();
+  const float width = text_width(mono, now + all + tail);
+  if (width > right - left) return;
+  const float y = top + (look.px.control - mono->FontSize) * 0.5f;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_text(list, look.fonts.mono_bold, {right - width, y}, look.theme.text, now);
+  draw_text(list, mono, {right - width + text_width(mono, now), y}, look.theme.faint, all + tail);
+  ImGui::SetCursorScreenPos({right - width, top});
+  ImGui::InvisibleButton("counter", {width, look.px.control});
+  hint(look, {"Events", "", "Where the playhead stands in the log of everything that the planner and the robot did."});
+}
+
+}  // namespace
+
+void draw_transport(Frame& frame) {
+  const Look& look = frame.look;
+  edge(look, Edge::top);
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const bool roomy = width > look.px(790);
+  buttons(frame);
+  step_unit(frame, roomy);
+  speed(frame, roomy);
+  counter(frame, ImGui::GetItemRectMax().x + look.px.m, origin.x + width, origin.y);
+  draw_timeline(frame, {origin.x, origin.y + look.px(38)}, {origin.x + width, origin.y + look.px(102)});
+}
+
+}  // namespace replan::ui
