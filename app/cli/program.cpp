@@ -3,6 +3,7 @@
 #include <csignal>
 #include <filesystem>
 #include <new>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 
@@ -27,12 +28,6 @@ constexpr const char* kFooter =
     "'replan COMMAND --help' tells the options of a command, with examples and every planner setting.\n"
     "Exit codes: 0 done, 1 no path or a failed check, 2 bad input.";
 
-std::vector<std::string_view> names_of(const std::vector<CLI::App*>& apps) {
-  std::vector<std::string_view> names;
-  for (const CLI::App* app : apps) names.push_back(app->get_name());
-  return names;
-}
-
 /// The command whose options are being read.
 const CLI::App& current(const CLI::App& program) {
   const auto chosen = program.get_subcommands();
@@ -46,8 +41,10 @@ std::string help_hint(const CLI::App& program) {
 
 /// "replan FILE" where there is no such file: perhaps a command was meant.
 Error no_such_file(const CLI::App& program, const std::string& file) {
-  const auto commands = program.get_subcommands([](const CLI::App*) { return true; });
-  const auto names = names_of(commands);
+  std::vector<std::string> held;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+    held.push_back(command->get_name());
+  const std::vector<std::string_view> names(held.begin(), held.end());
   return {"there is no file '" + file + "' and no command of that name" +
           suggestion(file, names, "; see 'replan --help'")};
 }

@@ -90,6 +90,15 @@ void row_pass(const std::int32_t* parabola, std::int32_t* row, int width, Envelo
   if (largest(row, width) > (kScan + 1) * (kScan + 1)) envelope.run(parabola, row, width);
 }
 
+/// Lets a row see the three neighbours of each cell in the row beside it.
+REPLAN_WIDE void take_from_row(const Cost* beside, Cost* row, int width) {
+  constexpr std::int64_t straight = kStepCost[1].raw, diagonal = kStepCost[2].raw;
+  const auto better = [&](int x, std::int64_t offered) { row[x].raw = std::min(row[x].raw, offered); };
+  for (int x = 0; x < width; ++x) better(x, beside[x].raw + straight);
+  for (int x = 1; x < width; ++x) better(x, beside[x - 1].raw + diagonal);
+  for (int x = 0; x + 1 < width; ++x) better(x, beside[x + 1].raw + diagonal);
+}
+
 }  // namespace
 
 std::vector<std::int32_t> squared_distances(int width, int height, std::span<const std::uint8_t> blocked) {
@@ -112,29 +121,20 @@ std::vector<std::int32_t> squared_distances(int width, int height, std::span<con
 
 std::vector<Cost> chamfer_distances(int width, int height, std::span<const std::uint8_t> blocked) {
   const auto w = static_cast<std::size_t>(width), h = static_cast<std::size_t>(height);
-  constexpr std::int64_t straight = kStepCost[1].raw, diagonal = kStepCost[2].raw;
-  std::vector<Cost> result(w * h);
-  // One row and column of "infinitely far" around, so that the passes need not ask where the map ends.
-  const std::size_t stride = w + 2;
-  std::vector<std::int64_t> field(stride * (h + 2), Cost::kInfinityRaw);
+  std::vector<Cost> field(w * h, Cost::infinity());
+  for (std::size_t i = 0; i < field.size(); ++i)
+    if (blocked[i] != 0) field[i] = Cost::zero();
   for (std::size_t y = 0; y < h; ++y) {
-    std::int64_t* row = &field[(y + 1) * stride + 1];
-    const std::int64_t* above = row - stride;
-    for (std::size_t x = 0; x < w; ++x) {
-      const std::int64_t from_above = std::min(above[x] + straight, std::min(above[x - 1], above[x + 1]) + diagonal);
-      row[x] = blocked[y * w + x] != 0 ? 0 : std::min(from_above, row[x - 1] + straight);
-    }
+    Cost* row = &field[y * w];
+    if (y > 0) take_from_row(row - w, row, width);
+    for (std::size_t x = 1; x < w; ++x) row[x] = std::min(row[x], row[x - 1] + kStepCost[1]);
   }
   for (std::size_t y = h; y-- > 0;) {
-    std::int64_t* row = &field[(y + 1) * stride + 1];
-    const std::int64_t* below = row + stride;
-    for (std::size_t x = w; x-- > 0;) {
-      const std::int64_t from_below = std::min(below[x] + straight, std::min(below[x - 1], below[x + 1]) + diagonal);
-      row[x] = std::min(row[x], std::min(from_below, row[x + 1] + straight));
-      result[y * w + x] = {std::min(row[x], Cost::kInfinityRaw)};
-    }
+    Cost* row = &field[y * w];
+    if (y + 1 < h) take_from_row(row + w, row, width);
+    for (std::size_t x = w - 1; x-- > 0;) row[x] = std::min(row[x], row[x + 1] + kStepCost[1]);
   }
-  return result;
+  return field;
 }
 
 }  // namespace replan

@@ -39,7 +39,7 @@ struct ReplayRow {
   double median_us = 0, mean_us = 0, p95_us = 0, total_ms = 0;  ///< update of the map and the costs, and the search
   std::int64_t expansions = 0;      ///< of all replans
   double bytes_per_cell = 0;        ///< lattice and planner, open list at its peak
-  std::size_t wrong = 0;            ///< plans whose cost is not the optimum of the file
+  std::size_t wrong = 0;            ///< plans whose cost is not exactly a fresh plan's, or not the file's optimum
 };
 
 /// Replays the workload, `repeats` times; times are the medians over the repeats.

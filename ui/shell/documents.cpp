@@ -1,0 +1,116 @@
+#include "ui/shell/documents.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "core/base/file.hpp"
+#include "core/world/map_file.hpp"
+
+namespace replan::ui {
+namespace {
+
+/// The free cells that can be reached from `from` by straight moves; marks them in `seen`.
+std::vector<std::size_t> region(const GridMap& map, std::size_t from, std::vector<std::uint8_t>& seen) {
+  std::vector<std::size_t> cells = {from};
+  seen[from] = 1;
+  const auto width = static_cast<std::size_t>(map.width);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::size_t at = cells[i], x = at % width;
+    const auto visit = [&](bool inside, std::size_t next) {
+      if (!inside || seen[next] != 0 || map.blocked[next] != 0) return;
+      seen[next] = 1;
+      cells.push_back(next);
+    };
+    visit(x > 0, at - 1);
+    visit(x + 1 < width, at + 1);
+    visit(at >= width, at - width);
+    visit(at + width < map.blocked.size(), at + width);
+  }
+  return cells;
+}
+
+/// Start and goal: the ends of the largest open region, at its upper left and its lower right.
+void place_ends(Scenario& scenario) {
+  const GridMap& map = scenario.map;
+  std::vector<std::uint8_t> seen(map.blocked.size());
+  std::vector<std::size_t> largest;
+  for (std::size_t i = 0; i < map.blocked.size(); ++i) {
+    if (seen[i] != 0 || map.blocked[i] != 0) continue;
+    std::vector<std::size_t> found = region(map, i, seen);
+    if (found.size() > largest.size()) largest = std::move(found);
+  }
+  if (largest.empty()) return;
+  const auto width = static_cast<std::size_t>(map.width);
+  const auto diagonal = [width](std::size_t cell) { return cell % width + cell / width; };
+  const auto [first, last] = std::minmax_element(largest.begin(), largest.end(), [&](std::size_t a, std::size_t b) { return diagonal(a) < diagonal(b); });
+  const auto cell = [width](std::size_t index) { return Cell{static_cast<int>(index % width), static_cast<int>(index / width)}; };
+  scenario.start = cell(*first);
+  scenario.goal = cell(*last);
+}
+
+Scenario world_of(GridMap map, const Scenario& current) {
+  Scenario scenario;
+  scenario.map = std::move(map);
+  scenario.planners = current.planners;
+  scenario.robot = current.robot;
+  scenario.goal = {scenario.map.width - 1, scenario.map.height - 1};
+  return scenario;
+}
+
+/// Whether the file that a scenario names for its map would still hold that map, seen from `folder`.
+bool map_file_holds(const Scenario& scenario, const std::string& folder) {
+  const std::filesystem::path path = std::filesystem::path(folder) / scenario.map_file;
+  const Result<GridMap> map = read_map(path.string());
+  return map && *map == scenario.map;
+}
+
+}  // namespace
+
+Result<Scenario> open_document(const std::string& path, const Scenario& current) {
+  if (path.empty()) return Error{"Type the path of a scenario (.json), a map (.map) or a picture (.png)."};
+  if (file_extension(path) == ".json") return read_scenario(path);
+  if (file_extension(path) == ".scen") return Error{path + ": a .scen file lists problems, not a world; open the .map that it is for"};
+  Result<GridMap> map = read_map(path);
+  if (!map) return Error{map.error()};
+  Scenario scenario = world_of(*std::move(map), current);
+  scenario.name = file_stem(path);
+  place_ends(scenario);
+  return scenario;
+}
+
+Scenario empty_world(int width, int height, const Scenario& current) {
+  Scenario scenario = world_of(GridMap(width, height), current);
+  scenario.name = "New world";
+  scenario.start = {width / 8, height / 2};
+  scenario.goal = {width - 1 - width / 8, height / 2};
+  return scenario;
+}
+
+bool saves_in_place(const std::string& path) {
+  return file_extension(path) == ".json" || file_extension(path) == ".map";
+}
+
+Result<void> save_document(const Session& session, const ViewState& view, const std::string& path) {
+  const std::string kind = file_extension(path);
+  if (path.empty()) return Error{"Type the path of the file to write: NAME.json, or NAME.map for the cells alone."};
+  Scenario scenario = session.to_save();
+  if (kind == ".map") return write_map(scenario.map, path);
+  if (kind != ".json") return Error{"End the name with .json for the whole scenario, or with .map for the cells alone."};
+  if (!scenario.map_file.empty() && !map_file_holds(scenario, file_folder(path))) scenario.map_file.clear();
+  scenario.view.overlays.clear();
+  for (const OverlayInfo& info : overlays())
+    if (view.view.overlays.has(info.overlay)) scenario.view.overlays.emplace_back(info.id);
+  return write_scenario(scenario, path);
+}
+
+std::string typed_path(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string::npos) return "";
+  std::string path = text.substr(first, text.find_last_not_of(" \t") - first + 1);
+  const char* home = std::getenv("HOME");
+  if (home != nullptr && (path == "~" || path.starts_with("~/"))) path.replace(0, 1, home);
+  return path;
+}
+
+}  // namespace replan::ui

@@ -1,0 +1,273 @@
+#include "ui/shell/shell.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/file.hpp"
+#include "ui/icons.hpp"
+#include "ui/shell/documents.hpp"
+#include "ui/shell/panels.hpp"
+
+namespace replan::ui {
+namespace {
+
+constexpr float kNarrowestSide = 280, kWidestSide = 640, kNarrowestCanvas = 320;
+constexpr float kNarrowestPane = 220;
+constexpr auto kMessageTime = std::chrono::seconds(6), kErrorTime = std::chrono::seconds(15);
+
+/// Seeks, steps and play are no edits: nobody needs to be told twice that there is nothing to undo.
+bool is_quiet(const Command& command) { return std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command); }
+
+}  // namespace
+
+ActionContext context_of(Frame& frame) { return {frame.session, frame.view, frame.panels, frame.commands, frame.wish}; }
+
+void perform(Frame& frame, ActionId id) {
+  ActionContext context = context_of(frame);
+  if (available(action(id), context)) action(id).effect(context);
+}
+
+void Shell::draw(const Look& look, Session& session, double) {
+  std::vector<Command> commands;
+  Wish wish = Wish::none;
+  panels_.pane = std::min(panels_.pane, session.runs().size() - 1);
+  panels_.animated = false;
+  view_.view.scale = static_cast<double>(look.px.scale);
+  Frame frame{look, session, view_, panels_, commands, wish};
+  take_keys(frame);
+  draw_parts(frame);
+  drawn_ = session.revision();
+  const Decision decision = dialogs_.draw(look);
+  take_commands(session, commands);
+  take_wish(session, wish);
+  take_decision(session, decision);
+}
+
+bool Shell::wants_frames(const Session& session) const {
+  const bool busy = std::any_of(session.runs().begin(), session.runs().end(), [](const auto& run) { return run->busy(); });
+  return busy || session.playback().direction != 0 || session.revision() != drawn_ || held_ || panels_.animated;
+}
+
+void Shell::take_keys(Frame& frame) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool elsewhere = dialogs_.open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  held_ = !elsewhere && key_is_held(io);
+  if (elsewhere) return;
+  for (const ActionId id : pressed_actions(io)) perform(frame, id);
+}
+
+void Shell::draw_parts(Frame& frame) {
+  const Look& look = frame.look;
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const bool panels = view_.panels;
+  const float left = panels ? look.px.tools : 0;
+  const float widest = std::max(size.x - left - look.px(kNarrowestCanvas), look.px(kNarrowestSide));
+  const float side = panels ? std::min(look.px(panels_.side_width), widest) : 0;
+  const float split = size.x - side, bottom = size.y - look.px.status, under = bottom - look.px.transport;
+  area("menu", {0, 0}, {size.x, look.px.menu}, look.theme.panel, {0, 0}, [&] { draw_menu_bar(frame); }, ImGuiWindowFlags_MenuBar);
+  if (panels) area("tools", {0, look.px.menu}, {left, under - look.px.menu}, look.theme.panel, {look.px(7), look.px(8)}, [&] { draw_tool_strip(frame); });
+  draw_canvas(frame, {left, look.px.menu}, {split, under});
+  area("transport", {0, under}, {split, look.px.transport}, look.theme.panel, {look.px.l, look.px(14)}, [&] { draw_transport(frame); });
+  if (panels) area("side", {split, look.px.menu}, {side, bottom - look.px.menu}, look.theme.panel, {0, 0}, [&] { draw_side(frame); });
+  area("status", {0, bottom}, {size.x, look.px.status}, look.theme.raised, {look.px(14), look.px(5)}, [&] { draw_status_bar(frame); });
+  if (panels) draw_splitter(frame, split, look.px.menu, bottom);
+  draw_message(look, {left, look.px.menu}, {split, under});
+}
+
+void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
+  const Look& look = frame.look;
+  area("canvas", min, {max.x - min.x, max.y - min.y}, look.theme.background, {0, 0}, [&] {
+    const auto room = static_cast<std::size_t>(std::max(1.0f, (max.x - min.x) / look.px(kNarrowestPane)));
+    const std::size_t count = std::min(frame.session.runs().size(), room);
+    // Too narrow for all: the one that the side panel is about.
+    const std::size_t first = count < frame.session.runs().size() ? std::min(panels_.pane, frame.session.runs().size() - count) : 0;
+    const float gap = look.px(6);
+    const float width = (max.x - min.x - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const float x = std::floor(min.x + static_cast<float>(i) * (width + gap));
+      canvas_.draw(look, frame.session, first + i, view_, {x, min.y}, {std::floor(x + width), max.y}, !dialogs_.open(), frame.commands);
+      if (i > 0) ImGui::GetWindowDrawList()->AddRectFilled({x - gap, min.y}, {x - gap + look.px.hair, max.y}, look.theme.line);
+    }
+    draw_trouble(frame, min, max);
+  });
+}
+
+/// Why there is no path, and what now.
+void Shell::draw_trouble(const Frame& frame, ImVec2 min, ImVec2 max) {
+  const Look& look = frame.look;
+  const Run& run = frame.run();
+  const Mark* mark = run.mark_at(run.timeline().cursor());
+  if (mark == nullptr) return;
+  std::string words;
+  if (mark->route->status == PlanStatus::no_path) words = "No path leads from the start to the goal: erase an obstacle, or move one of them.";
+  else if (mark->route->status != PlanStatus::found) words = status_sentence(mark->route->status);
+  if (mark->state == MissionState::collision) words = "This plan leads into an obstacle that the robot knows: its remote parent went stale.";
+  if (mark->state == MissionState::loop) words = "This plan leads round in a circle: a remote parent went stale.";
+  if (words.empty()) return;
+  const TextRun runs[] = {{icon::warning, look.theme.bad, look.fonts.ui},
+                          {elide(look.fonts.ui, words, max.x - min.x - look.px(80)), look.theme.text, look.fonts.ui}};
+  const float width = text_width(look.fonts.ui, runs[1].text) + look.px(50);
+  chip(look, *ImGui::GetWindowDrawList(), {(min.x + max.x - width) * 0.5f, min.y + look.px(52)}, runs);
+}
+
+void Shell::draw_message(const Look& look, ImVec2 min, ImVec2 max) {
+  if (message_.text.empty()) return;
+  if (std::chrono::steady_clock::now() > message_.until) {
+    message_ = {};
+    return;
+  }
+  const float width = std::min(look.px(520), max.x - min.x - look.px.l * 2);
+  const float words = std::min(text_width(look.fonts.ui, message_.text) + look.px(2), width - look.px(80));
+  ImGui::SetNextWindowPos({(min.x + max.x) * 0.5f, max.y - look.px(56)}, ImGuiCond_Always, {0.5f, 1});
+  ImGui::SetNextWindowBgAlpha(0.96f);
+  ImGui::Begin("message", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+  text(look.fonts.ui, message_.bad ? look.theme.bad : look.theme.good, message_.bad ? icon::warning : icon::check);
+  ImGui::SameLine(0, look.px(10));
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + words);
+  text(look.fonts.ui, look.theme.text, message_.text);
+  ImGui::PopTextWrapPos();
+  ImGui::SameLine(0, look.px.m);
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - look.px(5));
+  if (small_button(look, "close", {.icon = icon::times, .hint = {"Close"}})) message_ = {};
+  ImGui::End();
+}
+
+void Shell::draw_splitter(Frame& frame, float x, float top, float bottom) {
+  const Look& look = frame.look;
+  const float half = look.px(3);
+  area("splitter", {x - half, top}, {half * 2, bottom - top}, 0, {0, 0}, [&] {
+    ImGui::InvisibleButton("drag", {half * 2, bottom - top});
+    if (!ImGui::IsItemHovered() && !ImGui::IsItemActive()) return;
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    ImGui::GetWindowDrawList()->AddRectFilled({x - look.px.hair, top}, {x + look.px.hair, bottom}, look.theme.accent);
+    if (!ImGui::IsItemActive()) return;
+    const float wanted = (ImGui::GetIO().DisplaySize.x - ImGui::GetIO().MousePos.x) / look.px.scale;
+    panels_.side_width = std::clamp(wanted, kNarrowestSide, kWidestSide);
+  });
+}
+
+void Shell::take_commands(Session& session, std::vector<Command>& commands) {
+  for (const Command& command : commands)
+    if (const Result<void> done = session.apply(command); !done && !is_quiet(command)) tell(done.error(), true);
+}
+
+void Shell::take_wish(Session& session, Wish wish) {
+  switch (wish) {
+    case Wish::none: break;
+    case Wish::new_world: begin(session, {Pending::Kind::new_world, {}}); break;
+    case Wish::open: begin(session, {Pending::Kind::open_dialog, {}}); break;
+    case Wish::quit: begin(session, {Pending::Kind::quit, {}}); break;
+    case Wish::save:
+      if (saves_in_place(session.file())) save(session, session.file());
+      else dialogs_.show(DialogKind::save, session.file().empty() ? "" : file_folder(session.file()) + "/" + file_stem(session.file()) + ".json");
+      break;
+    case Wish::save_as: dialogs_.show(DialogKind::save, session.file()); break;
+    case Wish::fit: canvas_.fit(); break;
+    case Wish::keys: dialogs_.show(DialogKind::keys); break;
+  }
+}
+
+void Shell::take_decision(Session& session, const Decision& decision) {
+  switch (decision.kind) {
+    case Decision::Kind::none: break;
+    case Decision::Kind::cancel:
+      dialogs_.close();
+      pending_ = {};
+      break;
+    case Decision::Kind::open:
+      if (load(session, typed_path(decision.path))) dialogs_.close();
+      break;
+    case Decision::Kind::save:
+      if (!save(session, typed_path(decision.path))) break;
+      dialogs_.close();
+      go_on(session);
+      break;
+    case Decision::Kind::new_world:
+      replace(session, empty_world(decision.width, decision.height, session.scenario()), "");
+      break;
+    case Decision::Kind::discard: go_on(session); break;
+    case Decision::Kind::save_first:
+      if (!saves_in_place(session.file())) dialogs_.show(DialogKind::save);
+      else if (save(session, session.file())) go_on(session);
+      break;
+  }
+}
+
+void Shell::begin(Session& session, Pending pending) {
+  pending_ = std::move(pending);
+  if (!session.modified()) {
+    go_on(session);
+    return;
+  }
+  const std::string name = session.file().empty() ? "This world" : file_name(session.file());
+  dialogs_.show(DialogKind::unsaved, name);
+}
+
+void Shell::go_on(Session& session) {
+  const Pending pending = std::exchange(pending_, {});
+  switch (pending.kind) {
+    case Pending::Kind::none: break;
+    case Pending::Kind::open_dialog: dialogs_.show(DialogKind::open); break;
+    case Pending::Kind::open_file: load(session, pending.path); break;
+    case Pending::Kind::new_world: dialogs_.show(DialogKind::new_world); break;
+    case Pending::Kind::quit: quitting_ = true; break;
+  }
+}
+
+bool Shell::load(Session& session, const std::string& path) {
+  Result<Scenario> scenario = open_document(path, session.scenario());
+  if (!scenario) {
+    if (dialogs_.open()) dialogs_.complain(scenario.error());
+    else tell(scenario.error(), true);
+    return false;
+  }
+  replace(session, *std::move(scenario), path);
+  return true;
+}
+
+bool Shell::save(Session& session, const std::string& path) {
+  const Result<void> done = save_document(session, view_, path);
+  if (!done) {
+    if (dialogs_.open()) dialogs_.complain(done.error());
+    else tell(done.error(), true);
+    return false;
+  }
+  session.saved(path);
+  tell("Saved " + file_name(path), false);
+  return true;
+}
+
+void Shell::replace(Session& session, Scenario scenario, const std::string& file) {
+  show(scenario);
+  if (const Result<void> done = session.apply(ReplaceScenario{std::move(scenario), file}); !done) tell(done.error(), true);
+}
+
+void Shell::show(const Scenario& scenario) {
+  if (const Result<OverlaySet> set = parse_overlays(scenario.view.overlays); set && !scenario.view.overlays.empty()) view_.view.overlays = *set;
+  if (scenario.view.theme) view_.dark = *scenario.view.theme == "dark";
+  view_.view.pinned.reset();
+  view_.view.hovered.reset();
+  view_.view.camera = {};
+  panels_.drafts.clear();
+  canvas_.fit();
+  if (scenario.view.camera) view_.view.camera = {scenario.view.camera->x, scenario.view.camera->y, scenario.view.camera->zoom};
+}
+
+void Shell::open(Session& session, const std::string& path) { begin(session, {Pending::Kind::open_file, path}); }
+
+bool Shell::may_close(const Session& session) {
+  if (quitting_ || !session.modified()) return true;
+  pending_ = {Pending::Kind::quit, {}};
+  dialogs_.show(DialogKind::unsaved, session.file().empty() ? "This world" : file_name(session.file()));
+  return false;
+}
+
+void Shell::tell(std::string sentence, bool bad) {
+  if (sentence.empty()) return;
+  const auto first = static_cast<unsigned char>(sentence.front());
+  sentence.front() = static_cast<char>(std::toupper(first));
+  const auto time = bad ? std::chrono::duration_cast<std::chrono::seconds>(kErrorTime) : kMessageTime;
+  message_ = {std::move(sentence), bad, std::chrono::steady_clock::now() + time};
+}
+
+}  // namespace replan::ui

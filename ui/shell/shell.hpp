@@ -1,0 +1,79 @@
+// The whole window: lays out the panels, hands keys to actions, and applies what they queued once all is drawn.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "ui/canvas.hpp"
+#include "ui/gl/imgui_renderer.hpp"
+#include "ui/shell/actions.hpp"
+#include "ui/shell/dialogs.hpp"
+#include "ui/shell/frame.hpp"
+
+namespace replan::ui {
+
+class Shell {
+ public:
+  explicit Shell(ImGuiRenderer& renderer) : canvas_(renderer) {}
+
+  /// Draws one frame over the whole display, then applies what was asked for. The owner calls session.update().
+  void draw(const Look& look, Session& session, double seconds);
+  /// Whether the next frame is due at once, without any input: something plays, searches or fades.
+  [[nodiscard]] bool wants_frames(const Session& session) const;
+
+  [[nodiscard]] ViewState& view() { return view_; }
+  [[nodiscard]] const ViewState& view() const { return view_; }
+  [[nodiscard]] PanelState& panels() { return panels_; }
+  [[nodiscard]] const PanelState& panels() const { return panels_; }
+
+  /// Takes over what a scenario says of its view: overlays, theme, camera.
+  void show(const Scenario& scenario);
+  /// Opens a file; asks first if there are unsaved edits.
+  void open(Session& session, const std::string& path);
+  /// The user wants to close the window. True if it may close now; else the user is asked.
+  bool may_close(const Session& session);
+  /// The user has decided to quit.
+  [[nodiscard]] bool quitting() const { return quitting_; }
+  /// A sentence over the canvas for a while.
+  void tell(std::string sentence, bool bad);
+
+ private:
+  /// What happens once unsaved edits are dealt with.
+  struct Pending {
+    enum class Kind : std::uint8_t { none, open_dialog, open_file, new_world, quit } kind = Kind::none;
+    std::string path;
+  };
+  struct Message {
+    std::string text;
+    bool bad = false;
+    std::chrono::steady_clock::time_point until;
+  };
+
+  void draw_parts(Frame& frame);
+  void draw_canvas(Frame& frame, ImVec2 min, ImVec2 max);
+  void draw_trouble(const Frame& frame, ImVec2 min, ImVec2 max);
+  void draw_message(const Look& look, ImVec2 min, ImVec2 max);
+  void draw_splitter(Frame& frame, float x, float top, float bottom);
+  void take_keys(Frame& frame);
+  void take_commands(Session& session, std::vector<Command>& commands);
+  void take_wish(Session& session, Wish wish);
+  void take_decision(Session& session, const Decision& decision);
+  void begin(Session& session, Pending pending);
+  void go_on(Session& session);
+  bool load(Session& session, const std::string& path);
+  bool save(Session& session, const std::string& path);
+  void replace(Session& session, Scenario scenario, const std::string& file);
+
+  Canvas canvas_;
+  ViewState view_;
+  PanelState panels_;
+  Dialogs dialogs_;
+  Pending pending_;
+  Message message_;
+  bool quitting_ = false;
+  bool held_ = false;              // a key that repeats is down
+  std::uint64_t drawn_ = 0;        // the session's revision that the last frame showed
+};
+
+}  // namespace replan::ui
