@@ -32,6 +32,7 @@ constexpr std::array<SignEntry, static_cast<std::size_t>(Sign::count)> kSigns = 
     {Sign::path, Mark::line, &Theme::path, "path"},
     {Sign::trail, Mark::line, &Theme::robot, "trail"},
     {Sign::sensor, Mark::dashed, &Theme::robot, "sensor"},
+    {Sign::robot, Mark::dot, &Theme::robot, "robot"},
 }};
 
 std::string value_text(Overlay field, double value) {

@@ -1,5 +1,6 @@
 #include "ui/canvas_draw.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -117,7 +118,7 @@ class Painter {
   }
 
   void corners(ImVec2 a, ImVec2 b, ImU32 colour, float stroke) {
-    const float w = std::max(1.0f, std::round(stroke)), arm = std::max(2.0f, (b.x - a.x) * 0.35f);
+    const float w = std::max(1.0f, std::round(stroke)), arm = std::clamp((b.x - a.x) * 0.35f, 2.0f, look_.px(7));
     list_.AddRectFilled(a, {a.x + arm, a.y + w}, colour);
     list_.AddRectFilled({a.x, a.y + w}, {a.x + w, a.y + arm}, colour);
     list_.AddRectFilled({b.x - arm, b.y - w}, b, colour);

@@ -3,6 +3,7 @@
 #include <csignal>
 #include <filesystem>
 #include <new>
+#include <optional>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
@@ -77,7 +78,9 @@ Error sentence(const CLI::App& program, const std::string& file, const CLI::Pars
 
 Result<int> open_window(const CLI::App& program, const std::string& file) {
   if (!file.empty() && !exists(file)) return no_such_file(program, file);
-  return run_window(file);
+  const auto closed = app::run_window(file.empty() ? std::nullopt : std::optional(file));
+  if (!closed) return Error{closed.error()};
+  return kDone;
 }
 
 Result<int> carry_out(const CLI::App& program, const std::vector<Command>& commands, const std::string& file) {

@@ -4,6 +4,23 @@
 
 namespace replan {
 
+Coverage::Coverage(int columns, int rows, const SearchState& state, EventKind map) {
+  allocate(columns, rows);
+  if (levels_.empty()) return;
+  Level& first = levels_.front();
+  NodeId node = 0;
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x, ++node) {
+      const std::uint8_t* page = state.map_page(map, node);
+      if (page == nullptr || page[node % SearchState::kPage] == 0) continue;
+      std::uint8_t& share = first.at(x / 2, y / 2);
+      share = static_cast<std::uint8_t>(std::min(255, share + 64));
+    }
+  for (std::size_t level = 1; level < levels_.size(); ++level)
+    for (int y = 0; y < levels_[level].rows; ++y)
+      for (int x = 0; x < levels_[level].columns; ++x) gather(level, x, y);
+}
+
 void Coverage::allocate(int columns, int rows) {
   levels_.clear();
   while (columns > 1 || rows > 1) {
@@ -53,8 +70,8 @@ void MapCoverage::follow(const Run& run, const RunDigest& digest) {
   if (run.log_id() != log_id_) {
     const SearchState& state = log.state();
     const int columns = run.lattice().width(), rows = run.lattice().height();
-    truth_ = Coverage(columns, rows, [&](NodeId n) { return state.truly_blocked(n); });
-    known_ = Coverage(columns, rows, [&](NodeId n) { return state.known_blocked(n); });
+    truth_ = Coverage(columns, rows, state, EventKind::truth);
+    known_ = Coverage(columns, rows, state, EventKind::known);
     log_id_ = run.log_id();
     position_ = log.cursor();
     return;

@@ -13,20 +13,8 @@ namespace replan {
 class Coverage {
  public:
   Coverage() = default;
-  /// `blocked(node)` for the cells as they are now.
-  template <class Blocked>
-  Coverage(int columns, int rows, Blocked&& blocked) {
-    allocate(columns, rows);
-    if (levels_.empty()) return;
-    Level& first = levels_.front();
-    for (int y = 0; y < rows; ++y)
-      for (int x = 0; x < columns; ++x)
-        if (blocked(static_cast<NodeId>(y) * static_cast<NodeId>(columns) + static_cast<NodeId>(x)))
-          first.at(x / 2, y / 2) = static_cast<std::uint8_t>(std::min(255, first.at(x / 2, y / 2) + 64));
-    for (std::size_t level = 1; level < levels_.size(); ++level)
-      for (int y = 0; y < levels_[level].rows; ++y)
-        for (int x = 0; x < levels_[level].columns; ++x) gather(level, x, y);
-  }
+  /// Of the true or the known map, as it is in `state`.
+  Coverage(int columns, int rows, const SearchState& state, EventKind map);
 
   struct Level {
     int columns = 0, rows = 0;

@@ -1,4 +1,5 @@
 // Marks of single cells: grid lines, hatches, arrows, outlines.
+#include <algorithm>
 #include <cmath>
 
 #include "core/scene/context.hpp"
@@ -78,6 +79,7 @@ void build_arrows(SceneContext& context) {
   const double remote = context.has(Overlay::rp) ? context.grown(26, 40) : 0;
   const double length = std::clamp(0.5, context.world(7), context.world(18));
   const Colour arrow = faded(context.palette.arrow, local), ray = faded(context.palette.accent, remote * 0.28);
+  const bool signs = context.has(Overlay::consistency);  // they stand where the arrow would
   for (int y = context.top; (local > 0 || remote > 0) && y < context.bottom; ++y)
     for (int x = context.left; x < context.right; ++x) {
       const NodeId node = context.lattice.node(Cell{x, y});
@@ -87,7 +89,8 @@ void build_arrows(SceneContext& context) {
         context.add(Arrow{context.centre(node), context.centre(rp), ray, context.pixels(1), context.pixels(5)});
         context.scene.show(Sign::rp);
       }
-      if (local > 0 && lp != kNoNode && lp != node) {
+      const bool has_sign = signs && context.state.touched(EventKind::rhs, node) && context.state.g(node) != context.state.rhs(node);
+      if (local > 0 && lp != kNoNode && lp != node && !has_sign) {
         add_parent_arrow(context, node, lp, arrow, length);
         context.scene.show(Sign::lp);
       }
@@ -138,36 +141,67 @@ void add_repairs(SceneContext& context) {
   }
 }
 
-/// Open list and consistency, found by going over the cells in sight, or over samples of them from far away.
-void add_states(SceneContext& context) {
-  const bool queue = context.has(Overlay::queue), consistency = context.has(Overlay::consistency);
-  if (!queue && !consistency) return;
-  const int step = std::max(1, static_cast<int>(1 / context.zoom));
-  const float corner = context.pixels(1.6), inset = context.pixels(2);
-  for (int y = context.top; y < context.bottom; y += step)
-    for (int x = context.left; x < context.right; x += step) {
-      const Cell cell{x, y};
-      const NodeId node = context.lattice.node(cell);
-      if (queue && context.state.queued(node)) {
-        context.scene.show(Sign::queue);
-        add_mark(context, cell, OutlineShape::corners, context.palette.accent, 1, corner, inset);
-      }
-      // Planners without an rhs leave its pages untouched.
-      if (!consistency || !context.state.touched(EventKind::rhs, node)) continue;
-      const Cost g = context.state.g(node), rhs = context.state.rhs(node);
-      if (g == rhs) continue;
-      const bool over = g > rhs;
-      context.scene.show(over ? Sign::over : Sign::under);
-      add_mark(context, cell, over ? OutlineShape::up : OutlineShape::down,
-               over ? context.palette.accent : context.palette.warning, 1, context.pixels(1.4), context.pixels(2));
+/// Marks the open list and the inconsistent cells, page by page: most of a large map was never touched.
+class StateMarks {
+ public:
+  explicit StateMarks(SceneContext& context)
+      : context_(context),
+        queue_(context.has(Overlay::queue)),
+        consistency_(context.has(Overlay::consistency)),
+        step_(std::max(1, static_cast<int>(1 / context.zoom))),
+        // A small sign in the middle, however large the cell: numbers and arrows need the rest.
+        inset_(static_cast<float>(std::max(context.zoom * 0.3, (context.zoom - 12 * context.view.scale) / 2))) {}
+
+  void add() {
+    if (!queue_ && !consistency_) return;
+    for (int y = context_.top; y < context_.bottom; y += step_)
+      for (int x = context_.left; x < context_.right;) x = add_stretch(x, y);
+  }
+
+ private:
+  /// From cell (x, y) to the end of its page or row; returns where to go on.
+  int add_stretch(int x, int y) {
+    constexpr std::size_t kPage = SearchState::kPage;
+    const NodeId node = context_.lattice.node(Cell{x, y});
+    const auto page = [&](EventKind kind, bool wanted) { return wanted ? context_.state.page(kind, node) : nullptr; };
+    const std::uint64_t* queue = page(EventKind::queue, queue_);
+    // Planners without an rhs leave its pages untouched.
+    const std::uint64_t* rhs = page(EventKind::rhs, consistency_);
+    const std::uint64_t* g = page(EventKind::g, rhs != nullptr);
+    const int end = std::min(context_.right, x + static_cast<int>(kPage - node % kPage));
+    std::size_t at = node % kPage;
+    for (; x < end && (queue != nullptr || rhs != nullptr); x += step_, at += static_cast<std::size_t>(step_)) {
+      if (queue != nullptr && queue[at] != 0) add_queued({x, y});
+      if (rhs == nullptr) continue;
+      const std::uint64_t here = g != nullptr ? g[at] : static_cast<std::uint64_t>(Cost::kInfinityRaw);
+      if (here != rhs[at]) add_sign({x, y}, here > rhs[at]);
     }
-}
+    while (x < end) x += step_;
+    return x;
+  }
+
+  void add_queued(Cell cell) {
+    context_.scene.show(Sign::queue);
+    add_mark(context_, cell, OutlineShape::corners, context_.palette.accent, 1, context_.pixels(1.6), context_.pixels(1));
+  }
+
+  void add_sign(Cell cell, bool over) {
+    context_.scene.show(over ? Sign::over : Sign::under);
+    add_mark(context_, cell, over ? OutlineShape::up : OutlineShape::down,
+             over ? context_.palette.accent : context_.palette.warning, 1, context_.pixels(1.4), inset_);
+  }
+
+  SceneContext& context_;
+  bool queue_, consistency_;
+  int step_;
+  float inset_;
+};
 
 }  // namespace
 
 void build_outlines(SceneContext& context) {
   if (context.has(Overlay::repair)) add_repairs(context);
-  add_states(context);
+  StateMarks(context).add();
 }
 
 }  // namespace replan

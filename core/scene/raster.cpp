@@ -8,6 +8,13 @@
 namespace replan {
 namespace {
 
+/// a at share = 0, b at 256; opaque. mix() for millions of texels.
+Colour blend(Colour a, Colour b, unsigned share) {
+  const Colour even = ((a & 0xFF00FFu) * (256 - share) + (b & 0xFF00FFu) * share) >> 8 & 0xFF00FFu;
+  const Colour odd = ((a >> 8 & 0xFFu) * (256 - share) + (b >> 8 & 0xFFu) * share) & 0xFF00u;
+  return even | odd | 0xFF000000u;
+}
+
 /// The colours of one view's cells.
 class CellColours {
  public:
@@ -28,10 +35,7 @@ class CellColours {
   /// The colour of a cell that is no obstacle to the robot.
   Colour ground(NodeId node) {
     if (!context_.scene.range) return context_.palette.free;
-    if (node / SearchState::kPage != page_number_) {
-      page_number_ = node / SearchState::kPage;
-      page_ = context_.state.page(reader_.kind, node);
-    }
+    turn_to(node);
     if (page_ == nullptr) return context_.palette.free;
     const std::int64_t value = reader_.read(page_[node % SearchState::kPage]);
     if (value == FieldReader::kNone) return context_.palette.free;
@@ -40,7 +44,9 @@ class CellColours {
   }
 
   Colour cell(NodeId node) {
-    const bool truth = context_.state.truly_blocked(node), known = context_.state.known_blocked(node);
+    turn_to(node);
+    const std::size_t at = node % SearchState::kPage;
+    const bool truth = truth_ != nullptr && truth_[at] != 0, known = known_ != nullptr && known_[at] != 0;
     if (!truth && !known) return ground(node);
     const bool surprising = truth && original_[node] == 0;
     if (surprising && (known || shows_unknown_)) context_.scene.show(Sign::surprise);
@@ -55,6 +61,15 @@ class CellColours {
   [[nodiscard]] Colour unknown() const { return unknown_; }
 
  private:
+  /// Has the pages of `node` at hand: neighbours mostly lie on the same ones.
+  void turn_to(NodeId node) {
+    if (node / SearchState::kPage == page_number_) return;
+    page_number_ = node / SearchState::kPage;
+    page_ = context_.state.page(reader_.kind, node);
+    truth_ = context_.state.map_page(EventKind::truth, node);
+    known_ = context_.state.map_page(EventKind::known, node);
+  }
+
   SceneContext& context_;
   std::span<const std::uint8_t> original_;
   bool shows_unknown_;
@@ -64,6 +79,8 @@ class CellColours {
   double low_ = 0, steps_ = 0;
   std::size_t page_number_ = SIZE_MAX;
   const std::uint64_t* page_ = nullptr;
+  const std::uint8_t* truth_ = nullptr;
+  const std::uint8_t* known_ = nullptr;
 };
 
 void paint_cells(SceneContext& context, CellColours& colours) {
@@ -109,18 +126,24 @@ void gather_rows(const Coverage& coverage, int level, int first, int last, std::
 }
 
 /// As above from the cells themselves; only those in sight are filled in.
-template <class Blocked>
-void gather_cells(const SceneContext& context, int first, int last, std::vector<std::uint8_t>& shares, Blocked&& blocked) {
+void gather_cells(const SceneContext& context, EventKind kind, int first, int last, std::vector<std::uint8_t>& shares) {
   shares.assign(static_cast<std::size_t>(context.lattice.width()), 0);
   for (int y = first; y <= last; ++y) {
     const NodeId row = context.lattice.node(Cell{0, y});
-    for (int x = context.left; x < context.right; ++x)
-      if (blocked(row + static_cast<NodeId>(x))) shares[static_cast<std::size_t>(x)] = 255;
+    for (int x = context.left; x < context.right;) {
+      const NodeId node = row + static_cast<NodeId>(x);
+      const std::size_t at = node % SearchState::kPage;
+      const int count = std::min(context.right - x, static_cast<int>(SearchState::kPage - at));
+      if (const std::uint8_t* page = context.state.map_page(kind, node); page != nullptr)
+        for (int i = 0; i < count; ++i)
+          if (page[at + static_cast<std::size_t>(i)] != 0) shares[static_cast<std::size_t>(x + i)] = 255;
+      x += count;
+    }
   }
 }
 
 /// A thin wall must still be seen, and a solid one told from a thin one.
-float obstacle_opacity(std::uint8_t share) { return share == 0 ? 0 : 0.4f + 0.6f * static_cast<float>(share) / 255.0f; }
+unsigned obstacle_opacity(unsigned share) { return share == 0 ? 0 : 102 + share * 154 / 255; }
 
 void paint_pixel_row(SceneContext& context, CellColours& colours, const Axis& across, int row,
                      const std::vector<std::uint8_t>& truth, const std::vector<std::uint8_t>& known, Colour* texels) {
@@ -133,10 +156,10 @@ void paint_pixel_row(SceneContext& context, CellColours& colours, const Axis& ac
     }
     Colour colour = k == 255 ? context.palette.obstacle : colours.ground(first + static_cast<NodeId>(across.middle[p]));
     if (t > k && colours.shows_unknown()) {
-      colour = mix(colour, colours.unknown(), obstacle_opacity(t));
+      colour = blend(colour, colours.unknown(), obstacle_opacity(t));
       context.scene.show(Sign::unknown);
     }
-    if (k > 0 && k < 255) colour = mix(colour, context.palette.obstacle, obstacle_opacity(k));
+    if (k > 0 && k < 255) colour = blend(colour, context.palette.obstacle, obstacle_opacity(k));
     texels[p] = colour;
   }
 }
@@ -181,8 +204,8 @@ void paint_pixels(SceneContext& context, CellColours& colours) {
   std::vector<std::uint8_t> truth, known;
   for (std::size_t p = 0; p < down.first.size(); ++p) {
     if (level == 0) {
-      gather_cells(context, down.first[p], down.last[p], truth, [&](NodeId n) { return context.state.truly_blocked(n); });
-      gather_cells(context, down.first[p], down.last[p], known, [&](NodeId n) { return context.state.known_blocked(n); });
+      gather_cells(context, EventKind::truth, down.first[p], down.last[p], truth);
+      gather_cells(context, EventKind::known, down.first[p], down.last[p], known);
     } else {
       gather_rows(coverage.truth(), level, down.first[p], down.last[p], truth);
       gather_rows(coverage.known(), level, down.first[p], down.last[p], known);

@@ -149,6 +149,7 @@ void build_things(SceneContext& context) {
   const Mark* mark = context.run.mark_at(context.cursor);
   // Before it has moved, the robot would only hide the start.
   if (mark == nullptr || (robot == context.lattice.node(scenario.start) && mark->clock == 0)) return;
+  context.scene.show(Sign::robot);
   context.add(Disc{context.centre(robot), radius, palette.robot, palette.outline, rim, Glyph::heading, heading(context)});
 }
 

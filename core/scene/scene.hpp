@@ -89,7 +89,7 @@ struct FieldRange {
 
 /// What can stand in a legend; those in sight.
 enum class Sign : std::uint8_t {
-  surprise, unknown, gone, queue, repair, over, under, lp, rp, path, trail, sensor, sight_free, sight_stopped, count
+  surprise, unknown, gone, queue, repair, over, under, lp, rp, path, trail, sensor, sight_free, sight_stopped, robot, count
 };
 
 struct Scene {

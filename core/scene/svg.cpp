@@ -1,5 +1,6 @@
 #include "core/scene/svg.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -45,7 +46,7 @@ class Writer {
   void operator()(const Outline& mark) {
     const double x0 = x({mark.x, mark.y}) + mark.inset, y0 = y({mark.x, mark.y}) + mark.inset;
     const double x1 = x({mark.x + mark.width, 0}) - mark.inset, y1 = y({0, mark.y + mark.height}) - mark.inset;
-    const double xm = (x0 + x1) / 2, ym = (y0 + y1) / 2, arm = (x1 - x0) * 0.35;
+    const double xm = (x0 + x1) / 2, ym = (y0 + y1) / 2, arm = std::min((x1 - x0) * 0.35, 7 * scene_.scale);
     switch (mark.shape) {
       case OutlineShape::filled: rectangle(x0, y0, x1 - x0, y1 - y0, paint("fill", mark.colour)); return;
       case OutlineShape::square:

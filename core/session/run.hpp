@@ -57,6 +57,15 @@ class Run {
   [[nodiscard]] std::uint64_t log_id() const { return log_id_; }
   /// The last mark at or before a position, or nullptr before the first plan stands.
   [[nodiscard]] const Mark* mark_at(std::size_t position) const;
+  /// How far a position is: the robot's clock (-1 before the first plan stands), and the expansions since the clock
+  /// came to that.
+  struct Progress {
+    std::int64_t clock = -1;
+    std::int64_t expansions = 0;
+  };
+  [[nodiscard]] Progress progress(std::size_t position) const;
+  /// The position that is as far, as nearly as this run has come.
+  [[nodiscard]] std::size_t position_of(const Progress& progress) const;
   /// Expansions in each of the log's chunks of kCurveChunk events: the curve under the timeline.
   [[nodiscard]] std::span<const std::uint32_t> expansion_curve() const { return curve_; }
   static constexpr std::size_t kCurveChunk = 256;
@@ -85,6 +94,8 @@ class Run {
   void work(const std::stop_token& stop);
   [[nodiscard]] Batch slice();
   [[nodiscard]] bool reached() const;
+  [[nodiscard]] std::size_t clock_begins(std::int64_t clock) const;
+  [[nodiscard]] std::int64_t expansions_between(std::size_t from, std::size_t to) const;
   void take_over(Batch&& batch);
   void cut(std::size_t mark_count);
 

@@ -320,8 +320,18 @@ Result<void> Session::run_command(const Cancel&) {
   return {};
 }
 
+// The other panes go along in lockstep: to the same step of the robot, and as many expansions into its plan.
 void Session::seek(std::size_t position) {
-  for (const auto& run : runs_) run->timeline().seek(std::min(position, run->timeline().size()));
+  Run& first = *runs_.front();
+  first.timeline().seek(std::min(position, first.timeline().size()));
+  if (runs_.size() == 1) return;
+  const Run::Progress progress = first.progress(first.timeline().cursor());
+  for (std::size_t i = 1; i < runs_.size(); ++i) {
+    Run& run = *runs_[i];
+    const bool behind = run.marks().empty() || run.marks().back().clock <= progress.clock;
+    if (behind && !run.busy()) run.go(Target::clock_at(progress.clock + 1));
+    run.timeline().seek(run.position_of(progress));
+  }
 }
 
 bool Session::update(double seconds) {

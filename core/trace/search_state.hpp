@@ -63,6 +63,10 @@ class SearchState {
   [[nodiscard]] const std::uint64_t* page(EventKind kind, NodeId node) const {
     return wide_[static_cast<std::size_t>(kind)].page(node);
   }
+  /// The same of the robot's map (EventKind::known) or the true one (EventKind::truth); nonzero = obstacle.
+  [[nodiscard]] const std::uint8_t* map_page(EventKind kind, NodeId node) const {
+    return narrow_[static_cast<std::size_t>(kind) - kWideFields].page(node);
+  }
   static constexpr std::size_t kPage = PagedArray<std::uint64_t>::kPage;
 
   /// A hash over all values: equal states have equal hashes, whichever way they were reached.

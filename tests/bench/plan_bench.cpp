@@ -1,7 +1,10 @@
-// Plans of every registered planner on the DLD* Lite paper's kind of world, and what recording them costs.
+// Plans of every registered planner on the DLD* Lite paper's kinds of world, what recording them costs, and how fast
+// a recording is sought through.
 #include <benchmark/benchmark.h>
 
 #include <array>
+#include <string>
+#include <vector>
 
 #include "core/base/random.hpp"
 #include "core/plan/registry.hpp"
@@ -11,39 +14,49 @@
 namespace replan {
 namespace {
 
-constexpr Cell kStart{15, 15}, kGoal{175, 175};
+/// Some worlds of one kind, and where to go in them.
+struct Worlds {
+  std::string name;
+  Cell start, goal;
+  std::vector<GridMap> maps;
+};
 
-/// Ten worlds of random rectangles, as in ALGORITHMS of the paper's Fig. 5.
-const GridMap& world(std::size_t index) {
+/// The DLD* Lite paper's kind (ten maps of random rectangles, Fig. 5), and its narrow mazes (Fig. 7), where it names the
+/// sight checks an open problem.
+const std::vector<Worlds>& all_worlds() {
   static const auto worlds = [] {
-    std::array<GridMap, 10> maps;
-    const std::array<Cell, 2> free = {kStart, kGoal};
-    for (std::uint64_t seed = 1; seed <= maps.size(); ++seed)
-      maps[seed - 1] = *random_rectangles(200, 200, 0.17, 5, 15, seed, free);
-    return maps;
+    Worlds rectangles{"rectangles", {15, 15}, {175, 175}, {}};
+    const std::array<Cell, 2> free = {rectangles.start, rectangles.goal};
+    for (std::uint64_t seed = 1; seed <= 10; ++seed)
+      rectangles.maps.push_back(*random_rectangles(200, 200, 0.17, 5, 15, seed, free));
+    Worlds narrow{"maze_1", {1, 1}, {499, 499}, {*maze(501, 501, 1, 1, 0.1)}};
+    Worlds wide{"maze_7", {4, 4}, {493, 493}, {*maze(497, 497, 7, 1, 0.1)}};
+    return std::vector<Worlds>{rectangles, narrow, wide};
   }();
-  return worlds[index];
+  return worlds;
 }
 
 template <class T>
-void first_plans(benchmark::State& state, const PlannerInfo& info) {
+void first_plans(benchmark::State& state, const PlannerInfo& info, const Worlds& worlds) {
   std::int64_t expansions = 0;
-  std::array<T, 10> tracers;
+  std::vector<T> tracers(worlds.maps.size());
   std::vector<Grid2> lattices;
   std::vector<std::unique_ptr<Planner<Grid2>>> planners;
   const Settings settings;
-  lattices.reserve(10);
-  for (std::size_t i = 0; i < 10; ++i) {
-    lattices.emplace_back(Grid2::Coordinates{200, 200}, world(i).blocked, move_rules(settings));
+  lattices.reserve(worlds.maps.size());
+  for (std::size_t i = 0; i < worlds.maps.size(); ++i) {
+    const GridMap& map = worlds.maps[i];
+    lattices.emplace_back(Grid2::Coordinates{map.width, map.height}, map.blocked, move_rules(settings));
     planners.push_back(make_planner(info, lattices[i], settings, tracers[i]));
   }
   for (auto _ : state)
-    for (std::size_t i = 0; i < 10; ++i) {
-      planners[i]->begin(lattices[i].node(kStart), lattices[i].node(kGoal));
-      finish(*planners[i]);
+    for (std::size_t i = 0; i < planners.size(); ++i) {
+      planners[i]->begin(lattices[i].node(worlds.start), lattices[i].node(worlds.goal));
+      if (finish(*planners[i]) != PlanStatus::found) state.SkipWithError("no path");
       expansions += planners[i]->counters().expansions;
       if constexpr (T::kEnabled) tracers[i].clear();
     }
+  state.counters["expansions"] = benchmark::Counter(static_cast<double>(expansions), benchmark::Counter::kAvgIterations);
   state.counters["expansions/s"] = benchmark::Counter(static_cast<double>(expansions), benchmark::Counter::kIsRate);
 }
 
@@ -73,16 +86,20 @@ void timeline_seek(benchmark::State& state) {
 }
 BENCHMARK(timeline_seek)->Arg(1000000)->Arg(10000000)->Unit(benchmark::kMicrosecond);
 
+template <class T>
+void register_first_plans(const PlannerInfo& info, const Worlds& worlds, const char* tracer) {
+  const std::string name = "first_plan/" + worlds.name + "/" + std::string(info.id) + "/" + tracer;
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [&info, &worlds](benchmark::State& state) { first_plans<T>(state, info, worlds); })
+      ->Unit(benchmark::kMillisecond);
+}
+
 [[maybe_unused]] const bool kRegistered = [] {
-  for (const PlannerInfo& info : planners()) {
-    const std::string id(info.id);
-    benchmark::RegisterBenchmark(("first_plan/" + id + "/no_trace").c_str(),
-                                 [&info](benchmark::State& state) { first_plans<NoTrace>(state, info); })
-        ->Unit(benchmark::kMillisecond);
-    benchmark::RegisterBenchmark(("first_plan/" + id + "/recorder").c_str(),
-                                 [&info](benchmark::State& state) { first_plans<Recorder>(state, info); })
-        ->Unit(benchmark::kMillisecond);
-  }
+  for (const Worlds& worlds : all_worlds())
+    for (const PlannerInfo& info : planners()) {
+      register_first_plans<NoTrace>(info, worlds, "no_trace");
+      register_first_plans<Recorder>(info, worlds, "recorder");
+    }
   return true;
 }();
 

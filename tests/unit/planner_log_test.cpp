@@ -325,10 +325,10 @@ void check_restore(const PlannerInfo& info, std::uint64_t seed) {
 class EveryLog : public ::testing::TestWithParam<const PlannerInfo*> {};
 
 TEST_P(EveryLog, aSearchTakenUpFromItsLogGoesOnEventForEventIn2d) {
-  for (std::uint64_t seed = 0; seed < 120; ++seed) check_restore<2>(*GetParam(), seed);
+  for (std::uint64_t seed = 0; seed < 60; ++seed) check_restore<2>(*GetParam(), seed);
 }
 TEST_P(EveryLog, aSearchTakenUpFromItsLogGoesOnEventForEventIn3d) {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) check_restore<3>(*GetParam(), seed);
+  for (std::uint64_t seed = 0; seed < 30; ++seed) check_restore<3>(*GetParam(), seed);
 }
 
 std::vector<const PlannerInfo*> every_planner() {

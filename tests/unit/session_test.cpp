@@ -197,6 +197,24 @@ TEST(Session, RefusesWhatLiesOutsideAndSaysSo) {
   EXPECT_FALSE(session.apply(SetParameter{0, "range", 3}).ok());  // D* Lite has no range
 }
 
+TEST(Session, PanesGoInLockstepByStepsOfTheRobotAndExpansions) {
+  Scenario scenario = wall_with_gap("dstar-lite");
+  scenario.planners.push_back({"dld-star-lite", {}});
+  Session session(scenario);
+  run_to_end(session);
+  while (session.runs()[1]->busy()) session.update(0);
+  const Run& first = *session.runs()[0];
+  const Run& second = *session.runs()[1];
+  for (std::size_t p = 0; p < first.timeline().size(); p += 13) {
+    ASSERT_TRUE(session.apply(Seek{p}).ok());
+    const auto wanted = first.progress(p), got = second.progress(second.timeline().cursor());
+    if (wanted.clock >= second.marks().back().clock) break;  // the other robot has arrived
+    EXPECT_LE(got.expansions, wanted.expansions);
+    EXPECT_TRUE(got.clock == wanted.clock || (got.clock == wanted.clock + 1 && got.expansions == 0))
+        << "at " << p << ": " << wanted.clock << " and " << got.clock;
+  }
+}
+
 TEST(Session, PlaysForwardsToTheArrivalAndBackToTheBeginning) {
   Session session(wall_with_gap("dld-star-lite"));
   session.settle();

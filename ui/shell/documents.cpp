@@ -104,6 +104,11 @@ Result<void> save_document(const Session& session, const ViewState& view, const 
   return write_scenario(scenario, path);
 }
 
+std::string document_name(const Session& session) {
+  if (!session.file().empty()) return file_name(session.file());
+  return session.scenario().name.empty() ? "untitled" : session.scenario().name;
+}
+
 std::string typed_path(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string::npos) return "";

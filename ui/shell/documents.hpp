@@ -17,6 +17,8 @@ Scenario empty_world(int width, int height, const Scenario& current);
 bool saves_in_place(const std::string& path);
 /// Writes the scenario (.json, with the overlays of the view) or the cells alone (.map), atomically.
 Result<void> save_document(const Session& session, const ViewState& view, const std::string& path);
+/// The file's name, else the world's own.
+std::string document_name(const Session& session);
 /// A path as typed by a user: without blanks around, "~" for the home folder.
 std::string typed_path(const std::string& text);
 

@@ -15,7 +15,7 @@ struct Row {
   const char* label;
   const char* unit;
   const char* teach;
-  std::string (*text)(const PathFigures& path, const Mark& mark, const Run& run);
+  std::string (*text)(const PathFigures& path, const replan::Mark& mark, const Run& run);
 };
 
 using Figures = const PathFigures&;
@@ -24,36 +24,36 @@ std::string milliseconds(double time) { return fixed(time, time < 10 ? 3 : 1); }
 
 // clang-format off
 const Row kPathRows[] = {
-    {"nodes", "", "Corners of the path's polyline, both ends counted.", [](Figures f, const Mark&, const Run&) { return count(f.nodes); }},
-    {"length", "cells", "Along the straight segments.", [](Figures f, const Mark&, const Run&) { return fixed(f.length, 3); }},
-    {"turns", "", "Inner corners where the heading changes.", [](Figures f, const Mark&, const Run&) { return count(f.turns); }},
-    {"turning", "°", "The sum of all changes of heading.", [](Figures f, const Mark&, const Run&) { return fixed(f.turning_angle_deg, 1); }},
-    {"least clearance", "cells", "From the path to the nearest obstacle's edge, at the narrowest place.", [](Figures f, const Mark&, const Run&) { return fixed(f.min_clearance, 3); }},
-    {"mean clearance", "cells", "The mean over the whole path, sampled every tenth of a cell.", [](Figures f, const Mark&, const Run&) { return fixed(f.mean_clearance, 3); }},
+    {"nodes", "", "Corners of the path's polyline, both ends counted.", [](Figures f, const replan::Mark&, const Run&) { return count(f.nodes); }},
+    {"length", "cells", "Along the straight segments.", [](Figures f, const replan::Mark&, const Run&) { return fixed(f.length, 3); }},
+    {"turns", "", "Inner corners where the heading changes.", [](Figures f, const replan::Mark&, const Run&) { return count(f.turns); }},
+    {"turning", "°", "The sum of all changes of heading.", [](Figures f, const replan::Mark&, const Run&) { return fixed(f.turning_angle_deg, 1); }},
+    {"least clearance", "cells", "From the path to the nearest obstacle's edge, at the narrowest place.", [](Figures f, const replan::Mark&, const Run&) { return fixed(f.min_clearance, 3); }},
+    {"mean clearance", "cells", "The mean over the whole path, sampled every tenth of a cell.", [](Figures f, const replan::Mark&, const Run&) { return fixed(f.mean_clearance, 3); }},
 };
 const Row kPlanRows[] = {
-    {"expansions", "", "Vertices that the latest plan or replan took from the open list and settled or raised.", [](Figures, const Mark& m, const Run&) { return count(m.figures.last_plan.expansions); }},
-    {"queue operations", "", "Inserts, removals, changes of key and pops.", [](Figures, const Mark& m, const Run&) { return count(m.figures.last_plan.queue_operations); }},
-    {"sight checks", "", "Lines of sight that were looked along.", [](Figures, const Mark& m, const Run&) { return count(m.figures.last_plan.sight_checks); }},
+    {"expansions", "", "Vertices that the latest plan or replan took from the open list and settled or raised.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.last_plan.expansions); }},
+    {"queue operations", "", "Inserts, removals, changes of key and pops.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.last_plan.queue_operations); }},
+    {"sight checks", "", "Lines of sight that were looked along.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.last_plan.sight_checks); }},
 };
 const Row kRunRows[] = {
-    {"expansions", "", "Of all plans so far together.", [](Figures, const Mark& m, const Run&) { return count(m.figures.counters.expansions); }},
-    {"queue operations", "", "Of all plans so far together.", [](Figures, const Mark& m, const Run&) { return count(m.figures.counters.queue_operations); }},
-    {"sight checks", "", "Of all plans so far together.", [](Figures, const Mark& m, const Run&) { return count(m.figures.counters.sight_checks); }},
-    {"first plan", "ms", "Wall time, while every step is being recorded; planning without a record is several times as fast.", [](Figures, const Mark& m, const Run&) { return milliseconds(m.figures.plan_ms); }},
-    {"replans", "ms", "Wall time of all replans together, while every step is being recorded.", [](Figures, const Mark& m, const Run&) { return milliseconds(m.figures.replan_ms); }},
-    {"replans", "", "How often the plan was repaired or made anew.", [](Figures, const Mark& m, const Run&) { return count(m.figures.replans); }},
-    {"record", "", "Memory of the run's log and its key frames, which is what stepping back costs.", [](Figures, const Mark&, const Run& r) { return bytes_text(r.timeline().log_bytes() + r.timeline().frame_bytes()); }},
+    {"expansions", "", "Of all plans so far together.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.counters.expansions); }},
+    {"queue operations", "", "Of all plans so far together.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.counters.queue_operations); }},
+    {"sight checks", "", "Of all plans so far together.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.counters.sight_checks); }},
+    {"first plan", "ms", "Wall time, while every step is being recorded; planning without a record is several times as fast.", [](Figures, const replan::Mark& m, const Run&) { return milliseconds(m.figures.plan_ms); }},
+    {"replans", "ms", "Wall time of all replans together, while every step is being recorded.", [](Figures, const replan::Mark& m, const Run&) { return milliseconds(m.figures.replan_ms); }},
+    {"replans", "", "How often the plan was repaired or made anew.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.replans); }},
+    {"record", "", "Memory of the run's log and its key frames, which is what stepping back costs.", [](Figures, const replan::Mark&, const Run& r) { return bytes_text(r.timeline().log_bytes() + r.timeline().frame_bytes()); }},
 };
 const Row kRobotRows[] = {
-    {"moves", "", "Cells that the robot has entered.", [](Figures, const Mark& m, const Run&) { return count(m.figures.moves); }},
-    {"travelled", "cells", "The way the robot has gone, along its paths.", [](Figures, const Mark& m, const Run&) { return fixed(m.figures.travelled, 3); }},
-    {"collisions", "", "Times that a plan led into an obstacle. Only with remote parents as printed.", [](Figures, const Mark& m, const Run&) { return count(m.figures.collisions); }},
+    {"moves", "", "Cells that the robot has entered.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.moves); }},
+    {"travelled", "cells", "The way the robot has gone, along its paths.", [](Figures, const replan::Mark& m, const Run&) { return fixed(m.figures.travelled, 3); }},
+    {"collisions", "", "Times that a plan led into an obstacle. Only with remote parents as printed.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.collisions); }},
 };
 // clang-format on
 
 /// The robot's map changed after the mark: what is known at the cursor is not what this plan was made for.
-bool map_changed_since(const Run& run, const Mark& mark) {
+bool map_changed_since(const Run& run, const replan::Mark& mark) {
   for (std::size_t i = mark.event; i < run.timeline().cursor(); ++i) {
     const EventKind kind = run.timeline().event(i).kind;
     if (kind == EventKind::known) return true;
@@ -63,7 +63,7 @@ bool map_changed_since(const Run& run, const Mark& mark) {
 }
 
 /// The figures of the plan that stands; computed once for each plan.
-const PathFigures& figures_of(PanelState& panels, const Run& run, std::size_t pane, const Mark& mark) {
+const PathFigures& figures_of(PanelState& panels, const Run& run, std::size_t pane, const replan::Mark& mark) {
   if (panels.figures.size() <= pane) panels.figures.resize(pane + 1);
   FigureCache& cache = panels.figures[pane];
   if (cache.route == mark.route || map_changed_since(run, mark)) return cache.figures;
@@ -91,7 +91,7 @@ void rows(Frame& frame, const char* title, std::span<const Row> table, std::span
     std::vector<std::string> texts;
     for (std::size_t pane = 0; pane < frame.session.runs().size(); ++pane) {
       const Run& run = *frame.session.runs()[pane];
-      const Mark* mark = run.mark_at(run.timeline().cursor());
+      const replan::Mark* mark = run.mark_at(run.timeline().cursor());
       texts.push_back(mark == nullptr ? "—" : row.text(figures_of(frame.panels, run, pane, *mark), *mark, run));
     }
     std::vector<TableCell> cells = {{label, look.theme.dim}};

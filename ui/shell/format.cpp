@@ -73,16 +73,6 @@ std::string happening_text(const Run& run, const Event& event) {
 
 }  // namespace
 
-std::string grouped(std::int64_t number) {
-  std::string digits = std::to_string(number);
-  const std::size_t first = number < 0 ? 1 : 0;
-  for (std::size_t at = digits.size(); at > first + 3;) {
-    at -= 3;
-    digits.insert(at, " ");
-  }
-  return digits;
-}
-
 std::string grouped(std::size_t number) { return grouped(static_cast<std::int64_t>(number)); }
 
 std::string fixed(double number, int decimals) {

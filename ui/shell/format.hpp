@@ -7,11 +7,11 @@
 #include "core/base/cell.hpp"
 #include "core/base/cost.hpp"
 #include "core/session/run.hpp"
+#include "ui/canvas_chips.hpp"
 
 namespace replan::ui {
 
-/// "9 214": thousands apart.
-std::string grouped(std::int64_t number);
+/// "9 214": thousands apart, as grouped(std::int64_t).
 std::string grouped(std::size_t number);
 std::string fixed(double number, int decimals);
 /// "41.213", "∞".

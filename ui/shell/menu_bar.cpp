@@ -1,8 +1,8 @@
 // The menu bar: menus from the table of actions, the planner list, and the name of the file.
 #include <imgui_internal.h>
 
-#include "core/base/file.hpp"
 #include "ui/icons.hpp"
+#include "ui/shell/documents.hpp"
 #include "ui/shell/panels.hpp"
 
 namespace replan::ui {
@@ -63,9 +63,7 @@ void menu(Frame& frame, const char* name, Menu which) {
 void file_name_at_right(Frame& frame) {
   const Look& look = frame.look;
   const Session& session = frame.session;
-  const std::string shown = !session.file().empty()            ? file_name(session.file())
-                            : session.scenario().name.empty() ? "untitled"
-                                                              : session.scenario().name;
+  const std::string shown = document_name(session);
   const char* state = session.modified() ? " — edited" : session.file().empty() ? " — not saved yet" : "";
   const ImRect bar = ImGui::GetCurrentWindow()->MenuBarRect();
   const float right = bar.Max.x - look.px.l;
@@ -83,9 +81,7 @@ void file_name_at_right(Frame& frame) {
 
 void draw_menu_bar(Frame& frame) {
   const Look& look = frame.look;
-  const float vertical = (look.px.menu - look.fonts.ui->FontSize) * 0.5f;
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(10), vertical));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px(20), look.px.xs));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px(10), look.px.xs));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.m, look.px(10)));
   if (ImGui::BeginMenuBar()) {
     ImGui::SetCursorPosX(look.px(14));
@@ -99,7 +95,7 @@ void draw_menu_bar(Frame& frame) {
     file_name_at_right(frame);
     ImGui::EndMenuBar();
   }
-  ImGui::PopStyleVar(3);
+  ImGui::PopStyleVar(2);
   edge(look, Edge::bottom);
 }
 

@@ -45,7 +45,8 @@ void Shell::draw(const Look& look, Session& session, double) {
 
 bool Shell::wants_frames(const Session& session) const {
   const bool busy = std::any_of(session.runs().begin(), session.runs().end(), [](const auto& run) { return run->busy(); });
-  return busy || session.playback().direction != 0 || session.revision() != drawn_ || held_ || panels_.animated;
+  return busy || session.playback().direction != 0 || session.revision() != drawn_ || held_ || panels_.animated ||
+         std::any_of(canvases_.begin(), canvases_.end(), [](const auto& each) { return each->animating(); });
 }
 
 void Shell::take_keys(Frame& frame) {
@@ -64,7 +65,10 @@ void Shell::draw_parts(Frame& frame) {
   const float widest = std::max(size.x - left - look.px(kNarrowestCanvas), look.px(kNarrowestSide));
   const float side = panels ? std::min(look.px(panels_.side_width), widest) : 0;
   const float split = size.x - side, bottom = size.y - look.px.status, under = bottom - look.px.transport;
+  // The bar takes its height from the padding that holds when its window begins.
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(10), (look.px.menu - look.fonts.ui->FontSize) * 0.5f));
   area("menu", {0, 0}, {size.x, look.px.menu}, look.theme.panel, {0, 0}, [&] { draw_menu_bar(frame); }, ImGuiWindowFlags_MenuBar);
+  ImGui::PopStyleVar();
   if (panels) area("tools", {0, look.px.menu}, {left, under - look.px.menu}, look.theme.panel, {look.px(7), look.px(8)}, [&] { draw_tool_strip(frame); });
   draw_canvas(frame, {left, look.px.menu}, {split, under});
   area("transport", {0, under}, {split, look.px.transport}, look.theme.panel, {look.px.l, look.px(14)}, [&] { draw_transport(frame); });
@@ -72,6 +76,16 @@ void Shell::draw_parts(Frame& frame) {
   area("status", {0, bottom}, {size.x, look.px.status}, look.theme.raised, {look.px(14), look.px(5)}, [&] { draw_status_bar(frame); });
   if (panels) draw_splitter(frame, split, look.px.menu, bottom);
   draw_message(look, {left, look.px.menu}, {split, under});
+}
+
+Canvas& Shell::canvas(std::size_t pane) {
+  while (canvases_.size() <= pane) canvases_.push_back(std::make_unique<Canvas>(renderer_));
+  return *canvases_[pane];
+}
+
+void Shell::fit() {
+  view_.view.camera = {};
+  for (const auto& each : canvases_) each->fit();
 }
 
 void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
@@ -85,29 +99,10 @@ void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
     const float width = (max.x - min.x - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
     for (std::size_t i = 0; i < count; ++i) {
       const float x = std::floor(min.x + static_cast<float>(i) * (width + gap));
-      canvas_.draw(look, frame.session, first + i, view_, {x, min.y}, {std::floor(x + width), max.y}, !dialogs_.open(), frame.commands);
+      canvas(first + i).draw(look, frame.session, first + i, view_, {x, min.y}, {std::floor(x + width), max.y}, !dialogs_.open(), frame.commands);
       if (i > 0) ImGui::GetWindowDrawList()->AddRectFilled({x - gap, min.y}, {x - gap + look.px.hair, max.y}, look.theme.line);
     }
-    draw_trouble(frame, min, max);
   });
-}
-
-/// Why there is no path, and what now.
-void Shell::draw_trouble(const Frame& frame, ImVec2 min, ImVec2 max) {
-  const Look& look = frame.look;
-  const Run& run = frame.run();
-  const Mark* mark = run.mark_at(run.timeline().cursor());
-  if (mark == nullptr) return;
-  std::string words;
-  if (mark->route->status == PlanStatus::no_path) words = "No path leads from the start to the goal: erase an obstacle, or move one of them.";
-  else if (mark->route->status != PlanStatus::found) words = status_sentence(mark->route->status);
-  if (mark->state == MissionState::collision) words = "This plan leads into an obstacle that the robot knows: its remote parent went stale.";
-  if (mark->state == MissionState::loop) words = "This plan leads round in a circle: a remote parent went stale.";
-  if (words.empty()) return;
-  const TextRun runs[] = {{icon::warning, look.theme.bad, look.fonts.ui},
-                          {elide(look.fonts.ui, words, max.x - min.x - look.px(80)), look.theme.text, look.fonts.ui}};
-  const float width = text_width(look.fonts.ui, runs[1].text) + look.px(50);
-  chip(look, *ImGui::GetWindowDrawList(), {(min.x + max.x - width) * 0.5f, min.y + look.px(52)}, runs);
 }
 
 void Shell::draw_message(const Look& look, ImVec2 min, ImVec2 max) {
@@ -162,7 +157,7 @@ void Shell::take_wish(Session& session, Wish wish) {
       else dialogs_.show(DialogKind::save, session.file().empty() ? "" : file_folder(session.file()) + "/" + file_stem(session.file()) + ".json");
       break;
     case Wish::save_as: dialogs_.show(DialogKind::save, session.file()); break;
-    case Wish::fit: canvas_.fit(); break;
+    case Wish::fit: fit(); break;
     case Wish::keys: dialogs_.show(DialogKind::keys); break;
   }
 }
@@ -199,8 +194,7 @@ void Shell::begin(Session& session, Pending pending) {
     go_on(session);
     return;
   }
-  const std::string name = session.file().empty() ? "This world" : file_name(session.file());
-  dialogs_.show(DialogKind::unsaved, name);
+  dialogs_.show(DialogKind::unsaved, document_name(session));
 }
 
 void Shell::go_on(Session& session) {
@@ -238,19 +232,22 @@ bool Shell::save(Session& session, const std::string& path) {
 }
 
 void Shell::replace(Session& session, Scenario scenario, const std::string& file) {
-  show(scenario);
+  show(scenario.view);
   if (const Result<void> done = session.apply(ReplaceScenario{std::move(scenario), file}); !done) tell(done.error(), true);
 }
 
-void Shell::show(const Scenario& scenario) {
-  if (const Result<OverlaySet> set = parse_overlays(scenario.view.overlays); set && !scenario.view.overlays.empty()) view_.view.overlays = *set;
-  if (scenario.view.theme) view_.dark = *scenario.view.theme == "dark";
+void Shell::show(const ViewSetup& view) {
+  if (const Result<OverlaySet> set = parse_overlays(view.overlays); set && !view.overlays.empty()) view_.view.overlays = *set;
+  if (view.theme) view_.dark = *view.theme == "dark";
   view_.view.pinned.reset();
   view_.view.hovered.reset();
-  view_.view.camera = {};
   panels_.drafts.clear();
-  canvas_.fit();
-  if (scenario.view.camera) view_.view.camera = {scenario.view.camera->x, scenario.view.camera->y, scenario.view.camera->zoom};
+  fit();
+  if (view.camera) view_.view.camera = {view.camera->x, view.camera->y, view.camera->zoom};
+}
+
+std::string Shell::title(const Session& session) {
+  return document_name(session) + (session.modified() ? " — edited" : "");
 }
 
 void Shell::open(Session& session, const std::string& path) { begin(session, {Pending::Kind::open_file, path}); }
@@ -258,7 +255,7 @@ void Shell::open(Session& session, const std::string& path) { begin(session, {Pe
 bool Shell::may_close(const Session& session) {
   if (quitting_ || !session.modified()) return true;
   pending_ = {Pending::Kind::quit, {}};
-  dialogs_.show(DialogKind::unsaved, session.file().empty() ? "This world" : file_name(session.file()));
+  dialogs_.show(DialogKind::unsaved, document_name(session));
   return false;
 }
 

@@ -15,7 +15,8 @@ namespace replan::ui {
 
 class Shell {
  public:
-  explicit Shell(ImGuiRenderer& renderer) : canvas_(renderer) {}
+  /// The renderer's context must be current in draw() and in the destructor.
+  explicit Shell(ImGuiRenderer& renderer) : renderer_(renderer) {}
 
   /// Draws one frame over the whole display, then applies what was asked for. The owner calls session.update().
   void draw(const Look& look, Session& session, double seconds);
@@ -27,8 +28,10 @@ class Shell {
   [[nodiscard]] PanelState& panels() { return panels_; }
   [[nodiscard]] const PanelState& panels() const { return panels_; }
 
-  /// Takes over what a scenario says of its view: overlays, theme, camera.
-  void show(const Scenario& scenario);
+  /// Takes over what a scenario says of its view: overlays, theme, camera. The whole world is shown if it names none.
+  void show(const ViewSetup& view);
+  /// What the window is about: "maze.json", with a mark if there are unsaved edits.
+  [[nodiscard]] static std::string title(const Session& session);
   /// Opens a file; asks first if there are unsaved edits.
   void open(Session& session, const std::string& path);
   /// The user wants to close the window. True if it may close now; else the user is asked.
@@ -51,8 +54,9 @@ class Shell {
   };
 
   void draw_parts(Frame& frame);
+  Canvas& canvas(std::size_t pane);
+  void fit();
   void draw_canvas(Frame& frame, ImVec2 min, ImVec2 max);
-  void draw_trouble(const Frame& frame, ImVec2 min, ImVec2 max);
   void draw_message(const Look& look, ImVec2 min, ImVec2 max);
   void draw_splitter(Frame& frame, float x, float top, float bottom);
   void take_keys(Frame& frame);
@@ -65,7 +69,8 @@ class Shell {
   bool save(Session& session, const std::string& path);
   void replace(Session& session, Scenario scenario, const std::string& file);
 
-  Canvas canvas_;
+  ImGuiRenderer& renderer_;
+  std::vector<std::unique_ptr<Canvas>> canvases_;  // by pane
   ViewState view_;
   PanelState panels_;
   Dialogs dialogs_;

@@ -14,7 +14,7 @@ struct Verdict {
 };
 
 /// Whether a plan was begun between the last decision and the cursor, and has not been finished.
-bool searching(const Run& run, const Mark* mark) {
+bool searching(const Run& run, const replan::Mark* mark) {
   const Timeline& log = run.timeline();
   const std::size_t from = mark == nullptr ? 0 : mark->event;
   const auto& markers = run.markers();
@@ -24,7 +24,7 @@ bool searching(const Run& run, const Mark* mark) {
 }
 
 Verdict verdict(const Theme& theme, const Run& run) {
-  const Mark* mark = run.mark_at(run.timeline().cursor());
+  const replan::Mark* mark = run.mark_at(run.timeline().cursor());
   if (mark == nullptr) return run.timeline().cursor() == 0 ? Verdict{theme.faint, "not planned yet"} : Verdict{theme.accent, "searching"};
   if (searching(run, mark)) return {theme.warning, "replanning"};
   switch (mark->state) {
@@ -90,7 +90,7 @@ class Line {
 float right_side(Frame& frame) {
   const Look& look = frame.look;
   const Run& run = frame.session.run();
-  const Mark* mark = run.mark_at(run.timeline().cursor());
+  const replan::Mark* mark = run.mark_at(run.timeline().cursor());
   const std::string moves = "robot " + count_text(static_cast<std::int64_t>(run.timeline().state().scalar(Scalar::moves)), "step", "steps");
   const std::string time = frame.panels.frame_ms > 0 ? fixed(frame.panels.frame_ms, 1) + " ms" : "";
   const ImVec2 origin = ImGui::GetCursorScreenPos();
@@ -134,7 +134,7 @@ void draw_status_bar(Frame& frame) {
   }
   line.dot(verdict(look.theme, run));
   busy(frame, line);
-  const Mark* mark = run.mark_at(run.timeline().cursor());
+  const replan::Mark* mark = run.mark_at(run.timeline().cursor());
   if (mark != nullptr && mark->route->status == PlanStatus::found)
     line.pair("path", fixed(path_length(run.lattice(), mark->route->path.nodes), 1),
               {"Path length", "", "Of the plan that stands, in cells, measured along its straight segments."});

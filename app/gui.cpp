@@ -1,0 +1,186 @@
+#include "app/gui.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "app/gui_settings.hpp"
+#include "app/platform/window.hpp"
+#include "core/base/file.hpp"
+#include "core/plan/pages.hpp"
+#include "ui/shell/documents.hpp"
+#include "ui/shell/shell.hpp"
+
+namespace replan::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds(Clock::duration time) { return std::chrono::duration<double, std::milli>(time).count(); }
+
+/// A small world in code, for a program that was copied without its files.
+Scenario built_in_world() {
+  Scenario scenario;
+  scenario.name = "Two walls";
+  scenario.map = GridMap(36, 24);
+  for (int y = 0; y < 17; ++y) scenario.map.set({12, y}, true);
+  for (int y = 7; y < 24; ++y) scenario.map.set({23, y}, true);
+  scenario.start = {3, 12};
+  scenario.goal = {32, 12};
+  scenario.planners = {{.id = std::string(planners().back().id), .settings = {}}};
+  return scenario;
+}
+
+struct Opened {
+  Scenario scenario;
+  std::string file;
+};
+
+Result<Opened> first_document(const std::optional<std::string>& file) {
+  if (file) {
+    const Result<Scenario> opened = ui::open_document(*file, built_in_world());
+    if (!opened) return Error{opened.error()};
+    return Opened{*opened, *file};
+  }
+  const std::filesystem::path demo = std::filesystem::path(assets_folder()) / "../maps/demo.json";
+  // The demo is nobody's file: saving asks for a name.
+  const Result<Scenario> opened = read_scenario(demo.lexically_normal().string());
+  return Opened{opened ? *opened : built_in_world(), {}};
+}
+
+/// Facts of the session for the tests of the window.
+Result<void> dump_state(const Session& session, const std::string& path) {
+  const Timeline& log = session.run().timeline();
+  const SearchState& state = log.state();
+  std::size_t obstacles = 0;
+  for (NodeId n = 0; n < state.node_count(); ++n) obstacles += state.truly_blocked(n) ? 1 : 0;
+  const replan::Mark* mark = session.run().mark_at(log.cursor());
+  const nlohmann::json json = {{"file", session.file()},
+                               {"modified", session.modified()},
+                               {"undo", session.undo_text()},
+                               {"obstacles", obstacles},
+                               {"cursor", log.cursor()},
+                               {"events", log.size()},
+                               {"moves", state.scalar(Scalar::moves)},
+                               {"playing", session.playback().direction},
+                               {"mission", mark == nullptr ? "planning" : mission_state_name(mark->state)}};
+  return write_file_atomically(path, json.dump(2) + "\n");
+}
+
+/// Everything of one window.
+class Program {
+ public:
+  Program(Opened document, Remembered remembered)
+      : remembered_(std::move(remembered)), session_(std::move(document.scenario), std::move(document.file)) {}
+
+  Result<void> open();
+  void run();
+  Result<void> close();
+
+ private:
+  bool frame();
+  void follow();
+  void report_first_frame();
+
+  Clock::time_point begun_ = Clock::now();
+  Remembered remembered_;
+  Session session_;  // plans while the window is being opened
+  std::unique_ptr<Window> window_;
+  std::unique_ptr<ui::Shell> shell_;  // goes before the window: it holds textures
+  Clock::time_point last_ = Clock::now();
+  double draw_ms_ = 0;
+  std::string title_;
+  bool dark_ = true;
+  bool timed_ = false;
+};
+
+Result<void> Program::open() {
+  Result<std::unique_ptr<Window>> window = Window::open(remembered_.window);
+  if (!window) return Error{window.error()};
+  window_ = std::move(*window);
+  shell_ = std::make_unique<ui::Shell>(window_->stage().renderer());
+  shell_->view() = remembered_.view;
+  shell_->panels().side_width = remembered_.side_width;
+  shell_->panels().unit = remembered_.unit;
+  shell_->panels().notices = window_->stage().notices();
+  ViewSetup view = session_.scenario().view;
+  if (session_.file().empty()) view.theme.reset();  // the demo goes by the user's own choice
+  shell_->show(view);
+  static_cast<void>(session_.apply(SetSpeed{remembered_.speed}));
+  dark_ = shell_->view().dark;
+  window_->stage().set_theme(dark_ ? ui::dark() : ui::light());
+  window_->on_drop([this](const std::vector<std::filesystem::path>& paths) {
+    if (!paths.empty()) shell_->open(session_, paths.front().string());
+  });
+  window_->on_close([this] { return shell_->may_close(session_); });
+  return {};
+}
+
+void Program::run() {
+  window_->run([this] { return frame(); });
+}
+
+bool Program::frame() {
+  const Clock::time_point now = Clock::now();
+  const double seconds = std::chrono::duration<double>(now - last_).count();
+  last_ = now;
+  session_.update(seconds);
+  shell_->draw(window_->stage().look(), session_, seconds);
+  const double spent = milliseconds(Clock::now() - now);
+  draw_ms_ = draw_ms_ == 0 ? spent : draw_ms_ * 0.9 + spent * 0.1;
+  shell_->panels().frame_ms = draw_ms_;
+  follow();
+  if (!timed_) report_first_frame();
+  return shell_->wants_frames(session_);
+}
+
+/// Takes theme and title from the shell to the window.
+void Program::follow() {
+  if (shell_->view().dark != dark_) {
+    dark_ = shell_->view().dark;
+    window_->stage().set_theme(dark_ ? ui::dark() : ui::light());
+  }
+  std::string title = shell_->title(session_) + " – Replan";
+  if (title != title_) window_->set_title(title);
+  title_ = std::move(title);
+  if (shell_->quitting()) window_->close();
+}
+
+void Program::report_first_frame() {
+  timed_ = true;
+  const char* wanted = std::getenv("REPLAN_TIMING");
+  if (wanted == nullptr || wanted[0] == '\0' || wanted[0] == '0') return;
+  window_->capture([this](const ui::Image&) {
+    std::fprintf(stderr, "first frame after %.0f ms\n", milliseconds(Clock::now() - begun_));
+  });
+}
+
+Result<void> Program::close() {
+  remembered_.window = window_->state();
+  remembered_.view = shell_->view();
+  remembered_.side_width = shell_->panels().side_width;
+  remembered_.unit = shell_->panels().unit;
+  remembered_.speed = session_.playback().expansions_per_second;
+  if (const Result<void> written = write_settings(remembered_, settings_path()); !written)
+    std::fprintf(stderr, "replan: %s\n", written.error().c_str());
+  const char* dump = std::getenv("REPLAN_STATE_DUMP");
+  return dump != nullptr && dump[0] != '\0' ? dump_state(session_, dump) : Result<void>();
+}
+
+}  // namespace
+
+Result<void> run_window(const std::optional<std::string>& file) {
+  Result<Opened> document = first_document(file);
+  if (!document) return Error{document.error()};
+  Program program(std::move(*document), read_settings(settings_path()));
+  if (const Result<void> opened = program.open(); !opened) return opened;
+  program.run();
+  return program.close();
+}
+
+}  // namespace replan::app

@@ -1,0 +1,81 @@
+#include "app/gui_settings.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/file.hpp"
+
+namespace replan::app {
+namespace {
+
+using Json = nlohmann::json;
+
+/// The number under `key` if it is one in range, else `fallback`.
+double number(const Json& json, const char* key, double low, double high, double fallback) {
+  const auto found = json.find(key);
+  if (found == json.end() || !found->is_number()) return fallback;
+  const double value = found->get<double>();
+  return value >= low && value <= high ? value : fallback;
+}
+
+int whole(const Json& json, const char* key, int low, int high, int fallback) {
+  return static_cast<int>(number(json, key, low, high, fallback));
+}
+
+bool flag(const Json& json, const char* key, bool fallback) {
+  const auto found = json.find(key);
+  return found != json.end() && found->is_boolean() ? found->get<bool>() : fallback;
+}
+
+}  // namespace
+
+std::string settings_path() {
+  const char* config = std::getenv("XDG_CONFIG_HOME");
+  if (config != nullptr && config[0] == '/') return std::string(config) + "/replan/window.json";
+  const char* home = std::getenv("HOME");
+  return home == nullptr || home[0] == '\0' ? "" : std::string(home) + "/.config/replan/window.json";
+}
+
+Remembered read_settings(const std::string& path) {
+  Remembered result;
+  const Result<std::string> text = path.empty() ? Result<std::string>(Error{"no home"}) : read_file(path, 1 << 20);
+  if (!text) return result;
+  const Json json = Json::parse(*text, nullptr, false);
+  if (!json.is_object()) return result;
+  result.window.width = whole(json, "width", 640, 16384, result.window.width);
+  result.window.height = whole(json, "height", 480, 16384, result.window.height);
+  result.window.maximized = flag(json, "maximized", false);
+  result.view.dark = flag(json, "dark", true);
+  result.view.panels = flag(json, "panels", true);
+  result.view.legend = flag(json, "legend", true);
+  result.view.brush = whole(json, "brush", 1, 64, 1);
+  result.view.tab = whole(json, "tab", ui::kPlannerTab, ui::kLogTab, ui::kCellTab);
+  result.side_width = static_cast<float>(number(json, "side_width", 280, 640, result.side_width));
+  result.unit = static_cast<StepUnit>(whole(json, "step_unit", 0, 3, static_cast<int>(result.unit)));
+  result.speed = number(json, "speed", 0.1, Session::kFullSpeed, result.speed);
+  return result;
+}
+
+Result<void> write_settings(const Remembered& settings, const std::string& path) {
+  if (path.empty()) return {};
+  std::error_code failed;
+  std::filesystem::create_directories(std::filesystem::path(path).parent_path(), failed);
+  if (failed) return Error{path + ": its folder cannot be made (" + failed.message() + ")"};
+  const Json json = {{"width", settings.window.width},
+                     {"height", settings.window.height},
+                     {"maximized", settings.window.maximized},
+                     {"dark", settings.view.dark},
+                     {"panels", settings.view.panels},
+                     {"legend", settings.view.legend},
+                     {"brush", settings.view.brush},
+                     {"tab", settings.view.tab},
+                     {"side_width", settings.side_width},
+                     {"step_unit", static_cast<int>(settings.unit)},
+                     {"speed", settings.speed}};
+  return write_file_atomically(path, json.dump(2) + "\n");
+}
+
+}  // namespace replan::app

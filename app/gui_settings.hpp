@@ -1,0 +1,27 @@
+// What the window remembers from one start to the next: a JSON file in the user's configuration folder.
+#pragma once
+
+#include <string>
+
+#include "app/platform/window.hpp"
+#include "ui/shell/shell.hpp"
+
+namespace replan::app {
+
+/// $XDG_CONFIG_HOME/replan/window.json, else ~/.config/replan/window.json; empty if there is no home.
+std::string settings_path();
+
+/// Reads what was remembered. What is missing, unreadable or out of range keeps its default: this file is never a
+/// reason not to start.
+struct Remembered {
+  WindowSettings window;
+  ui::ViewState view;
+  float side_width = 372;
+  StepUnit unit = StepUnit::expansion;
+  double speed = Playback{}.expansions_per_second;
+};
+Remembered read_settings(const std::string& path);
+/// Writes it atomically; makes the folder if need be.
+Result<void> write_settings(const Remembered& settings, const std::string& path);
+
+}  // namespace replan::app

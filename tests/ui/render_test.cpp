@@ -1,0 +1,146 @@
+// Pictures of the demo world against golden ones. REPLAN_UPDATE_GOLDEN=1 writes them anew: look at them then.
+#include "app/render.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "tests/support/temporary_folder.hpp"
+#include "ui/image.hpp"
+
+namespace replan::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+RenderRequest demo(const std::string& theme) {
+  auto scenario = read_scenario(std::string(REPLAN_SOURCE_DIR) + "/maps/demo.json");
+  EXPECT_TRUE(scenario.ok()) << (scenario.ok() ? "" : scenario.error());
+  RenderRequest request;
+  if (scenario.ok()) request.scenario = *scenario;
+  request.width = 640;
+  request.height = 480;
+  request.theme = theme;
+  return request;
+}
+
+/// Where the n-th plan of the demo stands, `back` events before its end.
+std::size_t plan_end(const RenderRequest& request, int n) {
+  Session session(request.scenario);
+  EXPECT_TRUE(session.apply(RunToEnd{}).ok());
+  for (const auto& run : session.runs()) run->finish(Target::end());
+  for (const Marker& marker : session.run().markers())
+    if (marker.kind == EventKind::plan_end && n-- == 0) return marker.event + 1;
+  return session.run().timeline().size();
+}
+
+/// Fonts may be rastered a little differently on another system; shapes and colours may not.
+void compare_with_golden(RenderRequest request, const std::string& name) {
+  const test::TemporaryFolder folder;
+  request.output = folder.file(name + ".png");
+  const Result<void> drawn = render(request);
+  ASSERT_TRUE(drawn.ok()) << drawn.error();
+  const fs::path golden = fs::path(REPLAN_SOURCE_DIR) / "tests" / "golden" / (name + ".png");
+  if (std::getenv("REPLAN_UPDATE_GOLDEN") != nullptr) {
+    fs::create_directories(golden.parent_path());
+    fs::copy_file(request.output, golden, fs::copy_options::overwrite_existing);
+    return;
+  }
+  const auto expected = ui::read_image(golden), actual = ui::read_image(request.output);
+  ASSERT_TRUE(expected.ok()) << expected.error();
+  ASSERT_TRUE(actual.ok()) << actual.error();
+  const ui::Difference difference = ui::compare(*expected, *actual, 24);
+  EXPECT_TRUE(difference.same_size);
+  EXPECT_LT(difference.share, 0.01) << name << ": max " << difference.max << ", mean " << difference.mean;
+  EXPECT_LT(difference.mean, 0.6) << name;
+}
+
+class RenderGolden : public testing::TestWithParam<const char*> {};
+
+TEST_P(RenderGolden, PlanStands) { compare_with_golden(demo(GetParam()), std::string("demo_plan_") + GetParam()); }
+
+TEST_P(RenderGolden, MidSearch) {
+  RenderRequest request = demo(GetParam());
+  request.at = plan_end(request, 0) / 2;
+  OverlaySet overlays = default_overlays();
+  for (const Overlay overlay : {Overlay::queue, Overlay::consistency, Overlay::sight}) overlays.set(overlay, true);
+  request.overlays = overlays;
+  compare_with_golden(request, std::string("demo_search_") + GetParam());
+}
+
+TEST_P(RenderGolden, AfterTheSurprise) {
+  RenderRequest request = demo(GetParam());
+  request.at = plan_end(request, 1);
+  compare_with_golden(request, std::string("demo_repair_") + GetParam());
+}
+
+TEST_P(RenderGolden, Numbers) {
+  RenderRequest request = demo(GetParam());
+  request.at = plan_end(request, 1);
+  OverlaySet overlays = default_overlays();
+  overlays.set(Overlay::numbers, true);
+  request.overlays = overlays;
+  request.scenario.view.camera = ViewSetup::Camera{14, 24, 80};
+  compare_with_golden(request, std::string("demo_numbers_") + GetParam());
+}
+
+TEST_P(RenderGolden, Arrival) {
+  RenderRequest request = demo(GetParam());
+  request.at = Moment::end;
+  compare_with_golden(request, std::string("demo_arrival_") + GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Themes, RenderGolden, testing::Values("dark", "light"),
+                         [](const auto& theme) { return std::string(theme.param); });
+
+TEST(Render, TwiceTheSamePixels) {
+  const test::TemporaryFolder folder;
+  RenderRequest request = demo("dark");
+  request.at = Moment::end;
+  std::vector<ui::Image> pictures;
+  for (const char* name : {"a.png", "b.png"}) {
+    request.output = folder.file(name);
+    ASSERT_TRUE(render(request).ok());
+    auto picture = ui::read_image(request.output);
+    ASSERT_TRUE(picture.ok());
+    pictures.push_back(std::move(*picture));
+  }
+  EXPECT_EQ(pictures[0].rgba, pictures[1].rgba);
+}
+
+TEST(Render, SvgIsWritten) {
+  const test::TemporaryFolder folder;
+  RenderRequest request = demo("light");
+  request.output = folder.file("still.svg");
+  ASSERT_TRUE(render(request).ok());
+  EXPECT_GT(fs::file_size(request.output), 2000u);
+}
+
+TEST(Render, FramesCoverPlanDriveAndArrival) {
+  RenderRequest request = demo("dark");
+  Session session(request.scenario);
+  ASSERT_TRUE(session.apply(RunToEnd{}).ok());
+  for (const auto& run : session.runs()) run->finish(Target::end());
+  const std::vector<std::size_t> positions = film_positions(session.run());
+  EXPECT_TRUE(std::is_sorted(positions.begin(), positions.end()));
+  EXPECT_EQ(positions.back(), session.run().timeline().size());
+  EXPECT_GT(positions.size(), static_cast<std::size_t>(session.run().marks().back().figures.moves) + kFramesPerSecond);
+  EXPECT_LT(positions.size(), 600u);
+}
+
+TEST(Render, MistakesAreNamed) {
+  RenderRequest request = demo("dark");
+  request.output = "/tmp/picture.bmp";
+  EXPECT_FALSE(render(request).ok());
+  request.output = "/tmp/picture.png";
+  request.at = std::size_t{1} << 40;
+  const auto beyond = render(request);
+  ASSERT_FALSE(beyond.ok());
+  EXPECT_NE(beyond.error().find("beyond"), std::string::npos);
+  request.theme = "blue";
+  EXPECT_FALSE(render(request).ok());
+}
+
+}  // namespace
+}  // namespace replan::app

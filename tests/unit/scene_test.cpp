@@ -1,0 +1,309 @@
+// What a scene shows, and that it shows the same however it was come by.
+#include "core/scene/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/scene/svg.hpp"
+#include "core/session/session.hpp"
+
+namespace replan {
+namespace {
+
+constexpr Viewport kView{640, 480};
+
+Palette palette() {
+  Palette colours;
+  colours.background = 0xFF010101;
+  colours.free = 0xFF020202;
+  colours.obstacle = 0xFF0000AA;
+  colours.surprise = 0xFF00AA00;
+  colours.path = 0xFFFFFFFF;
+  colours.text = 0xFFEEEEEE;
+  colours.arrow = 0x80FFFFFF;
+  colours.warning = 0xFF00FFFF;
+  colours.robot = 0xFF123456;
+  colours.field_opacity = 1;
+  for (std::size_t i = 0; i < colours.field.size(); ++i) colours.field[i] = 0xFF400000u | static_cast<Colour>(i);
+  return colours;
+}
+
+/// 20 x 10 with a wall that leaves a gap at the bottom, which closes when the robot comes near.
+Scenario world() {
+  Scenario scenario;
+  scenario.map = GridMap(20, 10);
+  for (int y = 0; y < 9; ++y)
+    if (y != 2) scenario.map.set({10, y}, true);
+  scenario.start = {2, 7};
+  scenario.goal = {17, 7};
+  scenario.planners = {{"dstar-lite", {}}};
+  Surprise surprise;
+  surprise.at.move = 3;
+  surprise.cells = {{{10, 9}, true}};
+  scenario.surprises = {surprise};
+  return scenario;
+}
+
+template <class S>
+std::vector<S> shapes_of(const Scene& scene) {
+  std::vector<S> found;
+  for (const Shape& shape : scene.shapes)
+    if (const S* each = std::get_if<S>(&shape)) found.push_back(*each);
+  return found;
+}
+
+View plain_view() {
+  View view;
+  view.overlays = {};
+  return view;
+}
+
+Colour texel_at(const Scene& scene, Point at) {
+  const Raster& raster = scene.raster;
+  const auto column = static_cast<int>((at.x - raster.x) / raster.width * raster.columns);
+  const auto row = static_cast<int>((at.y - raster.y) / raster.height * raster.rows);
+  return raster.texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(raster.columns) + static_cast<std::size_t>(column)];
+}
+
+void run_to_end(Session& session) {
+  ASSERT_TRUE(session.apply(RunToEnd{}).ok());
+  session.settle();
+  for (const auto& run : session.runs()) run->finish(Target::end());
+  session.update(0);
+}
+
+TEST(Overlays, AtMostOneField) {
+  OverlaySet set;
+  set.set(Overlay::g, true);
+  set.set(Overlay::path, true);
+  set.set(Overlay::rhs, true);
+  EXPECT_FALSE(set.has(Overlay::g));
+  EXPECT_EQ(set.field(), Overlay::rhs);
+  EXPECT_TRUE(set.has(Overlay::path));
+  set.set(Overlay::rhs, false);
+  EXPECT_FALSE(set.field().has_value());
+}
+
+TEST(Overlays, IdsAreReadAndNearMissesNamed) {
+  const std::vector<std::string> good = {"g", "trail"}, bad = {"trial"};
+  ASSERT_TRUE(parse_overlays(good).ok());
+  EXPECT_TRUE(parse_overlays(good)->has(Overlay::trail));
+  const auto failed = parse_overlays(bad);
+  ASSERT_FALSE(failed.ok());
+  EXPECT_NE(failed.error().find("trail"), std::string::npos) << failed.error();
+  for (std::size_t i = 0; i < overlays().size(); ++i) EXPECT_EQ(static_cast<std::size_t>(overlays()[i].overlay), i);
+}
+
+TEST(Scene, FitShowsTheWholeWorldOnWholePixels) {
+  const Camera camera = resolve({}, 20, 10, kView);
+  EXPECT_EQ(camera.zoom, 29);
+  EXPECT_LE(20 * camera.zoom, kView.width);
+  const double corner = (0 - camera.x) * camera.zoom + kView.width / 2.0;
+  EXPECT_NEAR(corner, std::round(corner), 1e-9);
+}
+
+TEST(Scene, PathRunsThroughTheRoutesVertices) {
+  Session session(world());
+  session.settle();
+  View view = plain_view();
+  view.overlays.set(Overlay::path, true);
+  const auto lines = shapes_of<Polyline>(build_scene(session.run(), view, kView, palette()));
+  ASSERT_EQ(lines.size(), 1u);
+  const auto& run = session.run();
+  const auto& nodes = run.mark_at(run.timeline().cursor())->route->path.nodes;
+  ASSERT_EQ(lines[0].points.size(), nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Cell cell = run.lattice().position(nodes[i]);
+    EXPECT_EQ(lines[0].points[i], (Point{cell.x + 0.5, cell.y + 0.5}));
+  }
+}
+
+TEST(Scene, CellsHaveTheColourOfWhatTheyAre) {
+  Session session(world());
+  session.settle();
+  View view = plain_view();
+  const Scene before = build_scene(session.run(), view, kView, palette());
+  EXPECT_EQ(texel_at(before, {10.5, 5.5}), palette().obstacle);
+  EXPECT_EQ(texel_at(before, {10.5, 9.5}), palette().free);
+  EXPECT_EQ(texel_at(before, {1.5, 1.5}), palette().free);
+  run_to_end(session);
+  EXPECT_EQ(texel_at(build_scene(session.run(), view, kView, palette()), {10.5, 9.5}), palette().surprise);
+}
+
+TEST(Scene, FieldRunsOverTheWholeMap) {
+  Session session(world());
+  session.settle();
+  View view = plain_view();
+  view.overlays.set(Overlay::g, true);
+  const Scene scene = build_scene(session.run(), view, kView, palette());
+  ASSERT_TRUE(scene.range.has_value());
+  EXPECT_EQ(scene.range->low, 0);
+  EXPECT_GT(scene.range->high, 15);
+  EXPECT_EQ(texel_at(scene, {17.5, 7.5}), palette().field.front());
+}
+
+TEST(Scene, UnknownObstacleIsDimmedAndHatched) {
+  Scenario scenario = world();
+  scenario.robot.knowledge = Knowledge::nothing;
+  scenario.robot.sensor_radius = 1;
+  Session session(scenario);
+  session.settle();
+  View view = plain_view();
+  EXPECT_EQ(texel_at(build_scene(session.run(), view, kView, palette()), {10.5, 1.5}), palette().free);
+  view.overlays.set(Overlay::unknown, true);
+  const Scene scene = build_scene(session.run(), view, kView, palette());
+  EXPECT_TRUE(scene.shows(Sign::unknown));
+  const Colour colour = texel_at(scene, {10.5, 1.5});
+  EXPECT_NE(colour, palette().free);
+  EXPECT_NE(colour, palette().obstacle);
+  EXPECT_FALSE(shapes_of<Line>(scene).empty());
+}
+
+TEST(Scene, TrailAndRepairFollowTheRun) {
+  Session session(world());
+  session.settle();
+  run_to_end(session);
+  View view = plain_view();
+  view.overlays.set(Overlay::trail, true);
+  view.overlays.set(Overlay::repair, true);
+  const auto& run = session.run();
+  const Scene scene = build_scene(run, view, kView, palette());
+  const auto lines = shapes_of<Polyline>(scene);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].points.size(), static_cast<std::size_t>(run.marks().back().figures.moves) + 1);
+  EXPECT_TRUE(scene.shows(Sign::repair));
+  SceneMemory memory;
+  const RepairFigures figures = memory.repair(run, run.timeline().size());
+  EXPECT_EQ(figures.number, run.marks().back().figures.replans);
+  EXPECT_GT(figures.touched, 0);
+  EXPECT_EQ(memory.expansions(run, run.timeline().size()), run.marks().back().figures.counters.expansions);
+}
+
+TEST(Scene, ObstaclesNeverVanishFromFarAway) {
+  Scenario scenario;
+  scenario.map = GridMap(1500, 1100);
+  scenario.map.set({701, 333}, true);
+  scenario.start = {1, 1};
+  scenario.goal = {3, 3};
+  scenario.planners = {{"dstar-lite", {}}};
+  Session session(scenario);
+  session.settle();
+  for (const double zoom : {0.03, 0.1, 0.21, 0.37, 0.5, 0.83, 1.0}) {
+    View view = plain_view();
+    view.camera = {750, 550, zoom};
+    const Scene scene = build_scene(session.run(), view, {1600, 1200}, palette());
+    EXPECT_NE(texel_at(scene, {701.5, 333.5}), palette().free) << zoom;
+    EXPECT_EQ(texel_at(scene, {200.5, 900.5}), palette().free) << zoom;
+  }
+}
+
+TEST(Scene, NumbersAppearAt44AndCornersAt72Pixels) {
+  Session session(world());
+  session.settle();
+  View view = plain_view();
+  view.overlays.set(Overlay::numbers, true);
+  const auto labels = [&](double zoom) {
+    view.camera = {15, 7, zoom};
+    return shapes_of<Label>(build_scene(session.run(), view, kView, palette()));
+  };
+  EXPECT_TRUE(labels(39).empty());
+  const auto middle = labels(50);
+  ASSERT_FALSE(middle.empty());
+  EXPECT_TRUE(std::all_of(middle.begin(), middle.end(), [](const Label& l) { return l.anchor == Anchor::middle; }));
+  const auto corners = labels(80);
+  const auto has = [&](Anchor anchor) {
+    return std::any_of(corners.begin(), corners.end(), [anchor](const Label& l) { return l.anchor == anchor; });
+  };
+  EXPECT_TRUE(has(Anchor::upper_left));
+  EXPECT_TRUE(has(Anchor::upper_right));
+}
+
+TEST(Scene, ArrowsVanishInSmallCells) {
+  Session session(world());
+  session.settle();
+  View view = plain_view();
+  view.overlays.set(Overlay::lp, true);
+  const auto arrows = [&](double zoom) {
+    view.camera = {10, 5, zoom};
+    return shapes_of<Arrow>(build_scene(session.run(), view, kView, palette())).size();
+  };
+  EXPECT_EQ(arrows(9), 0u);
+  EXPECT_GT(arrows(14), 10u);
+}
+
+bool same(const Scene& a, const Scene& b) {
+  return a.raster.texels == b.raster.texels && a.shapes.size() == b.shapes.size() && a.range == b.range &&
+         a.signs == b.signs && scene_svg(a, palette()) == scene_svg(b, palette());
+}
+
+TEST(Scene, MemoryChangesNothing) {
+  Session session(world());
+  session.settle();
+  run_to_end(session);
+  SceneMemory memory;
+  const std::size_t size = session.run().timeline().size();
+  for (const double zoom : {0.4, 6.0, 30.0})
+    for (const std::size_t position : {size, size / 2, std::size_t{0}, size / 3, size - 1}) {
+      ASSERT_TRUE(session.apply(Seek{position}).ok());
+      View view;
+      for (const OverlayInfo& info : overlays())
+        if (!info.is_field()) view.overlays.set(info.overlay, true);
+      view.camera = {10, 5, zoom};
+      const Scene with = build_scene(session.run(), view, kView, palette(), memory);
+      EXPECT_TRUE(same(with, build_scene(session.run(), view, kView, palette()))) << zoom << " at " << position;
+    }
+}
+
+TEST(Scene, MemorySurvivesAnEditThatCutsTheLog) {
+  Session session(world());
+  session.settle();
+  SceneMemory memory;
+  View view;
+  build_scene(session.run(), view, kView, palette(), memory);
+  ASSERT_TRUE(session.apply(PaintCells{{{{6, 7}, true}, {{6, 6}, true}}, 1}).ok());
+  session.settle();
+  EXPECT_TRUE(same(build_scene(session.run(), view, kView, palette(), memory), build_scene(session.run(), view, kView, palette())));
+  ASSERT_TRUE(session.apply(Undo{}).ok());
+  session.settle();
+  EXPECT_TRUE(same(build_scene(session.run(), view, kView, palette(), memory), build_scene(session.run(), view, kView, palette())));
+}
+
+/// Whether every tag is closed in order, and how often one of that name opens.
+bool well_formed(const std::string& xml, const std::string& name, int& count) {
+  std::vector<std::string> open;
+  for (std::size_t at = xml.find('<'); at != std::string::npos; at = xml.find('<', at + 1)) {
+    const std::size_t end = xml.find('>', at);
+    if (end == std::string::npos) return false;
+    const std::string tag = xml.substr(at + 1, end - at - 1);
+    if (std::count(tag.begin(), tag.end(), '"') % 2 != 0) return false;
+    const std::string word = tag.substr(0, tag.find_first_of(" /", 1));
+    if (tag[0] == '/') {
+      if (open.empty() || "/" + open.back() != tag) return false;
+      open.pop_back();
+      continue;
+    }
+    if (word == name) ++count;
+    if (!tag.ends_with('/')) open.push_back(word);
+  }
+  return open.empty();
+}
+
+TEST(SceneSvg, IsWellFormedAndHasEveryPolyline) {
+  Session session(world());
+  session.settle();
+  run_to_end(session);
+  ASSERT_TRUE(session.apply(Seek{session.run().timeline().size() * 2 / 3}).ok());
+  View view;
+  view.overlays.set(Overlay::numbers, true);
+  view.camera = {10, 5, 80};
+  const Scene scene = build_scene(session.run(), view, kView, palette());
+  int polylines = 0;
+  EXPECT_TRUE(well_formed(scene_svg(scene, palette()), "polyline", polylines));
+  EXPECT_EQ(static_cast<std::size_t>(polylines), shapes_of<Polyline>(scene).size());
+  EXPECT_GT(polylines, 0);
+}
+
+}  // namespace
+}  // namespace replan
