@@ -41,7 +41,8 @@ std::string settings_path() {
 
 Remembered read_settings(const std::string& path) {
   Remembered result;
-  const Result<std::string> text = path.empty() ? Result<std::string>(Error{"no home"}) : read_file(path, 1 << 20);
+  const Result<std::string> text =
+      path.empty() ? Result<std::string>(Error{"no home"}) : read_file(path, 1 << 20);
   if (!text) return result;
   const Json json = Json::parse(*text, nullptr, false);
   if (!json.is_object()) return result;

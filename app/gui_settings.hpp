@@ -11,8 +11,8 @@ namespace replan::app {
 /// $XDG_CONFIG_HOME/replan/window.json, else ~/.config/replan/window.json; empty if there is no home.
 std::string settings_path();
 
-/// Reads what was remembered. What is missing, unreadable or out of range keeps its default: this file is never a
-/// reason not to start.
+/// Reads what was remembered. What is missing, unreadable or out of range keeps its default: this file is
+/// never a reason not to start.
 struct Remembered {
   WindowSettings window;
   ui::ViewState view;

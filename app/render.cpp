@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <system_error>
 
 #include "app/platform/offscreen.hpp"
 #include "core/base/file.hpp"
 #include "core/scene/svg.hpp"
 #include "ui/canvas_draw.hpp"
+#include "ui/shell/shell.hpp"
 
 namespace replan::app {
 namespace {
@@ -29,8 +31,8 @@ Result<void> go_to(Session& session, const RenderRequest& request) {
   session.update(0);
   if (position == nullptr) return {};
   if (const std::size_t size = session.run().timeline().size(); *position > size)
-    return Error{"event " + std::to_string(*position) + " lies beyond the run's end; it has " + std::to_string(size) +
-                 " events"};
+    return Error{"event " + std::to_string(*position) + " lies beyond the run's end; it has " +
+                 std::to_string(size) + " events"};
   return session.apply(Seek{*position});
 }
 
@@ -46,16 +48,21 @@ class Studio {
     return studio;
   }
   ~Studio() {
-    // Its textures can only be given back while the context is current.
-    if (canvas_) offscreen_->frame([this] { canvas_.reset(); });
+    // Their textures can only be given back while the context is current.
+    offscreen_->frame([this] {
+      canvas_.reset();
+      shell_.reset();
+    });
   }
   Studio(const Studio&) = delete;
   Studio& operator=(const Studio&) = delete;
 
-  ui::Image shoot(const Session& session) {
+  ui::Image shoot(Session& session) {
     // Two frames: windows that are sized by their content settle in the second.
     const int frames = request_.window && !settled_ ? 2 : 1;
-    for (int i = 0; i < frames; ++i) offscreen_->frame([&] { draw(session); }, 1.0f / kFramesPerSecond);
+    for (int i = 0; i < frames; ++i)
+      offscreen_->frame([&] { request_.window ? draw_window(session) : draw_canvas(session); },
+                        1.0f / kFramesPerSecond);
     settled_ = true;
     return offscreen_->picture();
   }
@@ -63,19 +70,25 @@ class Studio {
  private:
   Studio(const RenderRequest& request, ui::ViewState state) : request_(request), state_(std::move(state)) {}
 
-  void draw(const Session& session) {
+  void draw_window(Session& session) {
+    ui::Stage& stage = offscreen_->stage();
+    if (!shell_) {
+      shell_ = std::make_unique<ui::Shell>(stage.renderer());
+      shell_->view() = state_;
+    }
+    shell_->draw(stage.look(), session, 1.0 / kFramesPerSecond);
+  }
+
+  void draw_canvas(const Session& session) {
     ui::Stage& stage = offscreen_->stage();
     if (!canvas_) canvas_ = std::make_unique<ui::Canvas>(stage.renderer());
-    if (request_.window) {
-      request_.window(stage.look(), *canvas_, session, state_, request_.width, request_.height);
-      return;
-    }
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
-    ImGui::Begin("canvas", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::Begin("canvas", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
     std::vector<Command> none;
     canvas_->draw(stage.look(), session, 0, state_, {0, 0}, ImGui::GetIO().DisplaySize, false, none);
     ImGui::End();
@@ -86,6 +99,7 @@ class Studio {
   ui::ViewState state_;
   std::unique_ptr<Offscreen> offscreen_;
   std::unique_ptr<ui::Canvas> canvas_;
+  std::unique_ptr<ui::Shell> shell_;
   bool settled_ = false;
 };
 
@@ -110,7 +124,8 @@ Result<void> render_frames(const RenderRequest& request, Session& session, const
     if (const auto sought = session.apply(Seek{positions[i]}); !sought) return sought;
     char name[32];
     std::snprintf(name, sizeof name, "%06zu.png", i);
-    if (const auto written = ui::write_png(fs::path(request.output) / name, (*studio)->shoot(session)); !written)
+    if (const auto written = ui::write_png(fs::path(request.output) / name, (*studio)->shoot(session));
+        !written)
       return written;
     if (request.progress) request.progress(i + 1, positions.size());
   }
@@ -118,7 +133,8 @@ Result<void> render_frames(const RenderRequest& request, Session& session, const
 }
 
 /// Every stop between two positions, thinned to about `frames`.
-void add_thinned(const Run& run, std::size_t from, std::size_t to, std::size_t frames, std::vector<std::size_t>& positions) {
+void add_thinned(const Run& run, std::size_t from, std::size_t to, std::size_t frames,
+                 std::vector<std::size_t>& positions) {
   std::vector<std::size_t> stops;
   for (std::size_t p = from; p < to; ++p)
     if (run.timeline().event(p).kind == EventKind::pop) stops.push_back(p);
@@ -141,7 +157,8 @@ std::vector<std::size_t> film_positions(const Run& run) {
     const bool moves = marker.kind == EventKind::move;
     // A move is told by an event and carried out by those that follow it.
     const Mark* mark = run.mark_at(marker.event + 4);
-    const std::size_t after = moves && mark != nullptr ? std::max(marker.event + 1, mark->event) : marker.event + 1;
+    const std::size_t after =
+        moves && mark != nullptr ? std::max(marker.event + 1, mark->event) : marker.event + 1;
     positions.insert(positions.end(), shown, after);
   }
   positions.insert(positions.end(), kFramesPerSecond, run.timeline().size());
@@ -158,9 +175,11 @@ Result<ui::ViewState> requested_view(const RenderRequest& request) {
     if (!parsed) return Error{parsed.error()};
     state.view.overlays = *parsed;
   }
-  if (setup.camera) state.view.camera = {setup.camera->x, setup.camera->y, setup.camera->zoom * request.scale};
+  if (setup.camera)
+    state.view.camera = {setup.camera->x, setup.camera->y, setup.camera->zoom * request.scale};
   const std::string theme = request.theme ? *request.theme : setup.theme.value_or("dark");
-  if (theme != "dark" && theme != "light") return Error{"there is no theme '" + theme + "'; take 'dark' or 'light'"};
+  if (theme != "dark" && theme != "light")
+    return Error{"there is no theme '" + theme + "'; take 'dark' or 'light'"};
   state.dark = theme == "dark";
   state.view.pinned = request.pinned;
   state.view.scale = request.scale;
@@ -176,7 +195,8 @@ Result<void> render(const RenderRequest& request) {
   if (!state) return Error{state.error()};
   const std::string extension = file_extension(request.output);
   Session session(request.scenario);
-  if (request.output.ends_with('/') || fs::is_directory(request.output)) return render_frames(request, session, *state);
+  if (request.output.ends_with('/') || fs::is_directory(request.output))
+    return render_frames(request, session, *state);
   if (extension != ".png" && extension != ".svg")
     return Error{request.output + ": a picture's name ends in .png or .svg, a folder for frames in /"};
   if (const auto there = go_to(session, request); !there) return there;

@@ -35,7 +35,8 @@ struct Glide {
 struct Canvas::Parts {
   explicit Parts(ImGuiRenderer& its_renderer) : renderer(its_renderer) {}
 
-  void prepare(const Look& look, const Session& session, const Run& run, const ViewState& state, Viewport viewport);
+  void prepare(const Look& look, const Session& session, const Run& run, const ViewState& state,
+               Viewport viewport);
   void upload();
   void navigate(const Run& run, ViewState& state, ImVec2 min, bool hovered);
   void glide(ViewState& state, ImVec2 min);
@@ -63,9 +64,13 @@ Canvas::~Canvas() {
   if (parts_->texture != nullptr) parts_->renderer.destroy_texture(parts_->texture);
 }
 
-void Canvas::fit() { parts_->fit = true; }
+void Canvas::fit() {
+  parts_->fit = true;
+}
 
-bool Canvas::animating() const { return parts_->zooming.active; }
+bool Canvas::animating() const {
+  return parts_->zooming.active;
+}
 
 void Canvas::Parts::upload() {
   const Raster& raster = scene.raster;
@@ -83,8 +88,9 @@ void Canvas::Parts::upload() {
 
 void Canvas::Parts::prepare(const Look& look, const Session& session, const Run& run, const ViewState& state,
                             Viewport viewport) {
-  const SceneKey now{session.revision(), run.log_id(),  state.view.overlays, state.view.camera,  state.view.hovered,
-                     state.view.pinned,  state.view.scale, viewport,          look.theme.free};
+  const SceneKey now{session.revision(), run.log_id(),       state.view.overlays,
+                     state.view.camera,  state.view.hovered, state.view.pinned,
+                     state.view.scale,   viewport,           look.theme.free};
   if (key == now) return;
   scene = build_scene(run, state.view, viewport, scene_palette(look.theme), memory);
   key = now;
@@ -111,7 +117,8 @@ void Canvas::Parts::navigate(const Run& run, ViewState& state, ImVec2 min, bool 
     state.view.camera = resolve(state.view.camera, world_columns, world_rows, viewport);
     const double from = zooming.active ? zooming.target : state.view.camera.zoom;
     const double most = std::max(fitted, 200 * state.view.scale);
-    zooming.target = std::clamp(from * std::pow(1.25, static_cast<double>(io.MouseWheel)), std::min(fitted, 1.0) / 2, most);
+    zooming.target = std::clamp(from * std::pow(1.25, static_cast<double>(io.MouseWheel)),
+                                std::min(fitted, 1.0) / 2, most);
     Projection screen(scene, min);
     screen.camera = state.view.camera;
     zooming.anchor = screen.world(io.MousePos);
@@ -119,9 +126,11 @@ void Canvas::Parts::navigate(const Run& run, ViewState& state, ImVec2 min, bool 
     zooming.active = true;
   }
   const bool space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) && !io.WantTextInput;
-  const bool grabs = ImGui::IsMouseClicked(ImGuiMouseButton_Middle) || (space && ImGui::IsMouseClicked(ImGuiMouseButton_Left));
+  const bool grabs = ImGui::IsMouseClicked(ImGuiMouseButton_Middle) ||
+                     (space && ImGui::IsMouseClicked(ImGuiMouseButton_Left));
   if (is_hovered && grabs && !hand.busy()) panning = true;
-  if (!ImGui::IsMouseDown(ImGuiMouseButton_Middle) && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) panning = false;
+  if (!ImGui::IsMouseDown(ImGuiMouseButton_Middle) && !ImGui::IsMouseDown(ImGuiMouseButton_Left))
+    panning = false;
   if (panning || (is_hovered && space)) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   if (!panning || (io.MouseDelta.x == 0 && io.MouseDelta.y == 0)) return;
   zooming.active = false;
@@ -131,15 +140,18 @@ void Canvas::Parts::navigate(const Run& run, ViewState& state, ImVec2 min, bool 
   camera.y -= static_cast<double>(io.MouseDelta.y) / camera.zoom;
 }
 
-void Canvas::Parts::point(const Session& session, const Run& run, ViewState& state, ImVec2 min, bool is_hovered,
-                          std::vector<Command>& commands) {
+void Canvas::Parts::point(const Session& session, const Run& run, ViewState& state, ImVec2 min,
+                          bool is_hovered, std::vector<Command>& commands) {
   Projection screen(scene, min);
-  screen.camera = resolve(state.view.camera, run.lattice().width(), run.lattice().height(), {scene.width, scene.height});
+  screen.camera =
+      resolve(state.view.camera, run.lattice().width(), run.lattice().height(), {scene.width, scene.height});
   const Point at = screen.world(ImGui::GetIO().MousePos);
   const Cell cell{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))};
   const bool inside = is_hovered && !panning && run.lattice().contains(cell);
-  if (inside) state.view.hovered = hovered = cell;
-  else if (hovered && state.view.hovered == hovered) state.view.hovered = hovered = std::nullopt;
+  if (inside)
+    state.view.hovered = hovered = cell;
+  else if (hovered && state.view.hovered == hovered)
+    state.view.hovered = hovered = std::nullopt;
   const double radius = 9 * state.view.scale / screen.camera.zoom;
   const Pointer pointer{.cell = cell,
                         .inside = inside,
@@ -148,11 +160,13 @@ void Canvas::Parts::point(const Session& session, const Run& run, ViewState& sta
                         .left_down = ImGui::IsMouseDown(ImGuiMouseButton_Left),
                         .right_down = ImGui::IsMouseDown(ImGuiMouseButton_Right),
                         .reach = std::max(0.5, radius)};
-  if (hand.holds() || (!hand.busy() && Hand::could_hold(session, pointer))) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (hand.holds() || (!hand.busy() && Hand::could_hold(session, pointer)))
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   hand.update(session, run, state, pointer, commands);
 }
 
-void Canvas::Parts::draw_previews(const Look& look, ImDrawList& list, const ViewState& state, ImVec2 min) const {
+void Canvas::Parts::draw_previews(const Look& look, ImDrawList& list, const ViewState& state,
+                                  ImVec2 min) const {
   const Projection screen(scene, min);
   const auto frame = [&](const CellRect& area, ImU32 colour, bool filled) {
     const ImVec2 a = screen({static_cast<double>(area.low.x), static_cast<double>(area.low.y)});
@@ -167,11 +181,12 @@ void Canvas::Parts::draw_previews(const Look& look, ImDrawList& list, const View
   }
   const bool brushes = state.tool == Tool::paint || state.tool == Tool::erase;
   if (brushes && hovered && !hand.holds() && !panning)
-    frame(Hand::brush(*hovered, state.brush), state.tool == Tool::paint ? look.theme.accent : look.theme.dim, false);
+    frame(Hand::brush(*hovered, state.brush), state.tool == Tool::paint ? look.theme.accent : look.theme.dim,
+          false);
 }
 
-void Canvas::draw(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min, ImVec2 max,
-                  bool interactive, std::vector<Command>& commands) {
+void Canvas::draw(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
+                  ImVec2 max, bool interactive, std::vector<Command>& commands) {
   Parts& parts = *parts_;
   const Viewport viewport{static_cast<int>(max.x - min.x), static_cast<int>(max.y - min.y)};
   if (viewport.width <= 0 || viewport.height <= 0 || pane >= session.runs().size()) return;
@@ -192,13 +207,16 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
     ImGui::SetCursorScreenPos(min);
     ImGui::PushID(static_cast<int>(pane));
     ImGui::InvisibleButton("canvas", {max.x - min.x, max.y - min.y},
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
     const bool hovered = ImGui::IsItemHovered();
     ImGui::PopID();
     parts.navigate(run, state, min, hovered);
     parts.glide(state, min);
-    if (parts.panning) parts.point(session, run, state, min, false, commands);
-    else parts.point(session, run, state, min, hovered, commands);
+    if (parts.panning)
+      parts.point(session, run, state, min, false, commands);
+    else
+      parts.point(session, run, state, min, hovered, commands);
   }
   parts.prepare(look, session, run, state, viewport);
   list.PushClipRect(min, max, true);

@@ -19,12 +19,12 @@ struct SignEntry {
 };
 constexpr std::array<SignEntry, static_cast<std::size_t>(Sign::count)> kSigns = {{
     {Sign::repair, Mark::outline, &Theme::warning, "last repair"},
+    {Sign::surprise, Mark::square, &Theme::surprise, "surprise"},
     {Sign::lp, Mark::arrow, &Theme::dim, "lp"},
     {Sign::rp, Mark::long_arrow, &Theme::accent, "rp"},
     {Sign::queue, Mark::corners, &Theme::accent, "open list"},
     {Sign::over, Mark::up, &Theme::accent, "over"},
     {Sign::under, Mark::down, &Theme::warning, "under"},
-    {Sign::surprise, Mark::square, &Theme::surprise, "surprise"},
     {Sign::unknown, Mark::square, &Theme::faint, "not known"},
     {Sign::gone, Mark::square, &Theme::faint, "gone"},
     {Sign::sight_free, Mark::line, &Theme::good, "sight"},
@@ -48,37 +48,61 @@ float entry_width(const Look& look, const LegendEntry& entry) {
   return look.px(18 + 5 + 13) + text_width(look.fonts.ui, entry.label);
 }
 
-/// Entries in rows of chips from the bottom up, the first row beside the field's gradient.
+/// All that is in sight, what is rarest and needs telling most first.
+std::vector<LegendEntry> entries_in_sight(const Look& look, const Scene& scene) {
+  std::vector<LegendEntry> entries;
+  for (const SignEntry& entry : kSigns)
+    if (scene.shows(entry.sign)) entries.push_back({entry.mark, look.theme.*entry.colour, entry.label});
+  entries.push_back({Mark::dot, look.theme.start, "start"});
+  entries.push_back({Mark::dot, look.theme.goal, "goal"});
+  return entries;
+}
+
+/// Breaks entries into rows no wider than `room`; the first has `used` taken already.
+std::vector<std::vector<LegendEntry>> in_rows(const Look& look, const std::vector<LegendEntry>& entries,
+                                              float used, float room) {
+  std::vector<std::vector<LegendEntry>> rows(1);
+  float width = used;
+  for (const LegendEntry& entry : entries) {
+    const float more = entry_width(look, entry);
+    if (width + more > room && !rows.back().empty()) {
+      rows.emplace_back();
+      width = look.px(20);
+    }
+    width += more;
+    rows.back().push_back(entry);
+  }
+  return rows;
+}
+
+/// One row over the world; the rest unfolds above it while the mouse is there, so that it hides no cells.
 void draw_legend(const Look& look, ImDrawList& list, const Scene& scene, ImVec2 min, ImVec2 max) {
   const float margin = look.px(12), room = max.x - min.x - 2 * margin;
   LegendField field;
   std::string low, high;
-  float width = look.px(20);
+  float used = look.px(20);
   if (scene.range) {
     low = value_text(*scene.field, scene.range->low);
     high = value_text(*scene.field, scene.range->high);
     field = {overlays()[static_cast<std::size_t>(*scene.field)].label, &viridis(), low, high};
-    width += look.px(120 + 28) + text_width(look.fonts.ui, field.label) + text_width(look.fonts.mono, low + high + " ... ");
+    used += look.px(120 + 28) + text_width(look.fonts.ui, field.label) +
+            text_width(look.fonts.mono, low + high + " ... ");
   }
-  std::vector<std::vector<LegendEntry>> rows(1);
-  const auto put = [&](const LegendEntry& entry) {
-    if (const float more = entry_width(look, entry); width + more > room && !rows.back().empty()) {
-      rows.emplace_back();
-      width = look.px(20) + more;
-    } else {
-      width += more;
-    }
-    rows.back().push_back(entry);
-  };
-  for (const SignEntry& entry : kSigns)
-    if (scene.shows(entry.sign)) put({entry.mark, look.theme.*entry.colour, entry.label});
-  put({Mark::dot, look.theme.start, "start"});
-  put({Mark::dot, look.theme.goal, "goal"});
-  float bottom = max.y - margin;
-  for (const auto& row : rows) {
-    const bool first = &row == rows.data();
-    bottom -= legend(look, list, {min.x + margin, bottom}, first ? field : LegendField{}, row).y + look.px.xs;
-  }
+  const std::vector<LegendEntry> entries = entries_in_sight(look, scene);
+  auto rows = in_rows(look, entries, used, room);
+  if (rows.size() > 1) rows = in_rows(look, entries, used, room - look.px(56));
+  const ImVec2 foot(min.x + margin, max.y - margin);
+  const ImVec2 size = legend(look, list, foot, field, rows.front());
+  if (rows.size() == 1) return;
+  const std::string more = "+" + std::to_string(entries.size() - rows.front().size());
+  const std::array<TextRun, 1> runs = {{{more, look.theme.dim, look.fonts.ui}}};
+  const ImVec2 chip_size =
+      chip(look, list, {foot.x + size.x + look.px.xs, foot.y}, runs, Corner::bottom_left);
+  const ImVec2 end(foot.x + size.x + look.px.xs + chip_size.x, foot.y);
+  if (!ImGui::IsMouseHoveringRect({foot.x, foot.y - size.y}, end, false)) return;
+  float bottom = foot.y - size.y - look.px.xs;
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    bottom -= legend(look, list, {foot.x, bottom}, LegendField{}, rows[i]).y + look.px.xs;
 }
 
 }  // namespace
@@ -99,9 +123,12 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
   }
   if (mark == nullptr) return {};
   switch (mark->state) {
-    case MissionState::collision: return {"The plan led the robot into an obstacle that it could not see.", true};
-    case MissionState::loop: return {"The plan leads round in a circle: its remote parents were never checked.", true};
-    default: break;
+    case MissionState::collision:
+      return {"The plan led the robot into an obstacle that it could not see.", true};
+    case MissionState::loop:
+      return {"The plan leads round in a circle: its remote parents were never checked.", true};
+    default:
+      break;
   }
   if (mark->route->status == PlanStatus::found || mark->route->status == PlanStatus::searching) return {};
   return {status_sentence(mark->route->status), true};
@@ -116,7 +143,8 @@ void draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene&
   std::string figures = grouped(memory.expansions(run, cursor)) + " expansions";
   if (mark != nullptr && !mark->route->path.nodes.empty())
     figures += " · " + grouped(static_cast<std::int64_t>(mark->route->path.nodes.size())) + " nodes";
-  const std::array<TextRun, 2> title = {{{run.info().name, theme.text, look.fonts.title}, {figures, theme.dim, look.fonts.small}}};
+  const std::array<TextRun, 2> title = {
+      {{run.info().name, theme.text, look.fonts.title}, {figures, theme.dim, look.fonts.small}}};
   const ImVec2 left = chip(look, list, {min.x + margin, min.y + margin}, title);
   float below = min.y + margin + left.y + look.px.s;
   if (const RepairFigures repair = memory.repair(run, cursor); repair.number > 0) {
@@ -124,11 +152,13 @@ void draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene&
                              grouped(repair.from_scratch) + " touched";
     const std::array<TextRun, 1> runs = {{{text, theme.warning, look.fonts.ui}}};
     const bool fits = left.x + text_width(look.fonts.ui, text) + look.px(20) + 3 * margin <= max.x - min.x;
-    const ImVec2 size = chip(look, list, {max.x - margin, fits ? min.y + margin : below}, runs, Corner::top_right);
+    const ImVec2 size =
+        chip(look, list, {max.x - margin, fits ? min.y + margin : below}, runs, Corner::top_right);
     if (!fits) below += size.y + look.px.s;
   }
   if (const StateMessage message = state_message(run, memory); !message.text.empty()) {
-    const std::array<TextRun, 1> runs = {{{message.text, message.bad ? theme.bad : theme.text, look.fonts.ui}}};
+    const std::array<TextRun, 1> runs = {
+        {{message.text, message.bad ? theme.bad : theme.text, look.fonts.ui}}};
     chip(look, list, {min.x + margin, below}, runs);
   }
   if (state.legend) draw_legend(look, list, scene, min, max);

@@ -1,8 +1,9 @@
-// What floats over the canvas: the planner and its figures, the last repair, the legend, and how things stand.
+// What floats over the canvas: the planner and its figures, the last repair, the legend, and how things
+// stand.
 #pragma once
 
-#include "ui/canvas.hpp"
 #include "core/scene/scene.hpp"
+#include "ui/canvas.hpp"
 
 namespace replan::ui {
 

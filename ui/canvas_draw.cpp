@@ -22,7 +22,8 @@ class Painter {
     if (a.x == b.x || a.y == b.y) {
       const float w = std::max(1.0f, std::round(line.width));
       const ImVec2 from(std::round(std::min(a.x, b.x)), std::round(std::min(a.y, b.y)));
-      const ImVec2 to(a.x == b.x ? from.x + w : std::max(a.x, b.x), a.y == b.y ? from.y + w : std::max(a.y, b.y));
+      const ImVec2 to(a.x == b.x ? from.x + w : std::max(a.x, b.x),
+                      a.y == b.y ? from.y + w : std::max(a.y, b.y));
       list_.AddRectFilled(from, to, line.colour);
       return;
     }
@@ -35,22 +36,36 @@ class Painter {
     if (length <= 0) return;
     const float ux = dx / length * arrow.head, uy = dy / length * arrow.head;
     list_.AddLine(tail, tip, arrow.colour, arrow.width);
-    const std::array<ImVec2, 3> head = {{{tip.x - ux - uy * 0.8f, tip.y - uy + ux * 0.8f}, tip,
+    const std::array<ImVec2, 3> head = {{{tip.x - ux - uy * 0.8f, tip.y - uy + ux * 0.8f},
+                                         tip,
                                          {tip.x - ux + uy * 0.8f, tip.y - uy - ux * 0.8f}}};
     list_.AddPolyline(head.data(), 3, arrow.colour, ImDrawFlags_None, arrow.width);
   }
 
   void operator()(const Outline& mark) {
-    const ImVec2 lower = screen_({mark.x, mark.y}), upper = screen_({mark.x + mark.width, mark.y + mark.height});
+    const ImVec2 lower = screen_({mark.x, mark.y}),
+                 upper = screen_({mark.x + mark.width, mark.y + mark.height});
     const ImVec2 a(lower.x + mark.inset, lower.y + mark.inset), b(upper.x - mark.inset, upper.y - mark.inset);
     const float x = (a.x + b.x) / 2, y = (a.y + b.y) / 2;
     switch (mark.shape) {
-      case OutlineShape::filled: list_.AddRectFilled(lower, upper, mark.colour); break;
-      case OutlineShape::square: frame(a, b, mark.colour, mark.stroke); break;
-      case OutlineShape::corners: corners(a, b, mark.colour, mark.stroke); break;
-      case OutlineShape::diamond: list_.AddQuad({x, a.y}, {b.x, y}, {x, b.y}, {a.x, y}, mark.colour, mark.stroke); break;
-      case OutlineShape::up: list_.AddTriangle({a.x, b.y}, {x, a.y}, b, mark.colour, mark.stroke); break;
-      case OutlineShape::down: list_.AddTriangle(a, {b.x, a.y}, {x, b.y}, mark.colour, mark.stroke); break;
+      case OutlineShape::filled:
+        list_.AddRectFilled(lower, upper, mark.colour);
+        break;
+      case OutlineShape::square:
+        frame(a, b, mark.colour, mark.stroke);
+        break;
+      case OutlineShape::corners:
+        corners(a, b, mark.colour, mark.stroke);
+        break;
+      case OutlineShape::diamond:
+        list_.AddQuad({x, a.y}, {b.x, y}, {x, b.y}, {a.x, y}, mark.colour, mark.stroke);
+        break;
+      case OutlineShape::up:
+        list_.AddTriangle({a.x, b.y}, {x, a.y}, b, mark.colour, mark.stroke);
+        break;
+      case OutlineShape::down:
+        list_.AddTriangle(a, {b.x, a.y}, {x, b.y}, mark.colour, mark.stroke);
+        break;
     }
   }
 
@@ -60,7 +75,9 @@ class Painter {
       const ImVec2 at = screen_(point);
       // Points closer than a pixel add cost and ragged joints, nothing else.
       const bool last = &point == &line.points.back();
-      if (!last && !points_.empty() && std::abs(at.x - points_.back().x) + std::abs(at.y - points_.back().y) < 1) continue;
+      if (!last && !points_.empty() &&
+          std::abs(at.x - points_.back().x) + std::abs(at.y - points_.back().y) < 1)
+        continue;
       points_.push_back(at);
     }
     const auto stroke = [&](Colour colour, float width) {
@@ -100,8 +117,10 @@ class Painter {
     const float bearing = size.y * 0.16f;
     const bool right = label.anchor == Anchor::upper_right || label.anchor == Anchor::lower_right;
     const bool low = label.anchor == Anchor::lower_left || label.anchor == Anchor::lower_right;
-    if (label.anchor == Anchor::middle) at = {at.x - size.x / 2, at.y - size.y / 2};
-    else at = {right ? at.x - size.x : at.x, low ? at.y - size.y + bearing : at.y - bearing};
+    if (label.anchor == Anchor::middle)
+      at = {at.x - size.x / 2, at.y - size.y / 2};
+    else
+      at = {right ? at.x - size.x : at.x, low ? at.y - size.y + bearing : at.y - bearing};
     list_.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)}, label.colour, begin, end);
   }
 
@@ -118,7 +137,8 @@ class Painter {
   }
 
   void corners(ImVec2 a, ImVec2 b, ImU32 colour, float stroke) {
-    const float w = std::max(1.0f, std::round(stroke)), arm = std::clamp((b.x - a.x) * 0.35f, 2.0f, look_.px(7));
+    const float w = std::max(1.0f, std::round(stroke)),
+                arm = std::clamp((b.x - a.x) * 0.35f, 2.0f, look_.px(7));
     list_.AddRectFilled(a, {a.x + arm, a.y + w}, colour);
     list_.AddRectFilled({a.x, a.y + w}, {a.x + w, a.y + arm}, colour);
     list_.AddRectFilled({b.x - arm, b.y - w}, b, colour);
@@ -128,12 +148,19 @@ class Painter {
   void glyph(const Disc& disc, ImVec2 at) {
     const float r = disc.radius;
     switch (disc.glyph) {
-      case Glyph::none: break;
-      case Glyph::dot: list_.AddCircleFilled(at, r * 0.3f, disc.rim); break;
-      case Glyph::target: list_.AddCircle(at, r * 0.42f, disc.rim, 0, r * 0.2f); break;
+      case Glyph::none:
+        break;
+      case Glyph::dot:
+        list_.AddCircleFilled(at, r * 0.3f, disc.rim);
+        break;
+      case Glyph::target:
+        list_.AddCircle(at, r * 0.42f, disc.rim, 0, r * 0.2f);
+        break;
       case Glyph::heading: {
-        const auto c = static_cast<float>(std::cos(disc.angle)) * r, s = static_cast<float>(std::sin(disc.angle)) * r;
-        list_.AddTriangleFilled({at.x + c * 0.6f, at.y + s * 0.6f}, {at.x - c * 0.35f - s * 0.45f, at.y - s * 0.35f + c * 0.45f},
+        const auto c = static_cast<float>(std::cos(disc.angle)) * r,
+                   s = static_cast<float>(std::sin(disc.angle)) * r;
+        list_.AddTriangleFilled({at.x + c * 0.6f, at.y + s * 0.6f},
+                                {at.x - c * 0.35f - s * 0.45f, at.y - s * 0.35f + c * 0.45f},
                                 {at.x - c * 0.35f + s * 0.45f, at.y - s * 0.35f - c * 0.45f}, disc.rim);
         break;
       }
@@ -172,12 +199,13 @@ Palette scene_palette(const Theme& theme) {
   return palette;
 }
 
-void draw_scene(ImDrawList& list, const Look& look, const Scene& scene, ImVec2 min, const RasterTexture& raster) {
+void draw_scene(ImDrawList& list, const Look& look, const Scene& scene, ImVec2 min,
+                const RasterTexture& raster) {
   const Projection screen(scene, min);
   if (raster.id != nullptr && scene.raster.columns > 0) {
     const Raster& cells = scene.raster;
-    list.AddImage(raster.id, screen({cells.x, cells.y}), screen({cells.x + cells.width, cells.y + cells.height}), {0, 0},
-                  raster.used);
+    list.AddImage(raster.id, screen({cells.x, cells.y}),
+                  screen({cells.x + cells.width, cells.y + cells.height}), {0, 0}, raster.used);
   }
   Painter painter(list, look, scene, min);
   for (const Shape& shape : scene.shapes) std::visit(painter, shape);

@@ -24,7 +24,8 @@ struct Projection {
             min.y + static_cast<float>((at.y - camera.y) * camera.zoom + height / 2.0)};
   }
   [[nodiscard]] Point world(ImVec2 at) const {
-    return {camera.x + (at.x - min.x - width / 2.0) / camera.zoom, camera.y + (at.y - min.y - height / 2.0) / camera.zoom};
+    return {camera.x + (at.x - min.x - width / 2.0) / camera.zoom,
+            camera.y + (at.y - min.y - height / 2.0) / camera.zoom};
   }
 };
 
@@ -34,6 +35,7 @@ struct RasterTexture {
   ImVec2 used{1, 1};  ///< texture coordinates of its lower right end
 };
 
-void draw_scene(ImDrawList& list, const Look& look, const Scene& scene, ImVec2 min, const RasterTexture& raster);
+void draw_scene(ImDrawList& list, const Look& look, const Scene& scene, ImVec2 min,
+                const RasterTexture& raster);
 
 }  // namespace replan::ui

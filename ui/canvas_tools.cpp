@@ -16,7 +16,9 @@ Cell clamped(const Grid2& lattice, Cell cell) {
   return {std::clamp(cell.x, 0, lattice.width() - 1), std::clamp(cell.y, 0, lattice.height() - 1)};
 }
 
-double distance(Cell a, Cell b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double distance(Cell a, Cell b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
 
 bool blocked(const Run& run, Cell cell) {
   return run.lattice().contains(cell) && run.timeline().state().truly_blocked(run.lattice().node(cell));
@@ -31,7 +33,8 @@ CellRect Hand::brush(Cell cell, int side) {
 
 bool Hand::could_hold(const Session& session, const Pointer& pointer) {
   const Scenario& scenario = session.scenario();
-  return pointer.inside && std::min(distance(pointer.cell, scenario.start), distance(pointer.cell, scenario.goal)) <= pointer.reach;
+  return pointer.inside && std::min(distance(pointer.cell, scenario.start),
+                                    distance(pointer.cell, scenario.goal)) <= pointer.reach;
 }
 
 std::optional<CellRect> Hand::preview() const {
@@ -71,18 +74,31 @@ void Hand::press(const Session& session, const Run& run, const ViewState& state,
     return;
   }
   switch (state.tool) {
-    case Tool::select: action_ = Action::pin; break;
+    case Tool::select:
+      action_ = Action::pin;
+      break;
     case Tool::paint:
-    case Tool::erase: action_ = Action::brush; break;
-    case Tool::rectangle: action_ = Action::rectangle; break;
-    case Tool::start: action_ = Action::start; break;
-    case Tool::goal: action_ = Action::goal; break;
-    case Tool::surprise: action_ = Action::surprise; break;
+    case Tool::erase:
+      action_ = Action::brush;
+      break;
+    case Tool::rectangle:
+      action_ = Action::rectangle;
+      break;
+    case Tool::start:
+      action_ = Action::start;
+      break;
+    case Tool::goal:
+      action_ = Action::goal;
+      break;
+    case Tool::surprise:
+      action_ = Action::surprise;
+      break;
   }
   moved_ = state.tool == Tool::start || state.tool == Tool::goal;  // a click puts them there
 }
 
-void Hand::move(const Run& run, const ViewState& state, const Pointer& pointer, std::vector<Command>& commands) {
+void Hand::move(const Run& run, const ViewState& state, const Pointer& pointer,
+                std::vector<Command>& commands) {
   const Cell to = action_ == Action::brush ? pointer.cell : clamped(run.lattice(), pointer.cell);
   const Cell from = last_;
   if (to != from) moved_ = true;
@@ -90,8 +106,10 @@ void Hand::move(const Run& run, const ViewState& state, const Pointer& pointer, 
   if (action_ == Action::start || action_ == Action::goal) {
     const bool fresh = done_.insert(run.lattice().node(to)).second || to != from;
     if (!moved_ || !fresh) return;
-    if (action_ == Action::start) commands.emplace_back(SetStart{to, stroke_});
-    else commands.emplace_back(SetGoal{to, stroke_});
+    if (action_ == Action::start)
+      commands.emplace_back(SetStart{to, stroke_});
+    else
+      commands.emplace_back(SetGoal{to, stroke_});
     return;
   }
   if (action_ != Action::brush) return;
@@ -99,7 +117,9 @@ void Hand::move(const Run& run, const ViewState& state, const Pointer& pointer, 
   PaintCells paint{{}, stroke_};
   const int steps = std::max({std::abs(to.x - from.x), std::abs(to.y - from.y), 1});
   for (int i = 0; i <= steps; ++i) {
-    const auto between = [&](int a, int b) { return a + static_cast<int>(std::lround((b - a) * (static_cast<double>(i) / steps))); };
+    const auto between = [&](int a, int b) {
+      return a + static_cast<int>(std::lround((b - a) * (static_cast<double>(i) / steps)));
+    };
     dab(run, {between(from.x, to.x), between(from.y, to.y)}, state.brush, paint.cells);
   }
   if (!paint.cells.empty()) commands.emplace_back(std::move(paint));
@@ -120,7 +140,8 @@ void Hand::release(const Run& run, ViewState& state, std::vector<Command>& comma
 /// Start, goal and robot keep standing on free ground while others are painted around them.
 bool Hand::protects(const Run& run, Cell cell) const {
   const NodeId robot = run.timeline().state().node(Scalar::robot);
-  return blocked_ && (cell == run.scenario().start || cell == run.scenario().goal || run.lattice().node(cell) == robot);
+  return blocked_ &&
+         (cell == run.scenario().start || cell == run.scenario().goal || run.lattice().node(cell) == robot);
 }
 
 void Hand::dab(const Run& run, Cell cell, int side, std::vector<CellChange>& changes) {
@@ -128,7 +149,8 @@ void Hand::dab(const Run& run, Cell cell, int side, std::vector<CellChange>& cha
   for (int y = area.low.y; y <= area.high.y; ++y)
     for (int x = area.low.x; x <= area.high.x; ++x) {
       const Cell at{x, y};
-      if (!run.lattice().contains(at) || protects(run, at) || !done_.insert(run.lattice().node(at)).second) continue;
+      if (!run.lattice().contains(at) || protects(run, at) || !done_.insert(run.lattice().node(at)).second)
+        continue;
       if (blocked(run, at) != blocked_) changes.push_back({at, blocked_});
     }
 }
@@ -138,7 +160,8 @@ std::vector<CellChange> Hand::filled(const Run& run) const {
   const CellRect area = *preview();
   for (int y = area.low.y; y <= area.high.y; ++y)
     for (int x = area.low.x; x <= area.high.x; ++x)
-      if (const Cell at{x, y}; !protects(run, at) && blocked(run, at) != blocked_) changes.push_back({at, blocked_});
+      if (const Cell at{x, y}; !protects(run, at) && blocked(run, at) != blocked_)
+        changes.push_back({at, blocked_});
   return changes;
 }
 

@@ -17,11 +17,11 @@ struct CellRect {
 
 /// What the mouse does in one frame.
 struct Pointer {
-  Cell cell;          ///< under the cursor; may lie outside the world
-  bool inside;        ///< the cursor is over the canvas, and the canvas has the mouse
+  Cell cell;    ///< under the cursor; may lie outside the world
+  bool inside;  ///< the cursor is over the canvas, and the canvas has the mouse
   bool left_pressed, right_pressed;
   bool left_down, right_down;
-  double reach;       ///< how many cells away a start or goal can still be grabbed
+  double reach;  ///< how many cells away a start or goal can still be grabbed
 };
 
 class Hand {

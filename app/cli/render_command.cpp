@@ -55,7 +55,9 @@ Result<void> read_looks(const RenderArguments& arguments, app::RenderRequest& re
   }
   if (arguments.overlays.empty()) return {};
   const auto overlays = parse_overlays(split_list(arguments.overlays));
-  if (!overlays) return Error{"--overlay: " + overlays.error() + "; 'replan list overlays' shows those there are"};
+  if (!overlays)
+    return Error{"--overlay: " + overlays.error() +
+                 (overlays.error().ends_with('?') ? "" : "; 'replan list overlays' shows those there are")};
   request.overlays = *overlays;
   return {};
 }

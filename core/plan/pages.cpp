@@ -48,7 +48,8 @@ class Reader {
       if (!done) return Error{done.error()};
     }
     if (page_.title.empty()) return Error{origin_ + ": the page has no heading; begin it with '# Name'"};
-    if (page_.code.empty()) return Error{origin_ + ": the page has no pseudo-code; add a block that begins with ```pseudo"};
+    if (page_.code.empty())
+      return Error{origin_ + ": the page has no pseudo-code; add a block that begins with ```pseudo"};
     return std::move(page_);
   }
 
@@ -70,10 +71,14 @@ class Reader {
     if (line.starts_with(kFence)) return take_block(line.substr(kFence.size()));
     if (line.starts_with(kReference)) return take_reference(line.substr(kReference.size()));
     const std::string_view words = trimmed(line);
-    if (line.starts_with("## ")) page_.sections.push_back({std::string(trimmed(line.substr(3))), {}});
-    else if (line.starts_with("# ")) page_.title = std::string(trimmed(line.substr(2)));
-    else if (words.empty()) open_ = false;
-    else if (!page_.sections.empty()) take_words(words);
+    if (line.starts_with("## "))
+      page_.sections.push_back({std::string(trimmed(line.substr(3))), {}});
+    else if (line.starts_with("# "))
+      page_.title = std::string(trimmed(line.substr(2)));
+    else if (words.empty())
+      open_ = false;
+    else if (!page_.sections.empty())
+      take_words(words);
     return {};
   }
 
@@ -81,8 +86,10 @@ class Reader {
     std::vector<std::string>& paragraphs = page_.sections.back().paragraphs;
     const bool item = words.starts_with("- ");
     if (item) words.remove_prefix(2);
-    if (!open_ || item || paragraphs.empty()) paragraphs.push_back((item ? "• " : "") + without_marks(words));
-    else paragraphs.back() += " " + without_marks(words);
+    if (!open_ || item || paragraphs.empty())
+      paragraphs.push_back((item ? "• " : "") + without_marks(words));
+    else
+      paragraphs.back() += " " + without_marks(words);
     open_ = true;
   }
 
@@ -94,7 +101,8 @@ class Reader {
     PseudoBlock block;
     if (wanted) {
       head = trimmed(head.substr(6));
-      if (!take_number(head, base)) return error("after ```pseudo comes the number that is added to its lines: ```pseudo 0 Title");
+      if (!take_number(head, base))
+        return error("after ```pseudo comes the number that is added to its lines: ```pseudo 0 Title");
       block.title = std::string(trimmed(head));
     }
     std::string_view line;
@@ -133,7 +141,8 @@ class Reader {
     if (path == origin_) return error("a page cannot take its pseudo-code from itself");
     const Result<std::string> bytes = read_file(path, kMaxPageBytes);
     if (!bytes) return error(bytes.error());
-    if (bytes->find(kReference) != std::string::npos) return error("'" + id + "' takes its pseudo-code from elsewhere itself");
+    if (bytes->find(kReference) != std::string::npos)
+      return error("'" + id + "' takes its pseudo-code from elsewhere itself");
     Result<PlannerPage> other = parse_page(*bytes, path, folder_);
     if (!other) return Error{other.error()};
     for (PseudoBlock& block : other->code) page_.code.push_back(std::move(block));
@@ -181,7 +190,8 @@ std::filesystem::path program_folder() {
 }  // namespace
 
 const PageSection* PlannerPage::section(std::string_view name) const {
-  const auto found = std::find_if(sections.begin(), sections.end(), [&](const PageSection& s) { return s.title == name; });
+  const auto found =
+      std::find_if(sections.begin(), sections.end(), [&](const PageSection& s) { return s.title == name; });
   return found == sections.end() ? nullptr : &*found;
 }
 
@@ -214,7 +224,8 @@ Result<PlannerPage> parse_page(std::string_view text, const std::string& origin,
 
 Result<PlannerPage> read_page(std::string_view planner) {
   const std::string assets = assets_folder();
-  if (assets.empty()) return Error{"the planner pages were not found; set REPLAN_ASSETS to the folder 'assets' of the program"};
+  if (assets.empty())
+    return Error{"the planner pages were not found; set REPLAN_ASSETS to the folder 'assets' of the program"};
   const std::string folder = assets + "/planners";
   const std::string path = folder + "/" + std::string(planner) + ".md";
   const Result<std::string> text = read_file(path, kMaxPageBytes);

@@ -1,7 +1,8 @@
 // The planners' pages: idea, pseudo-code, settings, limits and source of each, in assets/planners/ID.md.
 //
-// A page is plain Markdown. The first heading is the name; each "## " heading begins a section; a fenced block whose
-// language is `pseudo` is pseudo-code. A line of it is "NUMBER: text"; a line without a number goes on the one before.
+// A page is plain Markdown. The first heading is the name; each "## " heading begins a section; a fenced
+// block whose language is `pseudo` is pseudo-code. A line of it is "NUMBER: text"; a line without a number
+// goes on the one before.
 //
 //   ```pseudo 100 Algorithm 1: main          numbers are recorded with 100 added
 //   ```pseudo 0 Algorithm 2: helper functions
@@ -20,9 +21,9 @@
 namespace replan {
 
 struct PseudoLine {
-  int number = 0;     ///< as events hold it (Event::line); 0: goes on the line before
-  int printed = 0;    ///< as in the paper
-  std::string text;   ///< with its indentation
+  int number = 0;       ///< as events hold it (Event::line); 0: goes on the line before
+  int printed = 0;      ///< as in the paper
+  std::string text;     ///< with its indentation
   bool unused = false;  ///< the planner never comes here
 };
 
@@ -32,7 +33,7 @@ struct PseudoBlock {
 };
 
 struct PageSection {
-  std::string title;  ///< "Idea", "Settings", "Limits", "Source"
+  std::string title;                    ///< "Idea", "Settings", "Limits", "Source"
   std::vector<std::string> paragraphs;  ///< list items begin with "• "
 };
 

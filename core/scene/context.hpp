@@ -48,7 +48,8 @@ struct SceneContext {
   void add(Shape shape) { scene.shapes.push_back(std::move(shape)); }
 };
 
-/// Cells this small (design pixels) are tinted in the raster instead of outlined; between the two, both by half.
+/// Cells this small (design pixels) are tinted in the raster instead of outlined; between the two, both by
+/// half.
 inline constexpr double kOutlineFrom = 4, kOutlineTo = 7;
 
 /// How strongly the replan before the last, the one before that ... still shows.

@@ -9,7 +9,8 @@
 
 namespace replan {
 
-/// Blocks of 2, 4, 8 ... cells a side. A share is kept in 255ths, rounded up: a block with one obstacle is never 0.
+/// Blocks of 2, 4, 8 ... cells a side. A share is kept in 255ths, rounded up: a block with one obstacle is
+/// never 0.
 class Coverage {
  public:
   Coverage() = default;
@@ -20,7 +21,8 @@ class Coverage {
     int columns = 0, rows = 0;
     std::vector<std::uint8_t> shares;
     std::uint8_t& at(int x, int y) {
-      return shares[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x)];
+      return shares[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) +
+                    static_cast<std::size_t>(x)];
     }
     [[nodiscard]] const std::uint8_t* row(int y) const {
       return shares.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(columns);

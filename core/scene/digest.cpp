@@ -21,12 +21,14 @@ void RunDigest::read(const Run& run) {
   }
 }
 
-// A planner that starts every replan afresh wipes its values on the record before its first pop; that is no work of
-// the search and touches nothing.
+// A planner that starts every replan afresh wipes its values on the record before its first pop; that is no
+// work of the search and touches nothing.
 void RunDigest::take(const Event& event, std::size_t index) {
   switch (event.kind) {
     case EventKind::known:
-    case EventKind::truth: map_events_.push_back({index, event.node, event.kind}); break;
+    case EventKind::truth:
+      map_events_.push_back({index, event.node, event.kind});
+      break;
     case EventKind::plan_begin:
       plans_.push_back({.begin = index, .first_touch = touches_.size(), .last_touch = touches_.size()});
       popped_ = false;
@@ -34,7 +36,9 @@ void RunDigest::take(const Event& event, std::size_t index) {
     case EventKind::plan_end:
       if (!plans_.empty()) plans_.back().end = index + 1;
       break;
-    case EventKind::pop: popped_ = true; break;
+    case EventKind::pop:
+      popped_ = true;
+      break;
     case EventKind::visit:
       if (!popped_) break;
       ++expanded_;
@@ -44,7 +48,8 @@ void RunDigest::take(const Event& event, std::size_t index) {
     case EventKind::rhs:
       if (popped_ || incremental_) touch(event.node, index);
       break;
-    default: break;
+    default:
+      break;
   }
 }
 
@@ -69,8 +74,8 @@ std::size_t RunDigest::plans_before(std::size_t position) const {
 
 std::span<const Touch> RunDigest::touches_before(const PlanSpan& plan, std::size_t position) const {
   const std::span<const Touch> all(touches_.data() + plan.first_touch, plan.last_touch - plan.first_touch);
-  const auto after =
-      std::partition_point(all.begin(), all.end(), [position](const Touch& touch) { return touch.event < position; });
+  const auto after = std::partition_point(all.begin(), all.end(),
+                                          [position](const Touch& touch) { return touch.event < position; });
   return all.first(static_cast<std::size_t>(after - all.begin()));
 }
 
@@ -82,9 +87,12 @@ std::int64_t RunDigest::expansions(const Run& run, std::size_t position) const {
   bool popped = popped_at_[stride];
   for (std::size_t i = stride * kStride; i < position; ++i) {
     const EventKind kind = run.timeline().event(i).kind;
-    if (kind == EventKind::plan_begin) popped = false;
-    else if (kind == EventKind::pop) popped = true;
-    else if (kind == EventKind::visit && popped) ++count;
+    if (kind == EventKind::plan_begin)
+      popped = false;
+    else if (kind == EventKind::pop)
+      popped = true;
+    else if (kind == EventKind::visit && popped)
+      ++count;
   }
   return count;
 }

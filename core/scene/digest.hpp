@@ -24,8 +24,8 @@ struct Touch {
 
 /// A plan or replan. Its touches are [first_touch, last_touch) of RunDigest::touches().
 struct PlanSpan {
-  std::size_t begin;              ///< of its plan_begin
-  std::size_t end = SIZE_MAX;     ///< past its plan_end; SIZE_MAX while there is none
+  std::size_t begin;           ///< of its plan_begin
+  std::size_t end = SIZE_MAX;  ///< past its plan_end; SIZE_MAX while there is none
   std::size_t first_touch = 0, last_touch = 0;
   std::int64_t touched = 0;
 };
@@ -53,14 +53,14 @@ class RunDigest {
   std::uint64_t log_id_ = 0;
   bool incremental_ = true;
   std::size_t read_ = 0;
-  bool popped_ = false;                   // in the current plan
+  bool popped_ = false;  // in the current plan
   std::int64_t expanded_ = 0;
   std::vector<std::int64_t> expansions_;  // before each kStride-th event
   std::vector<bool> popped_at_;           // and whether popped_ held there
   std::vector<MapEvent> map_events_;
   std::vector<PlanSpan> plans_;
   std::vector<Touch> touches_;
-  PagedArray<std::uint32_t> stamps_;      // number of the last plan that touched the node
+  PagedArray<std::uint32_t> stamps_;  // number of the last plan that touched the node
 };
 
 }  // namespace replan

@@ -8,12 +8,18 @@ FieldReader FieldReader::of(Overlay field) {
   constexpr std::uint64_t kAll = ~std::uint64_t{0}, kLow = 0xFFFFFFFFu;
   constexpr double kCost = 1.0 / static_cast<double>(Cost::kScale);
   switch (field) {
-    case Overlay::rhs: return {EventKind::rhs, 0, kAll, 0, -1, kCost};
-    case Overlay::dist: return {EventKind::dist, 0, kAll, 0, 0, kCost};
-    case Overlay::key: return {EventKind::queue, 0, kAll, 1, -1, kCost};
-    case Overlay::order: return {EventKind::visit, 0, kLow, 0, 0, 1};
-    case Overlay::times: return {EventKind::visit, 32, kLow, 0, 0, 1};
-    default: return {EventKind::g, 0, kAll, 0, -1, kCost};
+    case Overlay::rhs:
+      return {EventKind::rhs, 0, kAll, 0, -1, kCost};
+    case Overlay::dist:
+      return {EventKind::dist, 0, kAll, 0, 0, kCost};
+    case Overlay::key:
+      return {EventKind::queue, 0, kAll, 1, -1, kCost};
+    case Overlay::order:
+      return {EventKind::visit, 0, kLow, 0, 0, 1};
+    case Overlay::times:
+      return {EventKind::visit, 32, kLow, 0, 0, 1};
+    default:
+      return {EventKind::g, 0, kAll, 0, -1, kCost};
   }
 }
 
@@ -32,8 +38,9 @@ void RangeTracker::scan(const FieldReader& reader, const SearchState& state, std
   pages_[page] = ends;
 }
 
-std::optional<FieldRange> RangeTracker::follow(const FieldReader& reader, const Timeline& log, std::uint64_t log_id,
-                                               const SearchState& state, std::size_t position) {
+std::optional<FieldRange> RangeTracker::follow(const FieldReader& reader, const Timeline& log,
+                                               std::uint64_t log_id, const SearchState& state,
+                                               std::size_t position) {
   const std::size_t count = (state.node_count() + SearchState::kPage - 1) / SearchState::kPage;
   const std::size_t from = std::min(position_, position), to = std::max(position_, position);
   // Beyond that many events it is cheaper to look at all pages than to find the written ones.

@@ -30,7 +30,8 @@ struct FieldReader {
   }
 };
 
-/// The least and the greatest value of a field over all cells, kept page by page and brought up to date from the log.
+/// The least and the greatest value of a field over all cells, kept page by page and brought up to date from
+/// the log.
 class RangeTracker {
  public:
   /// The range in `state`, which stands at `position` of the log numbered `log_id`.
@@ -50,8 +51,8 @@ class RangeTracker {
   std::vector<Ends> pages_;
 };
 
-/// The ends of the colour map at the run's cursor: over the state there and the state at the end of the log, so that
-/// the colours stand still while one travels between them.
+/// The ends of the colour map at the run's cursor: over the state there and the state at the end of the log,
+/// so that the colours stand still while one travels between them.
 class FieldRanges {
  public:
   std::optional<FieldRange> at_cursor(const Run& run, Overlay field);

@@ -18,7 +18,8 @@ void add_corners(SceneContext& context, Cell cell, NodeId node, double strength)
   const SearchState& state = context.state;
   const double inset = context.world(4);
   const double x0 = cell.x + inset, y0 = cell.y + inset, x1 = cell.x + 1 - inset, y1 = cell.y + 1 - inset;
-  const Colour strong = faded(context.palette.text, strength), soft = faded(context.palette.text, strength * 0.7);
+  const Colour strong = faded(context.palette.text, strength),
+               soft = faded(context.palette.text, strength * 0.7);
   if (!state.g(node).is_infinite() || !state.rhs(node).is_infinite())
     context.add(Label{{x0, y0}, Anchor::upper_left, strong, number(state.g(node))});
   if (!state.rhs(node).is_infinite() || (state.touched(EventKind::rhs, node) && !state.g(node).is_infinite()))
@@ -48,7 +49,9 @@ void build_numbers(SceneContext& context) {
       if (corners > 0) add_corners(context, cell, node, corners);
       if (middle <= 0 || context.state.g(node).is_infinite()) continue;
       const double rise = beside_arrow ? context.world(14) : 0;
-      context.add(Label{{x + 0.5, y + 0.5 - rise}, Anchor::middle, faded(context.palette.text, middle),
+      context.add(Label{{x + 0.5, y + 0.5 - rise},
+                        Anchor::middle,
+                        faded(context.palette.text, middle),
                         number(context.state.g(node))});
     }
 }

@@ -24,7 +24,8 @@ class CellColours {
     unknown_ = mix(palette.free, palette.obstacle, 0.5f);
     unknown_surprise_ = mix(palette.free, palette.surprise, 0.6f);
     gone_ = mix(palette.free, palette.obstacle, 0.3f);
-    for (std::size_t i = 0; i < ramp_.size(); ++i) ramp_[i] = mix(palette.free, palette.field[i], palette.field_opacity);
+    for (std::size_t i = 0; i < ramp_.size(); ++i)
+      ramp_[i] = mix(palette.free, palette.field[i], palette.field_opacity);
     if (!context.scene.range) return;
     reader_ = FieldReader::of(*context.scene.field);
     low_ = context.scene.range->low / reader_.unit;
@@ -107,7 +108,9 @@ struct Axis {
 
   Axis(double origin, double per_pixel, int pixels, int cells, int level) {
     for (int p = 0; p < pixels; ++p) {
-      const auto cell = [&](double at) { return std::clamp(static_cast<int>(std::floor(origin + at * per_pixel)), 0, cells - 1); };
+      const auto cell = [&](double at) {
+        return std::clamp(static_cast<int>(std::floor(origin + at * per_pixel)), 0, cells - 1);
+      };
       first.push_back(cell(p) >> level);
       last.push_back(std::max(cell(p), cell(p + 1.0 - 1e-9)) >> level);
       middle.push_back(cell(p + 0.5));
@@ -116,7 +119,8 @@ struct Axis {
 };
 
 /// The greatest share of obstacles in the rows of blocks first..last, block by block.
-void gather_rows(const Coverage& coverage, int level, int first, int last, std::vector<std::uint8_t>& shares) {
+void gather_rows(const Coverage& coverage, int level, int first, int last,
+                 std::vector<std::uint8_t>& shares) {
   const Coverage::Level& blocks = coverage.level(level);
   shares.assign(blocks.row(first), blocks.row(first) + blocks.columns);
   for (int y = first + 1; y <= last; ++y) {
@@ -126,7 +130,8 @@ void gather_rows(const Coverage& coverage, int level, int first, int last, std::
 }
 
 /// As above from the cells themselves; only those in sight are filled in.
-void gather_cells(const SceneContext& context, EventKind kind, int first, int last, std::vector<std::uint8_t>& shares) {
+void gather_cells(const SceneContext& context, EventKind kind, int first, int last,
+                  std::vector<std::uint8_t>& shares) {
   shares.assign(static_cast<std::size_t>(context.lattice.width()), 0);
   for (int y = first; y <= last; ++y) {
     const NodeId row = context.lattice.node(Cell{0, y});
@@ -143,18 +148,23 @@ void gather_cells(const SceneContext& context, EventKind kind, int first, int la
 }
 
 /// A thin wall must still be seen, and a solid one told from a thin one.
-unsigned obstacle_opacity(unsigned share) { return share == 0 ? 0 : 102 + share * 154 / 255; }
+unsigned obstacle_opacity(unsigned share) {
+  return share == 0 ? 0 : 102 + share * 154 / 255;
+}
 
 void paint_pixel_row(SceneContext& context, CellColours& colours, const Axis& across, int row,
-                     const std::vector<std::uint8_t>& truth, const std::vector<std::uint8_t>& known, Colour* texels) {
+                     const std::vector<std::uint8_t>& truth, const std::vector<std::uint8_t>& known,
+                     Colour* texels) {
   const NodeId first = context.lattice.node(Cell{0, row});
   for (std::size_t p = 0; p < across.first.size(); ++p) {
     std::uint8_t t = 0, k = 0;
-    for (auto block = static_cast<std::size_t>(across.first[p]); block <= static_cast<std::size_t>(across.last[p]); ++block) {
+    for (auto block = static_cast<std::size_t>(across.first[p]);
+         block <= static_cast<std::size_t>(across.last[p]); ++block) {
       t = std::max(t, truth[block]);
       k = std::max(k, known[block]);
     }
-    Colour colour = k == 255 ? context.palette.obstacle : colours.ground(first + static_cast<NodeId>(across.middle[p]));
+    Colour colour =
+        k == 255 ? context.palette.obstacle : colours.ground(first + static_cast<NodeId>(across.middle[p]));
     if (t > k && colours.shows_unknown()) {
       colour = blend(colour, colours.unknown(), obstacle_opacity(t));
       context.scene.show(Sign::unknown);
@@ -173,7 +183,9 @@ void paint_changed_cells(SceneContext& context, CellColours& colours) {
     if (!context.in_sight(cell)) continue;
     const bool truth = context.state.truly_blocked(event.node);
     if (truth == (context.lattice.cells()[event.node] != 0)) continue;
-    const auto place = [](double at, int count) { return std::clamp(static_cast<int>(std::floor(at)), 0, count - 1); };
+    const auto place = [](double at, int count) {
+      return std::clamp(static_cast<int>(std::floor(at)), 0, count - 1);
+    };
     const int column = place((cell.x + 0.5 - raster.x) * context.zoom, raster.columns);
     const int row = place((cell.y + 0.5 - raster.y) * context.zoom, raster.rows);
     raster.texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(raster.columns) +

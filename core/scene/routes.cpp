@@ -12,8 +12,8 @@ NodeId robot_node(const SceneContext& context) {
   return robot == kNoNode ? context.lattice.node(context.run.scenario().start) : robot;
 }
 
-/// The route's vertices from the robot on. It drives cells, not the segments' inner points, so the first piece leads
-/// from its cell to the next vertex.
+/// The route's vertices from the robot on. It drives cells, not the segments' inner points, so the first
+/// piece leads from its cell to the next vertex.
 std::vector<NodeId> ahead(const Mark& mark, const Grid2& lattice) {
   const std::vector<NodeId>& path = mark.route->path.nodes;
   if (mark.next == 0 || path.empty()) return path;
@@ -60,7 +60,8 @@ void add_path(SceneContext& context) {
   if (!context.has(Overlay::rp) || !context.run.info().any_angle) return;
   context.scene.show(Sign::rp);
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
-    context.add(Disc{points[i], context.pixels(4), searching ? faded(context.palette.accent, 0.5) : context.palette.accent, 0, 0});
+    context.add(Disc{points[i], context.pixels(4),
+                     searching ? faded(context.palette.accent, 0.5) : context.palette.accent, 0, 0});
 }
 
 void add_trail(SceneContext& context) {
@@ -89,7 +90,8 @@ void add_sight(SceneContext& context) {
   const std::size_t first = context.cursor > most ? context.cursor - most : 0;
   for (std::size_t i = context.cursor; i-- > first;) {
     const Event& event = log.event(i);
-    if (event.kind == EventKind::pop || event.kind == EventKind::plan_begin || event.kind == EventKind::move) break;
+    if (event.kind == EventKind::pop || event.kind == EventKind::plan_begin || event.kind == EventKind::move)
+      break;
     if (event.kind != EventKind::sight) continue;
     const bool seen = (event.delta >> 32) != 0;
     const Colour colour = seen ? context.palette.good : context.palette.bad;
@@ -111,8 +113,8 @@ void add_sensor(SceneContext& context) {
   const RobotSetup& setup = context.run.scenario().robot;
   if (!context.has(Overlay::sensor) || setup.knowledge == Knowledge::all) return;
   context.scene.show(Sign::sensor);
-  context.add(Ring{context.centre(robot_node(context)), setup.sensor_radius, context.palette.robot, context.pixels(1.2),
-                   context.pixels(4)});
+  context.add(Ring{context.centre(robot_node(context)), setup.sensor_radius, context.palette.robot,
+                   context.pixels(1.2), context.pixels(4)});
 }
 
 void add_cell_frames(SceneContext& context) {
@@ -144,13 +146,15 @@ void build_things(SceneContext& context) {
   const Palette& palette = context.palette;
   const Scenario& scenario = context.run.scenario();
   context.add(Disc{context.centre(scenario.start), radius, palette.start, palette.outline, rim, Glyph::dot});
-  context.add(Disc{context.centre(scenario.goal), radius * 1.15f, palette.goal, palette.outline, rim, Glyph::target});
+  context.add(
+      Disc{context.centre(scenario.goal), radius * 1.15f, palette.goal, palette.outline, rim, Glyph::target});
   const NodeId robot = robot_node(context);
   const Mark* mark = context.run.mark_at(context.cursor);
   // Before it has moved, the robot would only hide the start.
   if (mark == nullptr || (robot == context.lattice.node(scenario.start) && mark->clock == 0)) return;
   context.scene.show(Sign::robot);
-  context.add(Disc{context.centre(robot), radius, palette.robot, palette.outline, rim, Glyph::heading, heading(context)});
+  context.add(Disc{context.centre(robot), radius, palette.robot, palette.outline, rim, Glyph::heading,
+                   heading(context)});
 }
 
 }  // namespace replan

@@ -11,7 +11,9 @@ namespace {
 void clip(SceneContext& context) {
   const Scene& scene = context.scene;
   const double half_width = scene.width / 2.0 / context.zoom, half_height = scene.height / 2.0 / context.zoom;
-  const auto bound = [](double at, int limit) { return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(limit))); };
+  const auto bound = [](double at, int limit) {
+    return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(limit)));
+  };
   context.left = bound(std::floor(scene.camera.x - half_width), context.lattice.width());
   context.right = bound(std::ceil(scene.camera.x + half_width), context.lattice.width());
   context.top = bound(std::floor(scene.camera.y - half_height), context.lattice.height());
@@ -23,7 +25,8 @@ void clip(SceneContext& context) {
 Camera resolve(const Camera& camera, int columns, int rows, Viewport viewport) {
   Camera resolved = camera;
   if (camera.zoom <= 0) {
-    resolved = {columns / 2.0, rows / 2.0, std::min(viewport.width / (columns + 2.0), viewport.height / (rows + 2.0))};
+    resolved = {columns / 2.0, rows / 2.0,
+                std::min(viewport.width / (columns + 2.0), viewport.height / (rows + 2.0))};
     // Whole pixels where that costs little: cells of one size, and sharp lines between them.
     if (resolved.zoom >= 8) resolved.zoom = std::floor(resolved.zoom);
     resolved.zoom = std::max(resolved.zoom, 1e-3);
@@ -66,12 +69,14 @@ RepairFigures SceneMemory::repair(const Run& run, std::size_t position) {
   if (count < 2) return {};
   RepairFigures figures;
   figures.number = static_cast<std::int64_t>(count) - 1;
-  figures.touched = static_cast<std::int64_t>(digest.touches_before(digest.plans()[count - 1], position).size());
+  figures.touched =
+      static_cast<std::int64_t>(digest.touches_before(digest.plans()[count - 1], position).size());
   figures.from_scratch = digest.plans().front().touched;
   return figures;
 }
 
-Scene build_scene(const Run& run, const View& view, Viewport viewport, const Palette& palette, SceneMemory& memory) {
+Scene build_scene(const Run& run, const View& view, Viewport viewport, const Palette& palette,
+                  SceneMemory& memory) {
   Scene scene;
   scene.width = viewport.width;
   scene.height = viewport.height;

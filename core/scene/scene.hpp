@@ -1,4 +1,5 @@
-// What a view shows, as a list of shapes in world units: drawn by the window, written as SVG, counted by tests.
+// What a view shows, as a list of shapes in world units: drawn by the window, written as SVG, counted by
+// tests.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,8 @@ struct Point {
   friend bool operator==(const Point&, const Point&) = default;
 };
 
-/// Coloured texels over a rectangle of the world: one per cell, or one per pixel where cells are smaller than pixels.
+/// Coloured texels over a rectangle of the world: one per cell, or one per pixel where cells are smaller than
+/// pixels.
 struct Raster {
   double x = 0, y = 0, width = 0, height = 0;  ///< world units
   int columns = 0, rows = 0;
@@ -52,8 +54,8 @@ struct Outline {
 struct Polyline {
   std::vector<Point> points;
   Colour colour;
-  float width;   ///< pixels
-  Colour casing; ///< a rim, so that the line stands off any field; 0 alpha: none
+  float width;    ///< pixels
+  Colour casing;  ///< a rim, so that the line stands off any field; 0 alpha: none
 };
 struct Ring {
   Point centre;
@@ -89,16 +91,31 @@ struct FieldRange {
 
 /// What can stand in a legend; those in sight.
 enum class Sign : std::uint8_t {
-  surprise, unknown, gone, queue, repair, over, under, lp, rp, path, trail, sensor, sight_free, sight_stopped, robot, count
+  surprise,
+  unknown,
+  gone,
+  queue,
+  repair,
+  over,
+  under,
+  lp,
+  rp,
+  path,
+  trail,
+  sensor,
+  sight_free,
+  sight_stopped,
+  robot,
+  count
 };
 
 struct Scene {
-  Camera camera;                 ///< resolved: its zoom is never 0
-  int width = 0, height = 0;     ///< pixels of the view
-  double scale = 1;              ///< device pixels per design pixel
+  Camera camera;              ///< resolved: its zoom is never 0
+  int width = 0, height = 0;  ///< pixels of the view
+  double scale = 1;           ///< device pixels per design pixel
   Colour background = 0;
   Raster raster;
-  std::vector<Shape> shapes;     ///< in the order of drawing
+  std::vector<Shape> shapes;  ///< in the order of drawing
   std::optional<Overlay> field;
   std::optional<FieldRange> range;  ///< nothing if no cell has a value
   std::uint32_t signs = 0;
@@ -113,18 +130,19 @@ struct Viewport {
   friend bool operator==(const Viewport&, const Viewport&) = default;
 };
 
-/// The camera that a view has: a zoom of 0 becomes one that shows the whole world with a rim of one cell, and the world
-/// is moved by less than a pixel onto whole ones.
+/// The camera that a view has: a zoom of 0 becomes one that shows the whole world with a rim of one cell, and
+/// the world is moved by less than a pixel onto whole ones.
 Camera resolve(const Camera& camera, int columns, int rows, Viewport viewport);
 
 /// What the last replan up to a position of the log came to.
 struct RepairFigures {
-  std::int64_t number = 0;      ///< 0: there was none
-  std::int64_t touched = 0;     ///< vertices whose g or rhs changed or that were expanded
+  std::int64_t number = 0;        ///< 0: there was none
+  std::int64_t touched = 0;       ///< vertices whose g or rhs changed or that were expanded
   std::int64_t from_scratch = 0;  ///< the same of the first plan
 };
 
-/// What was read out of a run's log before and can be used again. A scene does not depend on it, only its cost does.
+/// What was read out of a run's log before and can be used again. A scene does not depend on it, only its
+/// cost does.
 class SceneMemory {
  public:
   SceneMemory();
@@ -145,9 +163,10 @@ class SceneMemory {
   std::unique_ptr<Parts> parts_;
 };
 
-/// What `view` shows of the run at its timeline's cursor. The same arguments always give the same scene; the cost
-/// follows what is visible and what has changed in the log since `memory` was last used.
-Scene build_scene(const Run& run, const View& view, Viewport viewport, const Palette& palette, SceneMemory& memory);
+/// What `view` shows of the run at its timeline's cursor. The same arguments always give the same scene; the
+/// cost follows what is visible and what has changed in the log since `memory` was last used.
+Scene build_scene(const Run& run, const View& view, Viewport viewport, const Palette& palette,
+                  SceneMemory& memory);
 /// As above, for a single picture.
 Scene build_scene(const Run& run, const View& view, Viewport viewport, const Palette& palette);
 

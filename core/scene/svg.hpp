@@ -7,8 +7,8 @@
 
 namespace replan {
 
-/// The scene as an SVG document, one user unit per pixel. `palette` tells which texels are free ground and need no
-/// rectangle. Runs of equal texels become one rectangle.
+/// The scene as an SVG document, one user unit per pixel. `palette` tells which texels are free ground and
+/// need no rectangle. Runs of equal texels become one rectangle.
 std::string scene_svg(const Scene& scene, const Palette& palette);
 
 }  // namespace replan

@@ -13,21 +13,27 @@ constexpr std::array<OverlayInfo, static_cast<std::size_t>(Overlay::count)> kOve
     {Overlay::g, "g", "g", "The cost to the goal that the search has settled (A*: from the start)."},
     {Overlay::rhs, "rhs", "rhs", "One step of lookahead: the best neighbour's g plus the way to it."},
     {Overlay::dist, "dist", "dist", "The penalty that a cell costs for lying near an obstacle."},
-    {Overlay::key, "key", "key", "The first key component of the cells in the open list: the smallest comes next."},
-    {Overlay::order, "order", "expansion order", "When each cell was last expanded: the wave that the search ran in."},
-    {Overlay::times, "times", "times expanded", "How often each cell was expanded; a repair expands some again."},
+    {Overlay::key, "key", "key",
+     "The first key component of the cells in the open list: the smallest comes next."},
+    {Overlay::order, "order", "expansion order",
+     "When each cell was last expanded: the wave that the search ran in."},
+    {Overlay::times, "times", "times expanded",
+     "How often each cell was expanded; a repair expands some again."},
     {Overlay::consistency, "consistency", "consistency",
      "Cells whose g and rhs differ: over (g > rhs) can be settled, under (g < rhs) must be raised first."},
     {Overlay::queue, "queue", "open list", "The cells that wait in the open list."},
     {Overlay::repair, "repair", "last repair", "The cells that the last replans touched; older ones fade."},
-    {Overlay::numbers, "numbers", "numbers", "g, rhs, key and dist inside the cells, from a readable zoom on."},
+    {Overlay::numbers, "numbers", "numbers",
+     "g, rhs, key and dist inside the cells, from a readable zoom on."},
     {Overlay::lp, "lp", "lp", "Local parents: the neighbour that each cell's rhs comes from."},
     {Overlay::rp, "rp", "rp", "Remote parents: the vertex in sight that the path goes to straight."},
     {Overlay::path, "path", "path", "The path that stands."},
     {Overlay::trail, "trail", "trail", "The way that the robot has driven."},
     {Overlay::sensor, "sensor", "sensor", "How far the robot senses."},
-    {Overlay::unknown, "unknown", "unknown", "Obstacles that the robot does not know yet, and those that are gone."},
-    {Overlay::sight, "sight", "sight", "The sight checks of the current expansion: free, or stopped by an obstacle."},
+    {Overlay::unknown, "unknown", "unknown",
+     "Obstacles that the robot does not know yet, and those that are gone."},
+    {Overlay::sight, "sight", "sight",
+     "The sight checks of the current expansion: free, or stopped by an obstacle."},
     {Overlay::grid, "grid", "grid", "Lines between the cells."},
 }};
 
@@ -35,7 +41,9 @@ constexpr std::uint32_t kFieldBits = (1u << kFieldOverlays) - 1u;
 
 }  // namespace
 
-std::span<const OverlayInfo> overlays() { return kOverlays; }
+std::span<const OverlayInfo> overlays() {
+  return kOverlays;
+}
 
 void OverlaySet::set(Overlay overlay, bool on) {
   const std::uint32_t bit = 1u << static_cast<unsigned>(overlay);
@@ -70,8 +78,8 @@ Result<OverlaySet> parse_overlays(std::span<const std::string> ids) {
 
 OverlaySet default_overlays() {
   OverlaySet set;
-  for (const Overlay overlay : {Overlay::g, Overlay::lp, Overlay::rp, Overlay::path, Overlay::trail, Overlay::sensor,
-                                Overlay::repair, Overlay::unknown, Overlay::grid})
+  for (const Overlay overlay : {Overlay::g, Overlay::lp, Overlay::rp, Overlay::path, Overlay::trail,
+                                Overlay::sensor, Overlay::repair, Overlay::unknown, Overlay::grid})
     set.set(overlay, true);
   return set;
 }

@@ -12,12 +12,29 @@
 
 namespace replan {
 
-/// What can be laid over the world. Fields colour whole cells, one at a time; marks are drawn on top, any number.
+/// What can be laid over the world. Fields colour whole cells, one at a time; marks are drawn on top, any
+/// number.
 enum class Overlay : std::uint8_t {
   // Fields
-  g, rhs, dist, key, order, times,
+  g,
+  rhs,
+  dist,
+  key,
+  order,
+  times,
   // Marks
-  consistency, queue, repair, numbers, lp, rp, path, trail, sensor, unknown, sight, grid,
+  consistency,
+  queue,
+  repair,
+  numbers,
+  lp,
+  rp,
+  path,
+  trail,
+  sensor,
+  unknown,
+  sight,
+  grid,
   count
 };
 inline constexpr int kFieldOverlays = 6;
@@ -36,7 +53,9 @@ std::span<const OverlayInfo> overlays();
 /// A set of overlays, with at most one field.
 class OverlaySet {
  public:
-  [[nodiscard]] bool has(Overlay overlay) const { return (bits_ >> static_cast<unsigned>(overlay) & 1u) != 0; }
+  [[nodiscard]] bool has(Overlay overlay) const {
+    return (bits_ >> static_cast<unsigned>(overlay) & 1u) != 0;
+  }
   /// Switching a field on switches the other fields off.
   void set(Overlay overlay, bool on);
   [[nodiscard]] std::optional<Overlay> field() const;

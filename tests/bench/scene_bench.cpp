@@ -41,7 +41,8 @@ Palette some_palette() {
   Palette palette;
   palette.free = 0xFF1A1310;
   palette.obstacle = 0xFF4D4139;
-  for (std::size_t i = 0; i < palette.field.size(); ++i) palette.field[i] = 0xFF000000u | static_cast<Colour>(i) << 8;
+  for (std::size_t i = 0; i < palette.field.size(); ++i)
+    palette.field[i] = 0xFF000000u | static_cast<Colour>(i) << 8;
   return palette;
 }
 
@@ -62,7 +63,16 @@ void BM_scene_standing(benchmark::State& state) {
   }
   state.counters["shapes"] = static_cast<double>(shapes);
 }
-BENCHMARK(BM_scene_standing)->Arg(0)->Arg(50)->Arg(100)->Arg(400)->Arg(1000)->Arg(1400)->Arg(5000)->Arg(8000)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_scene_standing)
+    ->Arg(0)
+    ->Arg(50)
+    ->Arg(100)
+    ->Arg(400)
+    ->Arg(1000)
+    ->Arg(1400)
+    ->Arg(5000)
+    ->Arg(8000)
+    ->Unit(benchmark::kMillisecond);
 
 /// As above while playing: the cursor moves on by 4000 events a frame.
 void BM_scene_playing(benchmark::State& state) {

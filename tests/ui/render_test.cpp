@@ -1,10 +1,10 @@
 // Pictures of the demo world against golden ones. REPLAN_UPDATE_GOLDEN=1 writes them anew: look at them then.
 #include "app/render.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <filesystem>
+
+#include <gtest/gtest.h>
 
 #include "tests/support/temporary_folder.hpp"
 #include "ui/image.hpp"
@@ -58,13 +58,16 @@ void compare_with_golden(RenderRequest request, const std::string& name) {
 
 class RenderGolden : public testing::TestWithParam<const char*> {};
 
-TEST_P(RenderGolden, PlanStands) { compare_with_golden(demo(GetParam()), std::string("demo_plan_") + GetParam()); }
+TEST_P(RenderGolden, PlanStands) {
+  compare_with_golden(demo(GetParam()), std::string("demo_plan_") + GetParam());
+}
 
 TEST_P(RenderGolden, MidSearch) {
   RenderRequest request = demo(GetParam());
   request.at = plan_end(request, 0) / 2;
   OverlaySet overlays = default_overlays();
-  for (const Overlay overlay : {Overlay::queue, Overlay::consistency, Overlay::sight}) overlays.set(overlay, true);
+  for (const Overlay overlay : {Overlay::queue, Overlay::consistency, Overlay::sight})
+    overlays.set(overlay, true);
   request.overlays = overlays;
   compare_with_golden(request, std::string("demo_search_") + GetParam());
 }
@@ -125,7 +128,8 @@ TEST(Render, FramesCoverPlanDriveAndArrival) {
   const std::vector<std::size_t> positions = film_positions(session.run());
   EXPECT_TRUE(std::is_sorted(positions.begin(), positions.end()));
   EXPECT_EQ(positions.back(), session.run().timeline().size());
-  EXPECT_GT(positions.size(), static_cast<std::size_t>(session.run().marks().back().figures.moves) + kFramesPerSecond);
+  EXPECT_GT(positions.size(),
+            static_cast<std::size_t>(session.run().marks().back().figures.moves) + kFramesPerSecond);
   EXPECT_LT(positions.size(), 600u);
 }
 

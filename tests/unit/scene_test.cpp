@@ -1,10 +1,10 @@
 // What a scene shows, and that it shows the same however it was come by.
 #include "core/scene/scene.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cstdlib>
+
+#include <gtest/gtest.h>
 
 #include "core/scene/svg.hpp"
 #include "core/session/session.hpp"
@@ -26,7 +26,8 @@ Palette palette() {
   colours.warning = 0xFF00FFFF;
   colours.robot = 0xFF123456;
   colours.field_opacity = 1;
-  for (std::size_t i = 0; i < colours.field.size(); ++i) colours.field[i] = 0xFF400000u | static_cast<Colour>(i);
+  for (std::size_t i = 0; i < colours.field.size(); ++i)
+    colours.field[i] = 0xFF400000u | static_cast<Colour>(i);
   return colours;
 }
 
@@ -64,7 +65,8 @@ Colour texel_at(const Scene& scene, Point at) {
   const Raster& raster = scene.raster;
   const auto column = static_cast<int>((at.x - raster.x) / raster.width * raster.columns);
   const auto row = static_cast<int>((at.y - raster.y) / raster.height * raster.rows);
-  return raster.texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(raster.columns) + static_cast<std::size_t>(column)];
+  return raster.texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(raster.columns) +
+                       static_cast<std::size_t>(column)];
 }
 
 void run_to_end(Session& session) {
@@ -93,7 +95,8 @@ TEST(Overlays, IdsAreReadAndNearMissesNamed) {
   const auto failed = parse_overlays(bad);
   ASSERT_FALSE(failed.ok());
   EXPECT_NE(failed.error().find("trail"), std::string::npos) << failed.error();
-  for (std::size_t i = 0; i < overlays().size(); ++i) EXPECT_EQ(static_cast<std::size_t>(overlays()[i].overlay), i);
+  for (std::size_t i = 0; i < overlays().size(); ++i)
+    EXPECT_EQ(static_cast<std::size_t>(overlays()[i].overlay), i);
 }
 
 TEST(Scene, FitShowsTheWholeWorldOnWholePixels) {
@@ -211,10 +214,12 @@ TEST(Scene, NumbersAppearAt44AndCornersAt72Pixels) {
   EXPECT_TRUE(labels(39).empty());
   const auto middle = labels(50);
   ASSERT_FALSE(middle.empty());
-  EXPECT_TRUE(std::all_of(middle.begin(), middle.end(), [](const Label& l) { return l.anchor == Anchor::middle; }));
+  EXPECT_TRUE(
+      std::all_of(middle.begin(), middle.end(), [](const Label& l) { return l.anchor == Anchor::middle; }));
   const auto corners = labels(80);
   const auto has = [&](Anchor anchor) {
-    return std::any_of(corners.begin(), corners.end(), [anchor](const Label& l) { return l.anchor == anchor; });
+    return std::any_of(corners.begin(), corners.end(),
+                       [anchor](const Label& l) { return l.anchor == anchor; });
   };
   EXPECT_TRUE(has(Anchor::upper_left));
   EXPECT_TRUE(has(Anchor::upper_right));
@@ -252,7 +257,8 @@ TEST(Scene, MemoryChangesNothing) {
         if (!info.is_field()) view.overlays.set(info.overlay, true);
       view.camera = {10, 5, zoom};
       const Scene with = build_scene(session.run(), view, kView, palette(), memory);
-      EXPECT_TRUE(same(with, build_scene(session.run(), view, kView, palette()))) << zoom << " at " << position;
+      EXPECT_TRUE(same(with, build_scene(session.run(), view, kView, palette())))
+          << zoom << " at " << position;
     }
 }
 
@@ -264,10 +270,12 @@ TEST(Scene, MemorySurvivesAnEditThatCutsTheLog) {
   build_scene(session.run(), view, kView, palette(), memory);
   ASSERT_TRUE(session.apply(PaintCells{{{{6, 7}, true}, {{6, 6}, true}}, 1}).ok());
   session.settle();
-  EXPECT_TRUE(same(build_scene(session.run(), view, kView, palette(), memory), build_scene(session.run(), view, kView, palette())));
+  EXPECT_TRUE(same(build_scene(session.run(), view, kView, palette(), memory),
+                   build_scene(session.run(), view, kView, palette())));
   ASSERT_TRUE(session.apply(Undo{}).ok());
   session.settle();
-  EXPECT_TRUE(same(build_scene(session.run(), view, kView, palette(), memory), build_scene(session.run(), view, kView, palette())));
+  EXPECT_TRUE(same(build_scene(session.run(), view, kView, palette(), memory),
+                   build_scene(session.run(), view, kView, palette())));
 }
 
 /// Whether every tag is closed in order, and how often one of that name opens.

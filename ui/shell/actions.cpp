@@ -11,37 +11,63 @@ namespace {
 
 constexpr int kLargestBrush = 64;
 
-constexpr Chord plain(int key) { return {key, false, false, false}; }
-constexpr Chord shift(int key) { return {key, false, true, false}; }
-constexpr Chord ctrl(int key) { return {key, true, false, false}; }
-constexpr Chord ctrl_shift(int key) { return {key, true, true, false}; }
-constexpr Chord alt(int key) { return {key, false, false, true}; }
+constexpr Chord plain(int key) {
+  return {key, false, false, false};
+}
+constexpr Chord shift(int key) {
+  return {key, false, true, false};
+}
+constexpr Chord ctrl(int key) {
+  return {key, true, false, false};
+}
+constexpr Chord ctrl_shift(int key) {
+  return {key, true, true, false};
+}
+constexpr Chord alt(int key) {
+  return {key, false, false, true};
+}
 
 std::string key_name(int key) {
   switch (key) {
-    case key::kSpace: return "Space";
-    case key::kEscape: return "Esc";
-    case key::kEnter: return "Enter";
-    case key::kTab: return "Tab";
-    case key::kRight: return "→";
-    case key::kLeft: return "←";
-    case key::kUp: return "↑";
-    case key::kDown: return "↓";
-    case key::kPageUp: return "PgUp";
-    case key::kPageDown: return "PgDn";
-    case key::kHome: return "Home";
-    case key::kEnd: return "End";
-    default: break;
+    case key::kSpace:
+      return "Space";
+    case key::kEscape:
+      return "Esc";
+    case key::kEnter:
+      return "Enter";
+    case key::kTab:
+      return "Tab";
+    case key::kRight:
+      return "→";
+    case key::kLeft:
+      return "←";
+    case key::kUp:
+      return "↑";
+    case key::kDown:
+      return "↓";
+    case key::kPageUp:
+      return "PgUp";
+    case key::kPageDown:
+      return "PgDn";
+    case key::kHome:
+      return "Home";
+    case key::kEnd:
+      return "End";
+    default:
+      break;
   }
   if (key >= key::kF1 && key < key::kF1 + 12) return "F" + std::to_string(key - key::kF1 + 1);
-  return {1, static_cast<char>(key)};
+  return std::string(1, static_cast<char>(key));
 }
 
-const OverlayInfo& overlay_info(Overlay overlay) { return overlays()[static_cast<std::size_t>(overlay)]; }
+const OverlayInfo& overlay_info(Overlay overlay) {
+  return overlays()[static_cast<std::size_t>(overlay)];
+}
 
-Action make(ActionId id, const char* name, Menu menu, int group, std::string label, const char* icon, Chord chord,
-            bool held, std::string teach, void (*effect)(ActionContext&)) {
-  return {id, name, menu, group, std::move(label), icon, chord, chord_text(chord), held, std::move(teach), effect};
+Action make(ActionId id, const char* name, Menu menu, int group, std::string label, const char* icon,
+            Chord chord, bool held, std::string teach, void (*effect)(ActionContext&)) {
+  return {id,    name, menu, group, std::move(label), icon, chord, chord_text(chord), held, std::move(teach),
+          effect};
 }
 
 Action make_overlay(Overlay overlay, const char* name, Chord chord, void (*effect)(ActionContext&)) {
@@ -53,11 +79,11 @@ Action make_overlay(Overlay overlay, const char* name, Chord chord, void (*effec
 
 std::vector<Action> make_table() {
   std::vector<Action> table;
-#define REPLAN_ACTION(ID, MENU, GROUP, LABEL, ICON, CHORD, HELD, TEACH, EFFECT)                              \
-  table.push_back(make(ActionId::ID, #ID, Menu::MENU, GROUP, LABEL, ICON, CHORD, HELD, TEACH,                \
+#define REPLAN_ACTION(ID, MENU, GROUP, LABEL, ICON, CHORD, HELD, TEACH, EFFECT)               \
+  table.push_back(make(ActionId::ID, #ID, Menu::MENU, GROUP, LABEL, ICON, CHORD, HELD, TEACH, \
                        [](ActionContext& c) { static_cast<void>(EFFECT); }));
-#define REPLAN_OVERLAY(OVERLAY, CHORD)                                           \
-  table.push_back(make_overlay(Overlay::OVERLAY, "overlay_" #OVERLAY, CHORD,     \
+#define REPLAN_OVERLAY(OVERLAY, CHORD)                                       \
+  table.push_back(make_overlay(Overlay::OVERLAY, "overlay_" #OVERLAY, CHORD, \
                                [](ActionContext& c) { c.toggle_overlay(Overlay::OVERLAY); }));
 #include "ui/shell/actions.def"
 #undef REPLAN_OVERLAY
@@ -82,17 +108,21 @@ std::span<const Action> actions() {
   return kTable;
 }
 
-const Action& action(ActionId id) { return actions()[static_cast<std::size_t>(id)]; }
+const Action& action(ActionId id) {
+  return actions()[static_cast<std::size_t>(id)];
+}
 
 ActionId overlay_action(Overlay overlay) {
   switch (overlay) {
 #define REPLAN_ACTION(ID, MENU, GROUP, LABEL, ICON, CHORD, HELD, TEACH, EFFECT)
 #define REPLAN_OVERLAY(OVERLAY, CHORD) \
-  case Overlay::OVERLAY: return ActionId::overlay_##OVERLAY;
+  case Overlay::OVERLAY:               \
+    return ActionId::overlay_##OVERLAY;
 #include "ui/shell/actions.def"
 #undef REPLAN_OVERLAY
 #undef REPLAN_ACTION
-    case Overlay::count: break;
+    case Overlay::count:
+      break;
   }
   return ActionId::count;
 }
@@ -109,7 +139,9 @@ void ActionContext::toggle_play(int direction) {
   push(Play{direction});
 }
 
-void ActionContext::resize_brush(int by) { view.brush = std::clamp(view.brush + by, 1, kLargestBrush); }
+void ActionContext::resize_brush(int by) {
+  view.brush = std::clamp(view.brush + by, 1, kLargestBrush);
+}
 
 void ActionContext::clear_world() {
   const Run& run = session.run();
@@ -138,35 +170,51 @@ void ActionContext::show_tab(int tab) {
 bool available(const Action& action, const ActionContext& context) {
   const Session& session = context.session;
   switch (action.id) {
-    case ActionId::undo: return !session.undo_text().empty();
-    case ActionId::redo: return !session.redo_text().empty();
-    case ActionId::unpin: return context.view.view.pinned.has_value();
+    case ActionId::undo:
+      return !session.undo_text().empty();
+    case ActionId::redo:
+      return !session.redo_text().empty();
+    case ActionId::unpin:
+      return context.view.view.pinned.has_value();
     case ActionId::pin_left:
     case ActionId::pin_right:
     case ActionId::pin_up:
-    case ActionId::pin_down: return context.view.view.pinned || context.view.view.hovered;
+    case ActionId::pin_down:
+      return context.view.view.pinned || context.view.view.hovered;
     case ActionId::reset_settings:
       return context.panels.pane < session.scenario().planners.size() &&
              !session.scenario().planners[context.panels.pane].settings.values().empty();
     case ActionId::cancel:
-      return std::any_of(session.runs().begin(), session.runs().end(), [](const auto& run) { return run->busy(); });
-    default: return true;
+      return std::any_of(session.runs().begin(), session.runs().end(),
+                         [](const auto& run) { return run->busy(); });
+    default:
+      return true;
   }
 }
 
 bool checked(const Action& action, const ActionContext& context) {
   const ViewState& view = context.view;
   switch (action.id) {
-    case ActionId::tool_select: return view.tool == Tool::select;
-    case ActionId::tool_paint: return view.tool == Tool::paint;
-    case ActionId::tool_erase: return view.tool == Tool::erase;
-    case ActionId::tool_rectangle: return view.tool == Tool::rectangle;
-    case ActionId::tool_start: return view.tool == Tool::start;
-    case ActionId::tool_goal: return view.tool == Tool::goal;
-    case ActionId::tool_surprise: return view.tool == Tool::surprise;
-    case ActionId::panels: return view.panels;
-    case ActionId::legend: return view.legend;
-    default: break;
+    case ActionId::tool_select:
+      return view.tool == Tool::select;
+    case ActionId::tool_paint:
+      return view.tool == Tool::paint;
+    case ActionId::tool_erase:
+      return view.tool == Tool::erase;
+    case ActionId::tool_rectangle:
+      return view.tool == Tool::rectangle;
+    case ActionId::tool_start:
+      return view.tool == Tool::start;
+    case ActionId::tool_goal:
+      return view.tool == Tool::goal;
+    case ActionId::tool_surprise:
+      return view.tool == Tool::surprise;
+    case ActionId::panels:
+      return view.panels;
+    case ActionId::legend:
+      return view.legend;
+    default:
+      break;
   }
   for (const OverlayInfo& info : overlays())
     if (overlay_action(info.overlay) == action.id) return view.view.overlays.has(info.overlay);
@@ -177,7 +225,8 @@ std::vector<ActionId> pressed_actions(const ImGuiIO& io) {
   std::vector<ActionId> pressed;
   if (io.WantTextInput) return pressed;
   for (const Action& each : actions())
-    if (each.chord.key != 0 && modifiers_match(each.chord, io) && ImGui::IsKeyPressed(each.chord.key, each.held))
+    if (each.chord.key != 0 && modifiers_match(each.chord, io) &&
+        ImGui::IsKeyPressed(each.chord.key, each.held))
       pressed.push_back(each.id);
   return pressed;
 }

@@ -27,17 +27,23 @@ struct CellView {
   bool lookahead;  // the planner keeps rhs
 
   CellView(const Run& of, Cell at)
-      : run(of), state(of.timeline().state()), cell(at), node(of.lattice().node(at)), lookahead(of.info().incremental) {}
+      : run(of),
+        state(of.timeline().state()),
+        cell(at),
+        node(of.lattice().node(at)),
+        lookahead(of.info().incremental) {}
 };
 
 /// Moves from the cell on the robot's map at the cursor: of a window of 3 x 3 cells under the same rules.
 std::vector<Offer> offers(const CellView& view) {
   const Grid2& lattice = view.run.lattice();
   const int left = std::max(view.cell.x - 1, 0), top = std::max(view.cell.y - 1, 0);
-  const int right = std::min(view.cell.x + 1, lattice.width() - 1), bottom = std::min(view.cell.y + 1, lattice.height() - 1);
+  const int right = std::min(view.cell.x + 1, lattice.width() - 1),
+            bottom = std::min(view.cell.y + 1, lattice.height() - 1);
   std::vector<std::uint8_t> blocked;
   for (int y = top; y <= bottom; ++y)
-    for (int x = left; x <= right; ++x) blocked.push_back(view.state.known_blocked(lattice.node(Cell{x, y})) ? 1 : 0);
+    for (int x = left; x <= right; ++x)
+      blocked.push_back(view.state.known_blocked(lattice.node(Cell{x, y})) ? 1 : 0);
   const Grid2 window({right - left + 1, bottom - top + 1}, std::move(blocked), lattice.rules());
   const NodeId middle = window.node(Cell{view.cell.x - left, view.cell.y - top});
   std::vector<Offer> all;
@@ -55,7 +61,10 @@ std::vector<Offer> offers(const CellView& view) {
 std::pair<const char*, ImU32> consistency(const Theme& theme, const CellView& view) {
   const Cost g = view.state.g(view.node), rhs = view.state.rhs(view.node);
   if (view.state.known_blocked(view.node)) return {"obstacle", theme.dim};
-  if (!view.lookahead) return g.is_infinite() ? std::pair{"not seen", theme.dim} : view.state.queued(view.node) ? std::pair{"open", theme.accent} : std::pair{"settled", theme.text};
+  if (!view.lookahead)
+    return g.is_infinite()                ? std::pair{"not seen", theme.dim}
+           : view.state.queued(view.node) ? std::pair{"open", theme.accent}
+                                          : std::pair{"settled", theme.text};
   if (g.is_infinite() && rhs.is_infinite()) return {"not seen", theme.dim};
   if (g == rhs) return {"consistent", theme.text};
   return g > rhs ? std::pair{"over", theme.accent} : std::pair{"under", theme.warning};
@@ -85,12 +94,16 @@ void values(Frame& frame, const CellView& view) {
   const PlannerInfo& info = view.run.info();
   const auto [state_word, state_colour] = consistency(look.theme, view);
   const bool marked = state_colour != look.theme.text && state_colour != look.theme.dim;
-  const std::string g = cost_text(state.g(view.node)), rhs = cost_text(state.rhs(view.node)), dist = cost_text(state.dist(view.node));
-  const std::string lp = node_text(view.run, state.lp(view.node)), rp = node_text(view.run, state.rp(view.node));
+  const std::string g = cost_text(state.g(view.node)), rhs = cost_text(state.rhs(view.node)),
+                    dist = cost_text(state.dist(view.node));
+  const std::string lp = node_text(view.run, state.lp(view.node)),
+                    rp = node_text(view.run, state.rp(view.node));
   const std::string queue = rank_text(view), order = grouped(std::int64_t{state.order(view.node)});
   const std::string times = std::to_string(state.times_expanded(view.node)) + "×";
   std::string key = "—";
-  if (state.queued(view.node)) key = cost_text(state.k1(view.node), 1) + (view.lookahead ? " ; " + cost_text(state.k2(view.node), 1) : "");
+  if (state.queued(view.node))
+    key =
+        cost_text(state.k1(view.node), 1) + (view.lookahead ? " ; " + cost_text(state.k2(view.node), 1) : "");
   std::vector<KeyValue> pairs = {{"g", g}};
   if (view.lookahead) pairs.push_back({"rhs", rhs});
   if (info.clearance) pairs.push_back({"dist", dist});
@@ -114,15 +127,25 @@ void explain(Frame& frame, const CellView& view) {
   section_title(look, std::string("Why is ") + name + " " + cost_text(value) + "?");
   const NodeId fixed_node = view.state.node(view.lookahead ? Scalar::goal : Scalar::start);
   if (view.node == fixed_node) {
-    paragraph(look.fonts.ui, look.theme.dim, view.lookahead ? "This is the goal: its rhs is 0, by definition." : "This is the start: its g is 0.");
+    paragraph(
+        look.fonts.ui, look.theme.dim,
+        view.lookahead ? "This is the goal: its rhs is 0, by definition." : "This is the start: its g is 0.");
     return;
   }
   if (view.state.known_blocked(view.node)) {
-    paragraph(look.fonts.ui, look.theme.dim, "The robot takes this cell for an obstacle: no move leads in or out.");
+    paragraph(look.fonts.ui, look.theme.dim,
+              "The robot takes this cell for an obstacle: no move leads in or out.");
     return;
   }
   const std::vector<Offer> all = offers(view);
-  const auto finite = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [](const Offer& o) { return !o.sum.is_infinite(); }));
+  const auto finite = static_cast<std::size_t>(
+      std::count_if(all.begin(), all.end(), [](const Offer& o) { return !o.sum.is_infinite(); }));
+  if (finite == 0) {
+    paragraph(look.fonts.ui, look.theme.dim,
+              all.empty() ? "Obstacles stand all around: no move leads from here."
+                          : "No neighbour has a value: the search has not come here.");
+    return;
+  }
   const bool with_dist = view.run.info().clearance;
   std::vector<Column> columns = {{"neighbour", 1.6f, Align::left}, {"c", 1}, {"g", 1.2f}};
   if (with_dist) columns.push_back({"dist"});
@@ -131,15 +154,17 @@ void explain(Frame& frame, const CellView& view) {
   for (std::size_t i = 0; i < finite; ++i) {
     const Offer& offer = all[i];
     const bool winner = offer.node == view.state.lp(view.node);
-    const std::string at = node_text(view.run, offer.node), c = cost_text(offer.step), g = cost_text(offer.g), dist = cost_text(offer.dist), sum = cost_text(offer.sum);
+    const std::string at = node_text(view.run, offer.node), c = cost_text(offer.step), g = cost_text(offer.g),
+                      dist = cost_text(offer.dist), sum = cost_text(offer.sum);
     std::vector<TableCell> cells = {{at}, {c}, {g}};
     if (with_dist) cells.push_back({dist});
     cells.push_back({sum, 0, winner});
-    if (table_row(look, static_cast<int>(i), columns, cells, winner)) frame.view.view.pinned = view.run.lattice().position(offer.node);
+    if (table_row(look, static_cast<int>(i), columns, cells, winner))
+      frame.view.view.pinned = view.run.lattice().position(offer.node);
   }
   if (finite < all.size()) {
     std::vector<TableCell> cells(columns.size());
-    const std::string more = std::to_string(all.size() - finite) + (finite == 0 ? "" : " more");
+    const std::string more = std::to_string(all.size() - finite) + " more";
     cells.front() = {more, look.theme.faint};
     cells.back() = {"∞", look.theme.faint};
     table_row(look, -1, columns, cells);
@@ -147,8 +172,10 @@ void explain(Frame& frame, const CellView& view) {
   const Cost least = all.empty() ? Cost::infinity() : all.front().sum;
   if (least != value) {
     ImGui::Dummy({0, look.px.xs});
-    paragraph(look.fonts.ui, look.theme.warning, view.lookahead ? "The least sum is " + cost_text(least) + ": UpdateVertex has yet to come to this cell."
-                                                                 : "A neighbour offers less: it has not been expanded yet.");
+    paragraph(look.fonts.ui, look.theme.warning,
+              view.lookahead
+                  ? "The least sum is " + cost_text(least) + ": UpdateVertex has yet to come to this cell."
+                  : "A neighbour offers less: it has not been expanded yet.");
   }
 }
 
@@ -160,7 +187,7 @@ void code_excerpt(Frame& frame) {
   if (block == nullptr) return;
   section_rule(frame.look);
   section_title(frame.look, block->title);
-  draw_pseudo_code(frame, *page, *block, 4);
+  draw_pseudo_code(frame, *block, 4);
 }
 
 }  // namespace
@@ -169,11 +196,13 @@ void draw_cell_panel(Frame& frame) {
   const Look& look = frame.look;
   const std::optional<Cell> cell = frame.cell();
   if (!cell) {
-    empty_state(look, icon::crosshairs, "Point at a cell", "Its values show here. Click a cell with Select to pin it, then step and watch them change.");
+    empty_state(look, icon::crosshairs, "Point at a cell",
+                "Its values show here. Click a cell with Select to pin it, then step and watch them change.");
     return;
   }
   const CellView view(frame.run(), *cell);
-  section_title(look, "Cell " + cell_text(*cell) + (frame.view.view.pinned ? " — pinned" : " — under the cursor"));
+  section_title(look,
+                "Cell " + cell_text(*cell) + (frame.view.view.pinned ? " — pinned" : " — under the cursor"));
   values(frame, view);
   section_rule(look);
   explain(frame, view);

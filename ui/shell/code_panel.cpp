@@ -22,12 +22,17 @@ void continuation(const Look& look, const PseudoLine& line, bool current, ImU32 
     list.AddRectFilled(origin, {origin.x + size.x, origin.y + size.y}, look.theme.selected);
     list.AddRectFilled(origin, {origin.x + look.px(3), origin.y + size.y}, look.theme.accent);
   }
-  draw_text(list, look.fonts.mono, {origin.x + look.px(36), origin.y + (size.y - look.fonts.mono->FontSize) * 0.5f}, colour, line.text);
+  draw_text(list, look.fonts.mono,
+            {origin.x + look.px(36), origin.y + (size.y - look.fonts.mono->FontSize) * 0.5f}, colour,
+            line.text);
 }
 
 void pseudo_line(const Look& look, const PseudoLine& line, bool current) {
   if (line.number == 0) {
-    continuation(look, line, current, current ? look.theme.text : line.unused ? look.theme.faint : look.theme.dim);
+    continuation(look, line, current,
+                 current       ? look.theme.text
+                 : line.unused ? look.theme.faint
+                               : look.theme.dim);
     return;
   }
   if (!line.unused) {
@@ -35,21 +40,23 @@ void pseudo_line(const Look& look, const PseudoLine& line, bool current) {
     return;
   }
   // Lines that this planner never comes to stand back.
-  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0f);
   Look faint = look;
   faint.theme.dim = mix(look.theme.panel, look.theme.faint, 0.75f);
   faint.theme.faint = faint.theme.dim;
   code_line(faint, {line.printed, line.text, current});
-  ImGui::PopStyleVar();
 }
 
 void what_happened(Frame& frame) {
   const Look& look = frame.look;
   const Run& run = frame.run();
   const std::size_t cursor = run.timeline().cursor();
-  section_title(look, cursor == 0 ? "Nothing has happened yet" : "Event " + grouped(cursor) + " of " + grouped(run.timeline().size()));
-  if (cursor == 0) paragraph(look.fonts.ui, look.theme.dim, "Press " + action(ActionId::line_forward).keys + " to take the first line.");
-  else paragraph(look.fonts.mono, look.theme.text, last_event_text(run));
+  section_title(look, cursor == 0 ? "Nothing has happened yet"
+                                  : "Event " + grouped(cursor) + " of " + grouped(run.timeline().size()));
+  if (cursor == 0)
+    paragraph(look.fonts.ui, look.theme.dim,
+              "Press " + action(ActionId::line_forward).keys + " to take the first line.");
+  else
+    paragraph(look.fonts.mono, look.theme.text, last_event_text(run));
 }
 
 void sections(Frame& frame, const PlannerPage& page) {
@@ -58,17 +65,19 @@ void sections(Frame& frame, const PlannerPage& page) {
     if (section.title == "Pseudo-code") continue;
     section_rule(look);
     section_title(look, section.title);
-    for (const std::string& paragraph_text : section.paragraphs) paragraph(look.fonts.ui, look.theme.dim, paragraph_text);
+    for (const std::string& paragraph_text : section.paragraphs)
+      paragraph(look.fonts.ui, look.theme.dim, paragraph_text);
   }
 }
 
 }  // namespace
 
-void draw_pseudo_code(Frame& frame, const PlannerPage&, const PseudoBlock& block, int around) {
+void draw_pseudo_code(Frame& frame, const PseudoBlock& block, int around) {
   const int current = current_line(frame.run());
   std::size_t first = 0, last = block.lines.size();
   if (around > 0) {
-    const auto at = std::find_if(block.lines.begin(), block.lines.end(), [&](const PseudoLine& l) { return l.number == current; });
+    const auto at = std::find_if(block.lines.begin(), block.lines.end(),
+                                 [&](const PseudoLine& l) { return l.number == current; });
     const auto middle = static_cast<std::size_t>(at - block.lines.begin());
     const auto reach = static_cast<std::size_t>(around);
     last = std::min(std::max(middle + reach + 1, 2 * reach + 1), block.lines.size());
@@ -83,7 +92,8 @@ void draw_pseudo_code(Frame& frame, const PlannerPage&, const PseudoBlock& block
     pseudo_line(frame.look, line, lit);
     if (around == 0 && lit && line.number != 0 && frame.panels.code_line != current) {
       const ImRect seen = ImGui::GetCurrentWindow()->InnerClipRect;
-      if (ImGui::GetItemRectMin().y < seen.Min.y || ImGui::GetItemRectMax().y > seen.Max.y) ImGui::SetScrollHereY(0.4f);
+      if (ImGui::GetItemRectMin().y < seen.Min.y || ImGui::GetItemRectMax().y > seen.Max.y)
+        ImGui::SetScrollHereY(0.4f);
       frame.panels.code_line = current;
     }
   }
@@ -98,12 +108,18 @@ void draw_code_panel(Frame& frame) {
     return;
   }
   what_happened(frame);
+  ImGui::Dummy({0, look.px.xs});
+  // The page scrolls under what happened, which stays in sight.
+  ImGui::BeginChild("page", {0, 0});
+  bool first = true;
   for (const PseudoBlock& block : page->code) {
-    section_rule(look);
+    if (!first) section_rule(look);
+    first = false;
     section_title(look, block.title);
-    draw_pseudo_code(frame, *page, block, 0);
+    draw_pseudo_code(frame, block, 0);
   }
   sections(frame, *page);
+  ImGui::EndChild();
 }
 
 }  // namespace replan::ui

@@ -15,8 +15,12 @@ namespace {
 
 constexpr const char* kPopup = "dialog";
 
-bool escape_pressed() { return ImGui::IsKeyPressed(key::kEscape, false); }
-bool enter_pressed() { return ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false); }
+bool escape_pressed() {
+  return ImGui::IsKeyPressed(key::kEscape, false);
+}
+bool enter_pressed() {
+  return ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false);
+}
 
 void heading(const Look& look, std::string_view words) {
   text(look.fonts.heading, look.theme.text, words);
@@ -28,7 +32,9 @@ void align_right(float width) {
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
 }
 
-float button_width(const Look& look, const char* label) { return text_width(look.fonts.ui, label) + look.px(24); }
+float button_width(const Look& look, const char* label) {
+  return text_width(look.fonts.ui, label) + look.px(24);
+}
 
 /// "Cancel" and the primary button at the lower right.
 Decision::Kind confirm(const Look& look, const char* yes, Decision::Kind decision) {
@@ -50,7 +56,8 @@ constexpr std::array<std::pair<Menu, const char*>, 7> kSections = {{{Menu::plann
                                                                     {Menu::help, "Help"}}};
 
 float rows_height(const Look& look, Menu menu) {
-  const auto rows = std::count_if(actions().begin(), actions().end(), [menu](const Action& a) { return a.menu == menu && !a.keys.empty(); });
+  const auto rows = std::count_if(actions().begin(), actions().end(),
+                                  [menu](const Action& a) { return a.menu == menu && !a.keys.empty(); });
   return look.px(23) * static_cast<float>(rows) + look.px(40);
 }
 
@@ -60,7 +67,8 @@ void key_section(const Look& look, Menu menu, const char* title, float width) {
     if (each.menu != menu || each.keys.empty()) continue;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     text(look.fonts.ui, look.theme.text, elide(look.fonts.ui, each.label, width - look.px(96)));
-    ImGui::SetCursorScreenPos({origin.x + width - text_width(look.fonts.small, each.keys) - look.px(10), origin.y});
+    ImGui::SetCursorScreenPos(
+        {origin.x + width - text_width(look.fonts.small, each.keys) - look.px(10), origin.y});
     key_chip(look, each.keys.c_str());
   }
   ImGui::Dummy({width, look.px.s});
@@ -79,16 +87,22 @@ Decision Dialogs::draw(const Look& look) {
   if (kind_ == DialogKind::none) return {};
   if (!ImGui::IsPopupOpen(kPopup)) ImGui::OpenPopup(kPopup);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float width = std::min(kind_ == DialogKind::keys ? look.px(880) : look.px(460), screen.x - look.px(32));
+  const float width =
+      std::min(kind_ == DialogKind::keys ? look.px(880) : look.px(460), screen.x - look.px(32));
   ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.45f}, ImGuiCond_Always, {0.5f, 0.45f});
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - look.px(32)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(24), look.px(20)));
-  const bool shown = ImGui::BeginPopupModal(kPopup, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+  const bool shown =
+      ImGui::BeginPopupModal(kPopup, nullptr,
+                             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                 ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
   ImGui::PopStyleVar();
   if (!shown) return {};
   Decision decision = content(look);
   fresh_ = false;
-  if (decision.kind != Decision::Kind::none && decision.kind != Decision::Kind::open && decision.kind != Decision::Kind::save) close();
+  if (decision.kind != Decision::Kind::none && decision.kind != Decision::Kind::open &&
+      decision.kind != Decision::Kind::save)
+    close();
   if (kind_ == DialogKind::none) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
   return decision;
@@ -96,12 +110,18 @@ Decision Dialogs::draw(const Look& look) {
 
 Decision Dialogs::content(const Look& look) {
   switch (kind_) {
-    case DialogKind::open: return path_dialog(look, false);
-    case DialogKind::save: return path_dialog(look, true);
-    case DialogKind::new_world: return new_world_dialog(look);
-    case DialogKind::unsaved: return unsaved_dialog(look);
-    case DialogKind::keys: return keys_dialog(look);
-    case DialogKind::none: break;
+    case DialogKind::open:
+      return path_dialog(look, false);
+    case DialogKind::save:
+      return path_dialog(look, true);
+    case DialogKind::new_world:
+      return new_world_dialog(look);
+    case DialogKind::unsaved:
+      return unsaved_dialog(look);
+    case DialogKind::keys:
+      return keys_dialog(look);
+    case DialogKind::none:
+      break;
   }
   return {};
 }
@@ -109,33 +129,59 @@ Decision Dialogs::content(const Look& look) {
 Decision Dialogs::path_dialog(const Look& look, bool saving) {
   heading(look, saving ? "Save as" : "Open");
   paragraph(look.fonts.ui, look.theme.dim,
-            saving ? "A scenario (.json) holds the world, the planners, the robot and the surprises; a map (.map) the cells alone."
-                   : "A scenario (.json), a MovingAI map (.map) or a picture (.png), dark pixels being obstacles. You can also drop a file onto the window.");
+            saving ? "A scenario (.json) holds the world, the planners, the robot and the surprises; a map "
+                     "(.map) the cells alone."
+                   : "A scenario (.json), a MovingAI map (.map) or a picture (.png), dark pixels being "
+                     "obstacles. You can also drop a file onto the window.");
   if (fresh_) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##path", saving ? "folder/name.json" : "path of a file", &text_)) error_.clear();
+  if (ImGui::InputTextWithHint("##path", saving ? "folder/name.json" : "path of a file", &text_))
+    error_.clear();
   if (!error_.empty()) paragraph(look.fonts.ui, look.theme.bad, error_);
-  return {confirm(look, saving ? "Save" : "Open", saving ? Decision::Kind::save : Decision::Kind::open), text_, 0, 0};
+  return {confirm(look, saving ? "Save" : "Open", saving ? Decision::Kind::save : Decision::Kind::open),
+          text_, 0, 0};
 }
 
 Decision Dialogs::new_world_dialog(const Look& look) {
   heading(look, "New world");
   paragraph(look.fonts.ui, look.theme.dim, "All cells are free; paint the obstacles with the brush.");
-  slider(look, {.label = "Width", .min = 4, .max = 2048, .initial = 48, .unit = "cells", .decimals = 0, .logarithmic = true}, width_);
-  slider(look, {.label = "Height", .min = 4, .max = 2048, .initial = 32, .unit = "cells", .decimals = 0, .logarithmic = true}, height_);
-  return {confirm(look, "Create", Decision::Kind::new_world), {}, static_cast<int>(width_), static_cast<int>(height_)};
+  slider(look,
+         {.label = "Width",
+          .min = 4,
+          .max = 2048,
+          .initial = 48,
+          .unit = "cells",
+          .decimals = 0,
+          .logarithmic = true},
+         width_);
+  slider(look,
+         {.label = "Height",
+          .min = 4,
+          .max = 2048,
+          .initial = 32,
+          .unit = "cells",
+          .decimals = 0,
+          .logarithmic = true},
+         height_);
+  return {confirm(look, "Create", Decision::Kind::new_world),
+          {},
+          static_cast<int>(width_),
+          static_cast<int>(height_)};
 }
 
 Decision Dialogs::unsaved_dialog(const Look& look) {
   heading(look, "Save the changes?");
-  paragraph(look.fonts.ui, look.theme.dim, text_ + " has edits that are not in a file yet. Without saving they are lost.");
+  paragraph(look.fonts.ui, look.theme.dim,
+            text_ + " has edits that are not in a file yet. Without saving they are lost.");
   ImGui::Dummy({0, look.px.xs});
   if (button(look, "Discard", ButtonKind::danger)) return {Decision::Kind::discard, {}, 0, 0};
   ImGui::SameLine(0, look.px.s);
   align_right(button_width(look, "Cancel") + look.px.s + button_width(look, "Save"));
-  if (button(look, "Cancel", ButtonKind::quiet) || escape_pressed()) return {Decision::Kind::cancel, {}, 0, 0};
+  if (button(look, "Cancel", ButtonKind::quiet) || escape_pressed())
+    return {Decision::Kind::cancel, {}, 0, 0};
   ImGui::SameLine(0, look.px.s);
-  if (button(look, "Save", ButtonKind::primary) || enter_pressed()) return {Decision::Kind::save_first, {}, 0, 0};
+  if (button(look, "Save", ButtonKind::primary) || enter_pressed())
+    return {Decision::Kind::save_first, {}, 0, 0};
   return {};
 }
 
@@ -161,9 +207,12 @@ Decision Dialogs::keys_dialog(const Look& look) {
     filled += rows_height(look, menu);
   }
   ImGui::EndGroup();
-  paragraph(look.fonts.ui, look.theme.dim, "On the canvas: the wheel zooms, the middle button pans, the right button erases, a grabbed start or goal moves.");
+  paragraph(look.fonts.ui, look.theme.dim,
+            "On the canvas: the wheel zooms, the middle button pans, the right button erases, a grabbed "
+            "start or goal moves.");
   align_right(button_width(look, "Close"));
-  const bool closed = button(look, "Close", ButtonKind::plain) || escape_pressed() || enter_pressed() || (!fresh_ && ImGui::IsKeyPressed(key::kF1, false));
+  const bool closed = button(look, "Close", ButtonKind::plain) || escape_pressed() || enter_pressed() ||
+                      (!fresh_ && ImGui::IsKeyPressed(key::kF1, false));
   return {closed ? Decision::Kind::cancel : Decision::Kind::none, {}, 0, 0};
 }
 

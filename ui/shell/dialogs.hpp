@@ -12,15 +12,24 @@ enum class DialogKind : std::uint8_t { none, open, save, new_world, unsaved, key
 
 /// What the user decided.
 struct Decision {
-  enum class Kind : std::uint8_t { none, open, save, new_world, save_first, discard, cancel } kind = Kind::none;
-  std::string path;    ///< for open and save
-  int width = 0;       ///< for new_world
+  enum class Kind : std::uint8_t {
+    none,
+    open,
+    save,
+    new_world,
+    save_first,
+    discard,
+    cancel
+  } kind = Kind::none;
+  std::string path;  ///< for open and save
+  int width = 0;     ///< for new_world
   int height = 0;
 };
 
 class Dialogs {
  public:
-  /// Shows a dialog at the next draw. `text`: the path to begin with, or for `unsaved` the name of what is unsaved.
+  /// Shows a dialog at the next draw. `text`: the path to begin with, or for `unsaved` the name of what is
+  /// unsaved.
   void show(DialogKind kind, std::string text = {});
   void close() { kind_ = DialogKind::none; }
   /// Shows a sentence in the open path dialog: what went wrong, and what now.

@@ -43,8 +43,12 @@ void place_ends(Scenario& scenario) {
   if (largest.empty()) return;
   const auto width = static_cast<std::size_t>(map.width);
   const auto diagonal = [width](std::size_t cell) { return cell % width + cell / width; };
-  const auto [first, last] = std::minmax_element(largest.begin(), largest.end(), [&](std::size_t a, std::size_t b) { return diagonal(a) < diagonal(b); });
-  const auto cell = [width](std::size_t index) { return Cell{static_cast<int>(index % width), static_cast<int>(index / width)}; };
+  const auto [first, last] =
+      std::minmax_element(largest.begin(), largest.end(),
+                          [&](std::size_t a, std::size_t b) { return diagonal(a) < diagonal(b); });
+  const auto cell = [width](std::size_t index) {
+    return Cell{static_cast<int>(index % width), static_cast<int>(index / width)};
+  };
   scenario.start = cell(*first);
   scenario.goal = cell(*last);
 }
@@ -70,7 +74,8 @@ bool map_file_holds(const Scenario& scenario, const std::string& folder) {
 Result<Scenario> open_document(const std::string& path, const Scenario& current) {
   if (path.empty()) return Error{"Type the path of a scenario (.json), a map (.map) or a picture (.png)."};
   if (file_extension(path) == ".json") return read_scenario(path);
-  if (file_extension(path) == ".scen") return Error{path + ": a .scen file lists problems, not a world; open the .map that it is for"};
+  if (file_extension(path) == ".scen")
+    return Error{path + ": a .scen file lists problems, not a world; open the .map that it is for"};
   Result<GridMap> map = read_map(path);
   if (!map) return Error{map.error()};
   Scenario scenario = world_of(*std::move(map), current);
@@ -93,10 +98,12 @@ bool saves_in_place(const std::string& path) {
 
 Result<void> save_document(const Session& session, const ViewState& view, const std::string& path) {
   const std::string kind = file_extension(path);
-  if (path.empty()) return Error{"Type the path of the file to write: NAME.json, or NAME.map for the cells alone."};
+  if (path.empty())
+    return Error{"Type the path of the file to write: NAME.json, or NAME.map for the cells alone."};
   Scenario scenario = session.to_save();
   if (kind == ".map") return write_map(scenario.map, path);
-  if (kind != ".json") return Error{"End the name with .json for the whole scenario, or with .map for the cells alone."};
+  if (kind != ".json")
+    return Error{"End the name with .json for the whole scenario, or with .map for the cells alone."};
   if (!scenario.map_file.empty() && !map_file_holds(scenario, file_folder(path))) scenario.map_file.clear();
   scenario.view.overlays.clear();
   for (const OverlayInfo& info : overlays())

@@ -8,12 +8,13 @@
 
 namespace replan::ui {
 
-/// Reads a scenario (.json), or a map (.map, .png, ...) as a world with a start and a goal far apart in its largest
-/// open region, and with the planners and the robot of `current`. Errors say what now.
+/// Reads a scenario (.json), or a map (.map, .png, ...) as a world with a start and a goal far apart in its
+/// largest open region, and with the planners and the robot of `current`. Errors say what now.
 Result<Scenario> open_document(const std::string& path, const Scenario& current);
 /// An all-free world with the planners and the robot of `current`.
 Scenario empty_world(int width, int height, const Scenario& current);
-/// Whether save_document() keeps everything that this file held, so that Ctrl+S may write to it without asking.
+/// Whether save_document() keeps everything that this file held, so that Ctrl+S may write to it without
+/// asking.
 bool saves_in_place(const std::string& path);
 /// Writes the scenario (.json, with the overlays of the view) or the cells alone (.map), atomically.
 Result<void> save_document(const Session& session, const ViewState& view, const std::string& path);

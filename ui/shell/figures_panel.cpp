@@ -19,8 +19,12 @@ struct Row {
 };
 
 using Figures = const PathFigures&;
-std::string count(std::int64_t number) { return grouped(number); }
-std::string milliseconds(double time) { return fixed(time, time < 10 ? 3 : 1); }
+std::string count(std::int64_t number) {
+  return grouped(number);
+}
+std::string milliseconds(double time) {
+  return fixed(time, time < 10 ? 3 : 1);
+}
 
 // clang-format off
 const Row kPathRows[] = {
@@ -63,7 +67,8 @@ bool map_changed_since(const Run& run, const replan::Mark& mark) {
 }
 
 /// The figures of the plan that stands; computed once for each plan.
-const PathFigures& figures_of(PanelState& panels, const Run& run, std::size_t pane, const replan::Mark& mark) {
+const PathFigures& figures_of(PanelState& panels, const Run& run, std::size_t pane,
+                              const replan::Mark& mark) {
   if (panels.figures.size() <= pane) panels.figures.resize(pane + 1);
   FigureCache& cache = panels.figures[pane];
   if (cache.route == mark.route || map_changed_since(run, mark)) return cache.figures;
@@ -76,7 +81,7 @@ const PathFigures& figures_of(PanelState& panels, const Run& run, std::size_t pa
 }
 
 std::vector<Column> columns_for(const Session& session, const std::vector<std::string>& names) {
-  std::vector<Column> columns = {{"", 1.9f, Align::left}};
+  std::vector<Column> columns = {{"", 2.6f, Align::left}};
   for (std::size_t i = 0; i < session.runs().size(); ++i) columns.push_back({names[i].c_str(), 1.2f});
   return columns;
 }
@@ -87,12 +92,14 @@ void rows(Frame& frame, const char* title, std::span<const Row> table, std::span
   int id = 0;
   ImGui::PushID(title);
   for (const Row& row : table) {
-    const std::string label = std::string(row.label) + (row.unit[0] == '\0' ? "" : std::string("  ") + row.unit);
+    const std::string label =
+        std::string(row.label) + (row.unit[0] == '\0' ? "" : std::string("  ") + row.unit);
     std::vector<std::string> texts;
     for (std::size_t pane = 0; pane < frame.session.runs().size(); ++pane) {
       const Run& run = *frame.session.runs()[pane];
       const replan::Mark* mark = run.mark_at(run.timeline().cursor());
-      texts.push_back(mark == nullptr ? "—" : row.text(figures_of(frame.panels, run, pane, *mark), *mark, run));
+      texts.push_back(mark == nullptr ? "—"
+                                      : row.text(figures_of(frame.panels, run, pane, *mark), *mark, run));
     }
     std::vector<TableCell> cells = {{label, look.theme.dim}};
     for (const std::string& each : texts) cells.push_back({each});
@@ -106,9 +113,12 @@ void rows(Frame& frame, const char* title, std::span<const Row> table, std::span
 
 void draw_figures_panel(Frame& frame) {
   const Look& look = frame.look;
-  const bool any = std::any_of(frame.session.runs().begin(), frame.session.runs().end(), [](const auto& run) { return run->mark_at(run->timeline().cursor()) != nullptr; });
+  const bool any = std::any_of(frame.session.runs().begin(), frame.session.runs().end(), [](const auto& run) {
+    return run->mark_at(run->timeline().cursor()) != nullptr;
+  });
   if (!any) {
-    empty_state(look, icon::bar_chart, "No plan stands here yet", "Step or play on until the first plan is found; its figures show here.");
+    empty_state(look, icon::bar_chart, "No plan stands here yet",
+                "Step or play on until the first plan is found; its figures show here.");
     return;
   }
   std::vector<std::string> names;

@@ -21,26 +21,33 @@ std::string value_text(const Run& run, EventKind kind, std::uint64_t raw) {
   switch (kind) {
     case EventKind::g:
     case EventKind::rhs:
-    case EventKind::dist: return cost_text(Cost{static_cast<std::int64_t>(raw)});
-    case EventKind::queue: return raw == 0 ? "not in it" : cost_text(Cost{static_cast<std::int64_t>(raw) - 1});
+    case EventKind::dist:
+      return cost_text(Cost{static_cast<std::int64_t>(raw)});
+    case EventKind::queue:
+      return raw == 0 ? "not in it" : cost_text(Cost{static_cast<std::int64_t>(raw) - 1});
     case EventKind::lp:
-    case EventKind::rp: return node_text(run, static_cast<NodeId>(raw) - 1u);
-    case EventKind::visit: return std::to_string(raw & 0xFFFFFFFFu);
+    case EventKind::rp:
+      return node_text(run, static_cast<NodeId>(raw) - 1u);
+    case EventKind::visit:
+      return std::to_string(raw & 0xFFFFFFFFu);
     case EventKind::known:
-    case EventKind::truth: return raw != 0 ? "obstacle" : "free";
-    default: return std::to_string(raw);
+    case EventKind::truth:
+      return raw != 0 ? "obstacle" : "free";
+    default:
+      return std::to_string(raw);
   }
 }
 
 std::string change_text(const Run& run, const Event& event) {
-  static constexpr std::array<const char*, 9> kNames = {"g",    "rhs",       "in U at",        "lp",   "rp",
-                                                        "dist", "expansion", "the robot's map", "the world"};
+  static constexpr std::array<const char*, 9> kNames = {
+      "g", "rhs", "in U at", "lp", "rp", "dist", "expansion", "the robot's map", "the world"};
   if (event.kind == EventKind::scalar) {
     const std::uint64_t after = run.timeline().state().scalar(static_cast<Scalar>(event.node));
     const std::string name = scalar_name(event.node);
     const auto which = static_cast<Scalar>(event.node);
     if (which == Scalar::km) return name + " = " + cost_text(Cost{static_cast<std::int64_t>(after)});
-    const bool place = which == Scalar::start || which == Scalar::last || which == Scalar::goal || which == Scalar::robot;
+    const bool place =
+        which == Scalar::start || which == Scalar::last || which == Scalar::goal || which == Scalar::robot;
     return name + " = " + (place ? node_text(run, static_cast<NodeId>(after) - 1u) : std::to_string(after));
   }
   const std::uint64_t after = run.timeline().state().value(event.kind, event.node);
@@ -53,27 +60,42 @@ std::string happening_text(const Run& run, const Event& event) {
   const std::string at = node_text(run, event.node);
   const std::string target = node_text(run, static_cast<NodeId>(event.delta & 0xFFFFFFFFu));
   switch (event.kind) {
-    case EventKind::line: return "passed, nothing changed";
-    case EventKind::pop: return "took " + at + " from the open list";
-    case EventKind::sight: return (event.delta >> 32 != 0 ? at + " sees " : at + " does not see ") + target;
+    case EventKind::line:
+      return "passed, nothing changed";
+    case EventKind::pop:
+      return "took " + at + " from the open list";
+    case EventKind::sight:
+      return (event.delta >> 32 != 0 ? at + " sees " : at + " does not see ") + target;
     case EventKind::plan_begin:
       return event.delta == 0 ? "the first plan begins" : "replan " + std::to_string(event.delta) + " begins";
-    case EventKind::plan_end: return status_sentence(static_cast<PlanStatus>(event.delta));
-    case EventKind::move: return "the robot enters " + at;
-    case EventKind::sensed: return "the robot sees " + at + (event.delta != 0 ? " blocked" : " free");
-    case EventKind::surprise: return "a surprise: the world changes";
-    case EventKind::unchecked: return at + " trusts its remote parent " + target;
-    case EventKind::collision: return "the plan leads into an obstacle at " + at;
-    case EventKind::waiting: return "no path: the robot waits at " + at;
-    case EventKind::arrival: return "the robot arrives at " + at;
-    case EventKind::gave_up: return "the mission ends at " + at;
-    default: return "";
+    case EventKind::plan_end:
+      return status_sentence(static_cast<PlanStatus>(event.delta));
+    case EventKind::move:
+      return "the robot enters " + at;
+    case EventKind::sensed:
+      return "the robot sees " + at + (event.delta != 0 ? " blocked" : " free");
+    case EventKind::surprise:
+      return "a surprise: the world changes";
+    case EventKind::unchecked:
+      return at + " trusts its remote parent " + target;
+    case EventKind::collision:
+      return "the plan leads into an obstacle at " + at;
+    case EventKind::waiting:
+      return "no path: the robot waits at " + at;
+    case EventKind::arrival:
+      return "the robot arrives at " + at;
+    case EventKind::gave_up:
+      return "the mission ends at " + at;
+    default:
+      return "";
   }
 }
 
 }  // namespace
 
-std::string grouped(std::size_t number) { return grouped(static_cast<std::int64_t>(number)); }
+std::string grouped(std::size_t number) {
+  return grouped(static_cast<std::int64_t>(number));
+}
 
 std::string fixed(double number, int decimals) {
   if (std::isinf(number)) return kInfinity;
@@ -86,10 +108,13 @@ std::string cost_text(Cost cost, int decimals) {
   return cost.is_infinite() ? kInfinity : fixed(cost.to_double(), decimals);
 }
 
-std::string cell_text(Cell cell) { return "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")"; }
+std::string cell_text(Cell cell) {
+  return "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
+}
 
 std::string node_text(const Run& run, NodeId node) {
-  return node == kNoNode || node >= run.lattice().node_count() ? "none" : cell_text(run.lattice().position(node));
+  return node == kNoNode || node >= run.lattice().node_count() ? "none"
+                                                               : cell_text(run.lattice().position(node));
 }
 
 std::string bytes_text(std::size_t bytes) {

@@ -25,7 +25,8 @@ std::string bytes_text(std::size_t bytes);
 /// "3 cells", "1 cell".
 std::string count_text(std::int64_t count, const char* one, const char* many);
 
-/// What the event before the cursor did, as a sentence: "rhs(31, 18): 41.213 → 43.799". Empty at the beginning.
+/// What the event before the cursor did, as a sentence: "rhs(31, 18): 41.213 → 43.799". Empty at the
+/// beginning.
 std::string last_event_text(const Run& run);
 
 }  // namespace replan::ui

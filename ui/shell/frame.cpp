@@ -9,10 +9,11 @@ std::optional<Cell> Frame::cell() const {
   return chosen && session.scenario().map.contains(*chosen) ? chosen : std::nullopt;
 }
 
-void area(const char* id, ImVec2 pos, ImVec2 size, ImU32 ground, ImVec2 padding, const std::function<void()>& draw,
-          ImGuiWindowFlags flags) {
+void area(const char* id, ImVec2 pos, ImVec2 size, ImU32 ground, ImVec2 padding,
+          const std::function<void()>& draw, ImGuiWindowFlags flags) {
   constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+                                      ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoBringToFrontOnFocus;
   ImGui::SetNextWindowPos(pos);
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);

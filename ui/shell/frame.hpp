@@ -47,10 +47,11 @@ struct PanelState {
   std::vector<FigureCache> figures;
   std::vector<QueueCount> queues;
   std::map<std::string, Result<PlannerPage>, std::less<>> pages;
-  std::size_t log_lines = 0;   ///< how many the Log showed: it follows its end
-  int code_line = 0;           ///< the line that the Code page scrolled to
-  bool animated = false;       ///< something on it moves by itself
-  double frame_ms = 0;         ///< CPU time of a frame, smoothed; 0: not measured
+  std::size_t log_lines = 0;         ///< how many the Log showed: it follows its end
+  int code_line = 0;                 ///< the line that the Code page scrolled to
+  bool animated = false;             ///< something on it moves by itself
+  double zoom = 0;                   ///< device pixels per cell on the canvas, as fitted or chosen
+  double frame_ms = 0;               ///< CPU time of a frame, smoothed; 0: not measured
   std::vector<std::string> notices;  ///< for the Log: what the platform had to say (missing fonts)
 };
 
@@ -71,8 +72,8 @@ struct Frame {
 };
 
 /// A fixed part of the window: no decoration, own ground and padding.
-void area(const char* id, ImVec2 pos, ImVec2 size, ImU32 ground, ImVec2 padding, const std::function<void()>& draw,
-          ImGuiWindowFlags flags = 0);
+void area(const char* id, ImVec2 pos, ImVec2 size, ImU32 ground, ImVec2 padding,
+          const std::function<void()>& draw, ImGuiWindowFlags flags = 0);
 
 /// The page of a planner, read once.
 const Result<PlannerPage>& page_of(PanelState& panels, std::string_view planner);

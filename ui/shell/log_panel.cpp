@@ -20,8 +20,10 @@ void draw_log_panel(Frame& frame) {
   // Long ago is of little use, and every line is measured for wrapping.
   constexpr std::size_t kShown = 500;
   const std::size_t first = log.size() > kShown ? log.size() - kShown : 0;
-  if (first > 0) paragraph(look.fonts.small, look.theme.faint, std::to_string(first) + " older lines are not shown");
-  for (std::size_t i = first; i < log.size(); ++i) paragraph(look.fonts.ui, i + 1 == log.size() ? look.theme.text : look.theme.dim, log[i]);
+  if (first > 0)
+    paragraph(look.fonts.small, look.theme.faint, std::to_string(first) + " older lines are not shown");
+  for (std::size_t i = first; i < log.size(); ++i)
+    paragraph(look.fonts.ui, i + 1 == log.size() ? look.theme.text : look.theme.dim, log[i]);
   if (frame.panels.log_lines != log.size()) {
     ImGui::SetScrollHereY(1.0f);
     frame.panels.log_lines = log.size();

@@ -10,12 +10,12 @@ namespace {
 
 void menu_item(Frame& frame, const Action& each) {
   const ActionContext context = context_of(frame);
-  const std::string label = each.id == ActionId::undo && !frame.session.undo_text().empty()
-                                ? "Undo: " + frame.session.undo_text()
-                            : each.id == ActionId::redo && !frame.session.redo_text().empty()
-                                ? "Redo: " + frame.session.redo_text()
-                                : each.label;
-  if (ImGui::MenuItemEx(label.c_str(), each.icon, each.keys.c_str(), checked(each, context), available(each, context)))
+  const std::string label =
+      each.id == ActionId::undo && !frame.session.undo_text().empty()   ? "Undo: " + frame.session.undo_text()
+      : each.id == ActionId::redo && !frame.session.redo_text().empty() ? "Redo: " + frame.session.redo_text()
+                                                                        : each.label;
+  if (ImGui::MenuItemEx(label.c_str(), each.icon, each.keys.c_str(), checked(each, context),
+                        available(each, context)))
     perform(frame, each.id);
   hint(frame.look, {"", "", each.teach.c_str()});
 }

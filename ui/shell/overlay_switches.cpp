@@ -12,7 +12,8 @@ void overlay_switch(Frame& frame, const OverlayInfo& info, float width) {
   ImGui::BeginGroup();
   if (toggle(look, each.label.c_str(), on)) frame.view.view.overlays.set(info.overlay, on);
   if (!each.keys.empty()) {
-    ImGui::SetCursorScreenPos({origin.x + width - text_width(look.fonts.small, each.keys) - look.px(10), origin.y + look.px(3)});
+    ImGui::SetCursorScreenPos(
+        {origin.x + width - text_width(look.fonts.small, each.keys) - look.px(10), origin.y + look.px(3)});
     key_chip(look, each.keys.c_str());
   }
   ImGui::SetCursorScreenPos(origin);

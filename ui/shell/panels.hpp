@@ -27,6 +27,6 @@ void draw_log_panel(Frame& frame);
 /// All overlays with their switches, keys and explanations; for popups and menus.
 void draw_overlay_switches(Frame& frame);
 /// The pseudo-code block with the current line lit; `around` > 0: only so many lines about it.
-void draw_pseudo_code(Frame& frame, const PlannerPage& page, const PseudoBlock& block, int around);
+void draw_pseudo_code(Frame& frame, const PseudoBlock& block, int around);
 
 }  // namespace replan::ui

@@ -1,6 +1,5 @@
 // The Planner tab: which planner, its settings as declared, and what the robot knows and senses.
 #include <algorithm>
-#include <cctype>
 #include <array>
 
 #include "ui/icons.hpp"
@@ -18,11 +17,11 @@ std::vector<const char*> pointers(const std::vector<std::string>& texts) {
 
 /// A label at the left and a control of the panel's half width at the right, on one line.
 template <class Control>
-bool labelled_control(const Look& look, const char* label, const Hint& what, bool changed_from_default, Control control) {
+bool labelled_control(const Look& look, const char* label, const Hint& what, bool changed_from_default,
+                      Control control) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const float right = std::min(look.px(190), width * 0.6f);
-  ImGui::AlignTextToFramePadding();
   const std::string shown = elide(look.fonts.ui, label, width - right - look.px.s);
   ImGui::SetCursorScreenPos({origin.x, origin.y + (look.px.control - look.fonts.ui->FontSize) * 0.5f});
   text(look.fonts.ui, changed_from_default ? look.theme.text : look.theme.dim, shown);
@@ -43,8 +42,10 @@ void choose_planner(Frame& frame) {
     names.emplace_back(info.name);
   }
   const int before = current;
-  if (combo(look, "##planner", pointers(names), current, ImGui::GetContentRegionAvail().x) && current != before)
-    frame.commands.push_back(ChoosePlanner{frame.panels.pane, std::string(planners()[static_cast<std::size_t>(current)].id)});
+  if (combo(look, "##planner", pointers(names), current, ImGui::GetContentRegionAvail().x) &&
+      current != before)
+    frame.commands.push_back(
+        ChoosePlanner{frame.panels.pane, std::string(planners()[static_cast<std::size_t>(current)].id)});
   const PlannerInfo& info = frame.run().info();
   paragraph(look.fonts.ui, look.theme.dim, info.summary);
   if (button(look, "Idea and limits", ButtonKind::quiet, icon::book)) perform(frame, ActionId::planner_page);
@@ -53,21 +54,30 @@ void choose_planner(Frame& frame) {
 bool choice_setting(const Look& look, const Parameter& parameter, const Hint& what, double& value) {
   std::vector<std::string> names(parameter.choices.begin(), parameter.choices.end());
   int current = static_cast<int>(value);
-  const bool changed = labelled_control(look, std::string(parameter.label).c_str(), what, value != parameter.initial, [&](float width) {
-    return combo(look, "##choice", pointers(names), current, width);
-  });
+  const bool changed =
+      labelled_control(look, std::string(parameter.label).c_str(), what, value != parameter.initial,
+                       [&](float width) { return combo(look, "##choice", pointers(names), current, width); });
   value = current;
   return changed;
 }
 
-/// A number is handed on when the slider is let go: each value on the way would be a replan and a step of undo.
+/// A number is handed on when the slider is let go: each value on the way would be a replan and a step of
+/// undo.
 bool number_setting(Frame& frame, const Parameter& parameter, const Hint& what, double& value) {
   const std::string label(parameter.label), unit(parameter.unit), key(parameter.key);
   const auto draft = frame.panels.drafts.find(key);
   double shown = draft == frame.panels.drafts.end() ? value : draft->second;
-  const int decimals = parameter.type == ParameterType::whole ? 0 : parameter.high - parameter.low < 20 ? 2 : 1;
-  const bool moved = slider(frame.look, {.label = label.c_str(), .min = parameter.low, .max = parameter.high,
-                                         .initial = parameter.initial, .unit = unit.c_str(), .decimals = decimals}, shown, what);
+  const int decimals = parameter.type == ParameterType::whole ? 0
+                       : parameter.high - parameter.low < 20  ? 2
+                                                              : 1;
+  const bool moved = slider(frame.look,
+                            {.label = label.c_str(),
+                             .min = parameter.low,
+                             .max = parameter.high,
+                             .initial = parameter.initial,
+                             .unit = unit.c_str(),
+                             .decimals = decimals},
+                            shown, what);
   if (moved) frame.panels.drafts[key] = shown;
   const bool held = ImGui::IsItemActive() || ImGui::IsMouseDown(0);
   if (held || !frame.panels.drafts.contains(key)) return false;
@@ -83,7 +93,9 @@ void setting(Frame& frame, const Parameter& parameter) {
   double value = frame.run().choice().settings.get(parameter);
   bool changed = false;
   switch (parameter.type) {
-    case ParameterType::choice: changed = choice_setting(look, parameter, what, value); break;
+    case ParameterType::choice:
+      changed = choice_setting(look, parameter, what, value);
+      break;
     case ParameterType::toggle: {
       bool on = value != 0;
       changed = toggle(look, label.c_str(), on);
@@ -92,24 +104,42 @@ void setting(Frame& frame, const Parameter& parameter) {
       break;
     }
     case ParameterType::whole:
-    case ParameterType::real: changed = number_setting(frame, parameter, what, value); break;
+    case ParameterType::real:
+      changed = number_setting(frame, parameter, what, value);
+      break;
   }
   if (changed) frame.commands.push_back(SetParameter{frame.panels.pane, std::string(parameter.key), value});
 }
 
 void robot_settings(Frame& frame) {
   const Look& look = frame.look;
-  static constexpr std::array<const char*, 3> kKnowledge = {"everything, at once", "the map, not surprises", "nothing yet"};
+  static constexpr std::array<const char*, 3> kKnowledge = {"everything, at once", "the map, not surprises",
+                                                            "nothing yet"};
   RobotSetup robot = frame.session.scenario().robot;
   int knowledge = static_cast<int>(robot.knowledge);
-  bool changed = labelled_control(look, "It knows", {"What it knows", "", "Everything: each change as it happens. The map: as it is at the start; surprises only when sensed. Nothing: every obstacle only when sensed."},
-                                  robot.knowledge != RobotSetup{}.knowledge, [&](float width) { return combo(look, "##knows", kKnowledge, knowledge, width); });
+  bool changed = labelled_control(look, "It knows",
+                                  {"What it knows", "",
+                                   "Everything: each change as it happens. The map: as it is at the start; "
+                                   "surprises only when sensed. Nothing: every obstacle only when sensed."},
+                                  robot.knowledge != RobotSetup{}.knowledge, [&](float width) {
+                                    return combo(look, "##knows", kKnowledge, knowledge, width);
+                                  });
   robot.knowledge = static_cast<Knowledge>(knowledge);
-  const Parameter radius{.key = "sensor radius", .label = "Sensor radius", .type = ParameterType::real, .initial = RobotSetup{}.sensor_radius,
-                         .low = 0, .high = std::max(64.0, robot.sensor_radius), .unit = "cells"};
-  changed |= number_setting(frame, radius, {"Sensor radius", "", "How far the robot sees, from its cell's centre to a cell's centre. The eight cells around it are always felt."}, robot.sensor_radius);
+  const Parameter radius{.key = "sensor radius",
+                         .label = "Sensor radius",
+                         .type = ParameterType::real,
+                         .initial = RobotSetup{}.sensor_radius,
+                         .low = 0,
+                         .high = std::max(64.0, robot.sensor_radius),
+                         .unit = "cells"};
+  changed |= number_setting(frame, radius,
+                            {"Sensor radius", "",
+                             "How far the robot sees, from its cell's centre to a cell's centre. The eight "
+                             "cells around it are always felt."},
+                            robot.sensor_radius);
   changed |= toggle(look, "Obstacles block its view", robot.sensor_blocked);
-  hint(look, {"Blocked view", "", "On: what stands behind an obstacle is hidden. Off: the sensor sees through."});
+  hint(look,
+       {"Blocked view", "", "On: what stands behind an obstacle is hidden. Off: the sensor sees through."});
   if (changed) frame.commands.push_back(SetRobot{robot});
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/file.hpp"
+#include "core/scene/scene.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/documents.hpp"
 #include "ui/shell/panels.hpp"
@@ -12,15 +13,19 @@ namespace replan::ui {
 namespace {
 
 constexpr float kNarrowestSide = 280, kWidestSide = 640, kNarrowestCanvas = 320;
-constexpr float kNarrowestPane = 220;
+constexpr float kNarrowestPane = 340;
 constexpr auto kMessageTime = std::chrono::seconds(6), kErrorTime = std::chrono::seconds(15);
 
 /// Seeks, steps and play are no edits: nobody needs to be told twice that there is nothing to undo.
-bool is_quiet(const Command& command) { return std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command); }
+bool is_quiet(const Command& command) {
+  return std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command);
+}
 
 }  // namespace
 
-ActionContext context_of(Frame& frame) { return {frame.session, frame.view, frame.panels, frame.commands, frame.wish}; }
+ActionContext context_of(Frame& frame) {
+  return {frame.session, frame.view, frame.panels, frame.commands, frame.wish};
+}
 
 void perform(Frame& frame, ActionId id) {
   ActionContext context = context_of(frame);
@@ -44,8 +49,10 @@ void Shell::draw(const Look& look, Session& session, double) {
 }
 
 bool Shell::wants_frames(const Session& session) const {
-  const bool busy = std::any_of(session.runs().begin(), session.runs().end(), [](const auto& run) { return run->busy(); });
-  return busy || session.playback().direction != 0 || session.revision() != drawn_ || held_ || panels_.animated ||
+  const bool busy =
+      std::any_of(session.runs().begin(), session.runs().end(), [](const auto& run) { return run->busy(); });
+  return busy || session.playback().direction != 0 || session.revision() != drawn_ || held_ ||
+         panels_.animated ||
          std::any_of(canvases_.begin(), canvases_.end(), [](const auto& each) { return each->animating(); });
 }
 
@@ -66,14 +73,23 @@ void Shell::draw_parts(Frame& frame) {
   const float side = panels ? std::min(look.px(panels_.side_width), widest) : 0;
   const float split = size.x - side, bottom = size.y - look.px.status, under = bottom - look.px.transport;
   // The bar takes its height from the padding that holds when its window begins.
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(10), (look.px.menu - look.fonts.ui->FontSize) * 0.5f));
-  area("menu", {0, 0}, {size.x, look.px.menu}, look.theme.panel, {0, 0}, [&] { draw_menu_bar(frame); }, ImGuiWindowFlags_MenuBar);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      ImVec2(look.px(10), (look.px.menu - look.fonts.ui->FontSize) * 0.5f));
+  area(
+      "menu", {0, 0}, {size.x, look.px.menu}, look.theme.panel, {0, 0}, [&] { draw_menu_bar(frame); },
+      ImGuiWindowFlags_MenuBar);
   ImGui::PopStyleVar();
-  if (panels) area("tools", {0, look.px.menu}, {left, under - look.px.menu}, look.theme.panel, {look.px(7), look.px(8)}, [&] { draw_tool_strip(frame); });
+  if (panels)
+    area("tools", {0, look.px.menu}, {left, under - look.px.menu}, look.theme.panel, {look.px(7), look.px(8)},
+         [&] { draw_tool_strip(frame); });
   draw_canvas(frame, {left, look.px.menu}, {split, under});
-  area("transport", {0, under}, {split, look.px.transport}, look.theme.panel, {look.px.l, look.px(14)}, [&] { draw_transport(frame); });
-  if (panels) area("side", {split, look.px.menu}, {side, bottom - look.px.menu}, look.theme.panel, {0, 0}, [&] { draw_side(frame); });
-  area("status", {0, bottom}, {size.x, look.px.status}, look.theme.raised, {look.px(14), look.px(5)}, [&] { draw_status_bar(frame); });
+  area("transport", {0, under}, {split, look.px.transport}, look.theme.panel, {look.px.l, look.px(14)},
+       [&] { draw_transport(frame); });
+  if (panels)
+    area("side", {split, look.px.menu}, {side, bottom - look.px.menu}, look.theme.panel, {0, 0},
+         [&] { draw_side(frame); });
+  area("status", {0, bottom}, {size.x, look.px.status}, look.theme.raised, {look.px(14), look.px(5)},
+       [&] { draw_status_bar(frame); });
   if (panels) draw_splitter(frame, split, look.px.menu, bottom);
   draw_message(look, {left, look.px.menu}, {split, under});
 }
@@ -94,13 +110,21 @@ void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
     const auto room = static_cast<std::size_t>(std::max(1.0f, (max.x - min.x) / look.px(kNarrowestPane)));
     const std::size_t count = std::min(frame.session.runs().size(), room);
     // Too narrow for all: the one that the side panel is about.
-    const std::size_t first = count < frame.session.runs().size() ? std::min(panels_.pane, frame.session.runs().size() - count) : 0;
+    const std::size_t first =
+        count < frame.session.runs().size() ? std::min(panels_.pane, frame.session.runs().size() - count) : 0;
     const float gap = look.px(6);
     const float width = (max.x - min.x - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
+    const GridMap& map = frame.session.scenario().map;
+    panels_.zoom = resolve(view_.view.camera, map.width, map.height,
+                           {static_cast<int>(width), static_cast<int>(max.y - min.y)})
+                       .zoom;
     for (std::size_t i = 0; i < count; ++i) {
       const float x = std::floor(min.x + static_cast<float>(i) * (width + gap));
-      canvas(first + i).draw(look, frame.session, first + i, view_, {x, min.y}, {std::floor(x + width), max.y}, !dialogs_.open(), frame.commands);
-      if (i > 0) ImGui::GetWindowDrawList()->AddRectFilled({x - gap, min.y}, {x - gap + look.px.hair, max.y}, look.theme.line);
+      canvas(first + i).draw(look, frame.session, first + i, view_, {x, min.y},
+                             {std::floor(x + width), max.y}, !dialogs_.open(), frame.commands);
+      if (i > 0)
+        ImGui::GetWindowDrawList()->AddRectFilled({x - gap, min.y}, {x - gap + look.px.hair, max.y},
+                                                  look.theme.line);
     }
   });
 }
@@ -115,8 +139,11 @@ void Shell::draw_message(const Look& look, ImVec2 min, ImVec2 max) {
   const float words = std::min(text_width(look.fonts.ui, message_.text) + look.px(2), width - look.px(80));
   ImGui::SetNextWindowPos({(min.x + max.x) * 0.5f, max.y - look.px(56)}, ImGuiCond_Always, {0.5f, 1});
   ImGui::SetNextWindowBgAlpha(0.96f);
-  ImGui::Begin("message", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
-  text(look.fonts.ui, message_.bad ? look.theme.bad : look.theme.good, message_.bad ? icon::warning : icon::check);
+  ImGui::Begin("message", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+  text(look.fonts.ui, message_.bad ? look.theme.bad : look.theme.good,
+       message_.bad ? icon::warning : icon::check);
   ImGui::SameLine(0, look.px(10));
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + words);
   text(look.fonts.ui, look.theme.text, message_.text);
@@ -134,7 +161,8 @@ void Shell::draw_splitter(Frame& frame, float x, float top, float bottom) {
     ImGui::InvisibleButton("drag", {half * 2, bottom - top});
     if (!ImGui::IsItemHovered() && !ImGui::IsItemActive()) return;
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    ImGui::GetWindowDrawList()->AddRectFilled({x - look.px.hair, top}, {x + look.px.hair, bottom}, look.theme.accent);
+    ImGui::GetWindowDrawList()->AddRectFilled({x - look.px.hair, top}, {x + look.px.hair, bottom},
+                                              look.theme.accent);
     if (!ImGui::IsItemActive()) return;
     const float wanted = (ImGui::GetIO().DisplaySize.x - ImGui::GetIO().MousePos.x) / look.px.scale;
     panels_.side_width = std::clamp(wanted, kNarrowestSide, kWidestSide);
@@ -143,28 +171,47 @@ void Shell::draw_splitter(Frame& frame, float x, float top, float bottom) {
 
 void Shell::take_commands(Session& session, std::vector<Command>& commands) {
   for (const Command& command : commands)
-    if (const Result<void> done = session.apply(command); !done && !is_quiet(command)) tell(done.error(), true);
+    if (const Result<void> done = session.apply(command); !done && !is_quiet(command))
+      tell(done.error(), true);
 }
 
 void Shell::take_wish(Session& session, Wish wish) {
   switch (wish) {
-    case Wish::none: break;
-    case Wish::new_world: begin(session, {Pending::Kind::new_world, {}}); break;
-    case Wish::open: begin(session, {Pending::Kind::open_dialog, {}}); break;
-    case Wish::quit: begin(session, {Pending::Kind::quit, {}}); break;
-    case Wish::save:
-      if (saves_in_place(session.file())) save(session, session.file());
-      else dialogs_.show(DialogKind::save, session.file().empty() ? "" : file_folder(session.file()) + "/" + file_stem(session.file()) + ".json");
+    case Wish::none:
       break;
-    case Wish::save_as: dialogs_.show(DialogKind::save, session.file()); break;
-    case Wish::fit: fit(); break;
-    case Wish::keys: dialogs_.show(DialogKind::keys); break;
+    case Wish::new_world:
+      begin(session, {Pending::Kind::new_world, {}});
+      break;
+    case Wish::open:
+      begin(session, {Pending::Kind::open_dialog, {}});
+      break;
+    case Wish::quit:
+      begin(session, {Pending::Kind::quit, {}});
+      break;
+    case Wish::save:
+      if (saves_in_place(session.file()))
+        save(session, session.file());
+      else
+        dialogs_.show(DialogKind::save, session.file().empty() ? ""
+                                                               : file_folder(session.file()) + "/" +
+                                                                     file_stem(session.file()) + ".json");
+      break;
+    case Wish::save_as:
+      dialogs_.show(DialogKind::save, session.file());
+      break;
+    case Wish::fit:
+      fit();
+      break;
+    case Wish::keys:
+      dialogs_.show(DialogKind::keys);
+      break;
   }
 }
 
 void Shell::take_decision(Session& session, const Decision& decision) {
   switch (decision.kind) {
-    case Decision::Kind::none: break;
+    case Decision::Kind::none:
+      break;
     case Decision::Kind::cancel:
       dialogs_.close();
       pending_ = {};
@@ -180,10 +227,14 @@ void Shell::take_decision(Session& session, const Decision& decision) {
     case Decision::Kind::new_world:
       replace(session, empty_world(decision.width, decision.height, session.scenario()), "");
       break;
-    case Decision::Kind::discard: go_on(session); break;
+    case Decision::Kind::discard:
+      go_on(session);
+      break;
     case Decision::Kind::save_first:
-      if (!saves_in_place(session.file())) dialogs_.show(DialogKind::save);
-      else if (save(session, session.file())) go_on(session);
+      if (!saves_in_place(session.file()))
+        dialogs_.show(DialogKind::save);
+      else if (save(session, session.file()))
+        go_on(session);
       break;
   }
 }
@@ -200,19 +251,27 @@ void Shell::begin(Session& session, Pending pending) {
 void Shell::go_on(Session& session) {
   const Pending pending = std::exchange(pending_, {});
   switch (pending.kind) {
-    case Pending::Kind::none: break;
-    case Pending::Kind::open_dialog: dialogs_.show(DialogKind::open); break;
-    case Pending::Kind::open_file: load(session, pending.path); break;
-    case Pending::Kind::new_world: dialogs_.show(DialogKind::new_world); break;
-    case Pending::Kind::quit: quitting_ = true; break;
+    case Pending::Kind::none:
+      break;
+    case Pending::Kind::open_dialog:
+      dialogs_.show(DialogKind::open);
+      break;
+    case Pending::Kind::open_file:
+      load(session, pending.path);
+      break;
+    case Pending::Kind::new_world:
+      dialogs_.show(DialogKind::new_world);
+      break;
+    case Pending::Kind::quit:
+      quitting_ = true;
+      break;
   }
 }
 
 bool Shell::load(Session& session, const std::string& path) {
   Result<Scenario> scenario = open_document(path, session.scenario());
   if (!scenario) {
-    if (dialogs_.open()) dialogs_.complain(scenario.error());
-    else tell(scenario.error(), true);
+    complain(scenario.error());
     return false;
   }
   replace(session, *std::move(scenario), path);
@@ -222,8 +281,7 @@ bool Shell::load(Session& session, const std::string& path) {
 bool Shell::save(Session& session, const std::string& path) {
   const Result<void> done = save_document(session, view_, path);
   if (!done) {
-    if (dialogs_.open()) dialogs_.complain(done.error());
-    else tell(done.error(), true);
+    complain(done.error());
     return false;
   }
   session.saved(path);
@@ -233,11 +291,13 @@ bool Shell::save(Session& session, const std::string& path) {
 
 void Shell::replace(Session& session, Scenario scenario, const std::string& file) {
   show(scenario.view);
-  if (const Result<void> done = session.apply(ReplaceScenario{std::move(scenario), file}); !done) tell(done.error(), true);
+  if (const Result<void> done = session.apply(ReplaceScenario{std::move(scenario), file}); !done)
+    tell(done.error(), true);
 }
 
 void Shell::show(const ViewSetup& view) {
-  if (const Result<OverlaySet> set = parse_overlays(view.overlays); set && !view.overlays.empty()) view_.view.overlays = *set;
+  if (const Result<OverlaySet> set = parse_overlays(view.overlays); set && !view.overlays.empty())
+    view_.view.overlays = *set;
   if (view.theme) view_.dark = *view.theme == "dark";
   view_.view.pinned.reset();
   view_.view.hovered.reset();
@@ -250,7 +310,9 @@ std::string Shell::title(const Session& session) {
   return document_name(session) + (session.modified() ? " — edited" : "");
 }
 
-void Shell::open(Session& session, const std::string& path) { begin(session, {Pending::Kind::open_file, path}); }
+void Shell::open(Session& session, const std::string& path) {
+  begin(session, {Pending::Kind::open_file, path});
+}
 
 bool Shell::may_close(const Session& session) {
   if (quitting_ || !session.modified()) return true;
@@ -259,10 +321,22 @@ bool Shell::may_close(const Session& session) {
   return false;
 }
 
+/// In the dialog that the user is looking at, else over the canvas and in the Log.
+void Shell::complain(const std::string& sentence) {
+  if (dialogs_.open()) {
+    dialogs_.complain(sentence);
+    return;
+  }
+  panels_.notices.push_back(sentence);
+  tell(sentence, true);
+}
+
 void Shell::tell(std::string sentence, bool bad) {
   if (sentence.empty()) return;
-  const auto first = static_cast<unsigned char>(sentence.front());
-  sentence.front() = static_cast<char>(std::toupper(first));
+  // A sentence begins large, a path stays as it is.
+  const std::size_t word = sentence.find_first_not_of("abcdefghijklmnopqrstuvwxyz");
+  if (word != 0 && (word == std::string::npos || sentence[word] == ' '))
+    sentence.front() = static_cast<char>(sentence.front() - 'a' + 'A');
   const auto time = bad ? std::chrono::duration_cast<std::chrono::seconds>(kErrorTime) : kMessageTime;
   message_ = {std::move(sentence), bad, std::chrono::steady_clock::now() + time};
 }

@@ -1,4 +1,5 @@
-// The whole window: lays out the panels, hands keys to actions, and applies what they queued once all is drawn.
+// The whole window: lays out the panels, hands keys to actions, and applies what they queued once all is
+// drawn.
 #pragma once
 
 #include <chrono>
@@ -18,7 +19,8 @@ class Shell {
   /// The renderer's context must be current in draw() and in the destructor.
   explicit Shell(ImGuiRenderer& renderer) : renderer_(renderer) {}
 
-  /// Draws one frame over the whole display, then applies what was asked for. The owner calls session.update().
+  /// Draws one frame over the whole display, then applies what was asked for. The owner calls
+  /// session.update().
   void draw(const Look& look, Session& session, double seconds);
   /// Whether the next frame is due at once, without any input: something plays, searches or fades.
   [[nodiscard]] bool wants_frames(const Session& session) const;
@@ -28,7 +30,8 @@ class Shell {
   [[nodiscard]] PanelState& panels() { return panels_; }
   [[nodiscard]] const PanelState& panels() const { return panels_; }
 
-  /// Takes over what a scenario says of its view: overlays, theme, camera. The whole world is shown if it names none.
+  /// Takes over what a scenario says of its view: overlays, theme, camera. The whole world is shown if it
+  /// names none.
   void show(const ViewSetup& view);
   /// What the window is about: "maze.json", with a mark if there are unsaved edits.
   [[nodiscard]] static std::string title(const Session& session);
@@ -67,6 +70,7 @@ class Shell {
   void go_on(Session& session);
   bool load(Session& session, const std::string& path);
   bool save(Session& session, const std::string& path);
+  void complain(const std::string& sentence);
   void replace(Session& session, Scenario scenario, const std::string& file);
 
   ImGuiRenderer& renderer_;
@@ -77,8 +81,8 @@ class Shell {
   Pending pending_;
   Message message_;
   bool quitting_ = false;
-  bool held_ = false;              // a key that repeats is down
-  std::uint64_t drawn_ = 0;        // the session's revision that the last frame showed
+  bool held_ = false;        // a key that repeats is down
+  std::uint64_t drawn_ = 0;  // the session's revision that the last frame showed
 };
 
 }  // namespace replan::ui

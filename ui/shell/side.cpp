@@ -14,9 +14,11 @@ void choose_pane(Frame& frame) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float width = (ImGui::GetContentRegionAvail().x) / static_cast<float>(runs.size());
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(origin, {origin.x + width * static_cast<float>(runs.size()), origin.y + look.px.control}, look.theme.raised, look.px.radius);
+  list.AddRectFilled(origin, {origin.x + width * static_cast<float>(runs.size()), origin.y + look.px.control},
+                     look.theme.raised, look.px.radius);
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const ImVec2 min(origin.x + width * static_cast<float>(i), origin.y), max(min.x + width, origin.y + look.px.control);
+    const ImVec2 min(origin.x + width * static_cast<float>(i), origin.y),
+        max(min.x + width, origin.y + look.px.control);
     ImGui::SetCursorScreenPos(min);
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::InvisibleButton("pane", {width, look.px.control})) frame.panels.pane = i;
@@ -25,7 +27,8 @@ void choose_pane(Frame& frame) {
     ImGui::PopID();
     if (chosen) list.AddRectFilled(min, max, look.theme.selected, look.px.radius);
     const std::string name = elide(look.fonts.ui, runs[i]->info().name, width - look.px.l);
-    draw_text_centred(list, look.fonts.ui, min, max, chosen || hovered ? look.theme.text : look.theme.dim, name);
+    draw_text_centred(list, look.fonts.ui, min, max, chosen || hovered ? look.theme.text : look.theme.dim,
+                      name);
   }
   ImGui::SetCursorScreenPos({origin.x, origin.y + look.px.control + look.px.m});
 }
@@ -40,16 +43,28 @@ void draw_side(Frame& frame) {
   edge(look, Edge::left);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.l, look.px.m));
   // A child of its own per tab, so that each keeps its scroll position.
-  ImGui::BeginChild(kNames[static_cast<std::size_t>(frame.view.tab)], {0, 0}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::BeginChild(kNames[static_cast<std::size_t>(frame.view.tab)], {0, 0}, false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGui::PopStyleVar();
-  const bool per_pane = frame.view.tab == kPlannerTab || frame.view.tab == kCellTab || frame.view.tab == kCodeTab;
+  const bool per_pane =
+      frame.view.tab == kPlannerTab || frame.view.tab == kCellTab || frame.view.tab == kCodeTab;
   if (per_pane && frame.session.runs().size() > 1) choose_pane(frame);
   switch (frame.view.tab) {
-    case kPlannerTab: draw_planner_panel(frame); break;
-    case kCellTab: draw_cell_panel(frame); break;
-    case kCodeTab: draw_code_panel(frame); break;
-    case kFiguresTab: draw_figures_panel(frame); break;
-    default: draw_log_panel(frame); break;
+    case kPlannerTab:
+      draw_planner_panel(frame);
+      break;
+    case kCellTab:
+      draw_cell_panel(frame);
+      break;
+    case kCodeTab:
+      draw_code_panel(frame);
+      break;
+    case kFiguresTab:
+      draw_figures_panel(frame);
+      break;
+    default:
+      draw_log_panel(frame);
+      break;
   }
   ImGui::EndChild();
 }

@@ -25,21 +25,32 @@ bool searching(const Run& run, const replan::Mark* mark) {
 
 Verdict verdict(const Theme& theme, const Run& run) {
   const replan::Mark* mark = run.mark_at(run.timeline().cursor());
-  if (mark == nullptr) return run.timeline().cursor() == 0 ? Verdict{theme.faint, "not planned yet"} : Verdict{theme.accent, "searching"};
+  if (mark == nullptr)
+    return run.timeline().cursor() == 0 ? Verdict{theme.faint, "not planned yet"}
+                                        : Verdict{theme.accent, "searching"};
   if (searching(run, mark)) return {theme.warning, "replanning"};
   switch (mark->state) {
-    case MissionState::planning: return {theme.accent, "searching"};
-    case MissionState::arrived: return {theme.good, "arrived"};
-    case MissionState::collision: return {theme.bad, "would hit an obstacle"};
-    case MissionState::loop: return {theme.bad, "goes round in a circle"};
+    case MissionState::planning:
+      return {theme.accent, "searching"};
+    case MissionState::arrived:
+      return {theme.good, "arrived"};
+    case MissionState::collision:
+      return {theme.bad, "would hit an obstacle"};
+    case MissionState::loop:
+      return {theme.bad, "goes round in a circle"};
     case MissionState::no_path:
-    case MissionState::driving: break;
+    case MissionState::driving:
+      break;
   }
   switch (mark->route->status) {
-    case PlanStatus::start_blocked: return {theme.bad, "the start is blocked"};
-    case PlanStatus::goal_blocked: return {theme.bad, "the goal is blocked"};
-    case PlanStatus::no_path: return {theme.bad, "no path"};
-    default: return {theme.good, "plan stands"};
+    case PlanStatus::start_blocked:
+      return {theme.bad, "the start is blocked"};
+    case PlanStatus::goal_blocked:
+      return {theme.bad, "the goal is blocked"};
+    case PlanStatus::no_path:
+      return {theme.bad, "no path"};
+    default:
+      return {theme.good, "plan stands"};
   }
 }
 
@@ -69,7 +80,8 @@ class Line {
     if (next(text_width(look_.fonts.ui, words))) text(look_.fonts.ui, look_.theme.dim, words);
   }
   void dot(const Verdict& verdict) {
-    if (next(text_width(look_.fonts.ui, verdict.text) + look_.px(14))) status(look_, verdict.colour, verdict.text);
+    if (next(text_width(look_.fonts.ui, verdict.text) + look_.px(14)))
+      status(look_, verdict.colour, verdict.text);
   }
   bool next(float width) {
     const float gap = first_ ? 0 : look_.px(22);
@@ -91,13 +103,16 @@ float right_side(Frame& frame) {
   const Look& look = frame.look;
   const Run& run = frame.session.run();
   const replan::Mark* mark = run.mark_at(run.timeline().cursor());
-  const std::string moves = "robot " + count_text(static_cast<std::int64_t>(run.timeline().state().scalar(Scalar::moves)), "step", "steps");
+  const std::string moves =
+      "robot " +
+      count_text(static_cast<std::int64_t>(run.timeline().state().scalar(Scalar::moves)), "step", "steps");
   const std::string time = frame.panels.frame_ms > 0 ? fixed(frame.panels.frame_ms, 1) + " ms" : "";
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float right = origin.x + ImGui::GetContentRegionAvail().x;
   const float time_x = right - text_width(look.fonts.mono, "00.0 ms");
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_text(list, look.fonts.mono, {right - text_width(look.fonts.mono, time), origin.y}, look.theme.dim, time);
+  draw_text(list, look.fonts.mono, {right - text_width(look.fonts.mono, time), origin.y}, look.theme.dim,
+            time);
   const float moves_x = time_x - look.px(16) - text_width(look.fonts.ui, moves);
   if (mark != nullptr) draw_text(list, look.fonts.ui, {moves_x, origin.y}, look.theme.dim, moves);
   return moves_x;
@@ -115,7 +130,8 @@ void busy(Frame& frame, Line& line) {
   ImGui::SameLine(0, look.px.xs);
   ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y - look.px(5)});
   const Action& stop = action(ActionId::cancel);
-  if (small_button(look, stop.name, {.icon = stop.icon, .hint = stop.hint()})) perform(frame, ActionId::cancel);
+  if (small_button(look, stop.name, {.icon = stop.icon, .hint = stop.hint()}))
+    perform(frame, ActionId::cancel);
 }
 
 }  // namespace
@@ -129,23 +145,28 @@ void draw_status_bar(Frame& frame) {
   const View& view = frame.view.view;
   const std::optional<Cell> cell = view.hovered ? view.hovered : view.pinned;
   if (cell && frame.session.scenario().map.contains(*cell)) {
-    line.pair("Cell", std::to_string(cell->x) + ", " + std::to_string(cell->y), {"Cell", "", "Column and row, from (0, 0) at the top left."});
+    line.pair("Cell", std::to_string(cell->x) + ", " + std::to_string(cell->y),
+              {"Cell", "", "Column and row, from (0, 0) at the top left."});
     line.word(cell_state(frame, *cell));
   }
   line.dot(verdict(look.theme, run));
   busy(frame, line);
   const replan::Mark* mark = run.mark_at(run.timeline().cursor());
   if (mark != nullptr && mark->route->status == PlanStatus::found)
-    line.pair("path", fixed(path_length(run.lattice(), mark->route->path.nodes), 1),
-              {"Path length", "", "Of the plan that stands, in cells, measured along its straight segments."});
-  line.pair("|U|", grouped(queue_size(frame.panels, frame.session, std::min(frame.panels.pane, frame.session.runs().size() - 1))),
+    line.pair(
+        "path", fixed(path_length(run.lattice(), mark->route->path.nodes), 1),
+        {"Path length", "", "Of the plan that stands, in cells, measured along its straight segments."});
+  line.pair("|U|",
+            grouped(queue_size(frame.panels, frame.session,
+                               std::min(frame.panels.pane, frame.session.runs().size() - 1))),
             {"Open list", "", "How many vertices wait in the open list U."});
   if (run.info().from_goal)
     line.pair("km", cost_text(run.timeline().state().km(), 2),
-              {"km", "", "The way the robot has gone between replans, added to new keys so that old ones stay valid."});
-  if (view.camera.zoom > 0)
-    line.pair("Zoom", fixed(view.camera.zoom / std::max(1e-3, view.scale), view.camera.zoom < 10 * view.scale ? 1 : 0) + "×",
-              {"Zoom", "", "Pixels per cell."});
+              {"km", "",
+               "The way the robot has gone between replans, added to new keys so that old ones stay valid."});
+  const double zoom = frame.panels.zoom / static_cast<double>(look.px.scale);
+  line.pair("Zoom", fixed(zoom, zoom < 10 ? 1 : 0) + "×",
+            {"Zoom", "", "Pixels per cell, at the display's scale."});
 }
 
 }  // namespace replan::ui

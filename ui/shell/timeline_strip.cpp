@@ -17,7 +17,9 @@ struct Scale {
   std::size_t size;  // of the log
 
   [[nodiscard]] float x(std::size_t event) const {
-    return size == 0 ? left : left + static_cast<float>(static_cast<double>(event) / static_cast<double>(size)) * (right - left);
+    return size == 0 ? left
+                     : left + static_cast<float>(static_cast<double>(event) / static_cast<double>(size)) *
+                                  (right - left);
   }
   [[nodiscard]] std::size_t event(float at) const {
     const double part = std::clamp((at - left) / std::max(right - left, 1.0f), 0.0f, 1.0f);
@@ -44,10 +46,12 @@ float column(std::span<const std::uint32_t> curve, double from, double to) {
   return static_cast<float>(sum / static_cast<double>(last - first));
 }
 
-void draw_curve(const Look& look, ImDrawList& list, const Run& run, const Scale& scale, float top, float bottom) {
+void draw_curve(const Look& look, ImDrawList& list, const Run& run, const Scale& scale, float top,
+                float bottom) {
   // The last chunk is as a rule not full; it would look like a drop.
   const std::size_t whole = run.timeline().size() / Run::kCurveChunk;
-  const auto curve = run.expansion_curve().first(std::min(std::max<std::size_t>(whole, 1), run.expansion_curve().size()));
+  const auto curve =
+      run.expansion_curve().first(std::min(std::max<std::size_t>(whole, 1), run.expansion_curve().size()));
   if (curve.empty()) return;
   const float step = std::max(look.px(2), 1.0f);
   std::vector<float> heights;
@@ -58,7 +62,8 @@ void draw_curve(const Look& look, ImDrawList& list, const Run& run, const Scale&
   const float highest = std::max(*std::max_element(heights.begin(), heights.end()), 1.0f);
   for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
     const float x = scale.left + static_cast<float>(i) * step;
-    const float a = bottom - heights[i] / highest * (bottom - top), b = bottom - heights[i + 1] / highest * (bottom - top);
+    const float a = bottom - heights[i] / highest * (bottom - top),
+                b = bottom - heights[i + 1] / highest * (bottom - top);
     list.AddQuadFilled({x, a}, {x + step, b}, {x + step, bottom}, {x, bottom}, look.theme.series);
   }
 }
@@ -78,20 +83,32 @@ std::optional<MarkStyle> style_of(const Theme& theme, const Run& run, const Mark
       if (number == 0) return MarkStyle{Shape::triangle, theme.start, "The first plan begins"};
       return MarkStyle{Shape::triangle, theme.surprise, "A replan begins"};
     }
-    case EventKind::surprise: return MarkStyle{Shape::diamond, theme.surprise, "A surprise: the world changes"};
-    case EventKind::arrival: return MarkStyle{Shape::circle, theme.goal, "The robot arrives"};
-    case EventKind::collision: return MarkStyle{Shape::cross, theme.bad, "The robot would hit an obstacle"};
-    case EventKind::gave_up: return MarkStyle{Shape::cross, theme.bad, "The mission ends without arrival"};
-    default: return std::nullopt;
+    case EventKind::surprise:
+      return MarkStyle{Shape::diamond, theme.surprise, "A surprise: the world changes"};
+    case EventKind::arrival:
+      return MarkStyle{Shape::circle, theme.goal, "The robot arrives"};
+    case EventKind::collision:
+      return MarkStyle{Shape::cross, theme.bad, "The robot would hit an obstacle"};
+    case EventKind::gave_up:
+      return MarkStyle{Shape::cross, theme.bad, "The mission ends without arrival"};
+    default:
+      return std::nullopt;
   }
 }
 
 void draw_mark(const Look& look, ImDrawList& list, ImVec2 at, const MarkStyle& style) {
   const float r = look.px(5);
   switch (style.shape) {
-    case Shape::triangle: list.AddTriangleFilled({at.x, at.y - r}, {at.x + r, at.y + r}, {at.x - r, at.y + r}, style.colour); break;
-    case Shape::diamond: list.AddQuadFilled({at.x, at.y - r}, {at.x + r, at.y}, {at.x, at.y + r}, {at.x - r, at.y}, style.colour); break;
-    case Shape::circle: list.AddCircleFilled(at, r, style.colour); break;
+    case Shape::triangle:
+      list.AddTriangleFilled({at.x, at.y - r}, {at.x + r, at.y + r}, {at.x - r, at.y + r}, style.colour);
+      break;
+    case Shape::diamond:
+      list.AddQuadFilled({at.x, at.y - r}, {at.x + r, at.y}, {at.x, at.y + r}, {at.x - r, at.y},
+                         style.colour);
+      break;
+    case Shape::circle:
+      list.AddCircleFilled(at, r, style.colour);
+      break;
     case Shape::cross:
       list.AddLine({at.x - r, at.y - r}, {at.x + r, at.y + r}, style.colour, look.px(2));
       list.AddLine({at.x - r, at.y + r}, {at.x + r, at.y - r}, style.colour, look.px(2));
@@ -100,7 +117,8 @@ void draw_mark(const Look& look, ImDrawList& list, ImVec2 at, const MarkStyle& s
 }
 
 /// Draws the marks and returns the one under the mouse.
-std::optional<std::pair<Marker, MarkStyle>> draw_marks(const Look& look, ImDrawList& list, const Run& run, const Scale& scale, float y) {
+std::optional<std::pair<Marker, MarkStyle>> draw_marks(const Look& look, ImDrawList& list, const Run& run,
+                                                       const Scale& scale, float y) {
   std::optional<std::pair<Marker, MarkStyle>> hovered;
   std::array<float, 4> last;
   last.fill(-1e9f);
@@ -118,7 +136,8 @@ std::optional<std::pair<Marker, MarkStyle>> draw_marks(const Look& look, ImDrawL
   return hovered;
 }
 
-void draw_playhead(const Look& look, ImDrawList& list, const Scale& scale, std::size_t cursor, float top, float track) {
+void draw_playhead(const Look& look, ImDrawList& list, const Scale& scale, std::size_t cursor, float top,
+                   float track) {
   const float x = std::round(scale.x(cursor));
   const float half = look.px(2);
   list.AddRectFilled({scale.left, track - half}, {scale.right, track + half}, look.theme.line, half);
@@ -140,13 +159,13 @@ void draw_timeline(Frame& frame, ImVec2 min, ImVec2 max) {
   const Look& look = frame.look;
   const Run& run = frame.session.run();
   const Scale scale{min.x, max.x, run.timeline().size()};
-  const float track = max.y - look.px(12);
+  const float track = max.y - look.px(17);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_curve(look, list, run, scale, min.y + look.px(6), track - look.px(2));
   ImGui::SetCursorScreenPos(min);
   ImGui::InvisibleButton("timeline", {std::max(max.x - min.x, 1.0f), max.y - min.y});
   const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
-  const auto mark = draw_marks(look, list, run, scale, track + look.px(8));
+  const auto mark = draw_marks(look, list, run, scale, track + look.px(12));
   if (active) {
     // A click on a mark goes behind its event, where its effect shows; a drag goes where the mouse is.
     const bool clicked = ImGui::IsItemActivated() && mark;

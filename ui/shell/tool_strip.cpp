@@ -10,7 +10,10 @@ namespace {
 void tool(Frame& frame, ActionId id, ImU32 colour = 0) {
   const Action& each = action(id);
   if (tool_button(frame.look, each.name,
-                  {.icon = each.icon, .hint = each.hint(), .selected = checked(each, context_of(frame)), .colour = colour}))
+                  {.icon = each.icon,
+                   .hint = each.hint(),
+                   .selected = checked(each, context_of(frame)),
+                   .colour = colour}))
     perform(frame, id);
 }
 
@@ -21,20 +24,33 @@ void brush_size(Frame& frame) {
   if (ImGui::InvisibleButton("brush", {look.px.tool, look.px.tool})) ImGui::OpenPopup("brush size");
   const bool hovered = ImGui::IsItemHovered();
   const std::string keys = action(ActionId::brush_smaller).keys + " " + action(ActionId::brush_larger).keys;
-  hint(look, {"Brush size", keys.c_str(), "Side of the square that paint, erase and surprise write. The wheel changes it."});
-  if (hovered && ImGui::GetIO().MouseWheel != 0) context_of(frame).resize_brush(ImGui::GetIO().MouseWheel > 0 ? 1 : -1);
+  hint(look, {"Brush size", keys.c_str(),
+              "Side of the square that paint, erase and surprise write. The wheel changes it."});
+  if (hovered && ImGui::GetIO().MouseWheel != 0)
+    context_of(frame).resize_brush(ImGui::GetIO().MouseWheel > 0 ? 1 : -1);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (hovered) list.AddRectFilled(origin, {origin.x + look.px.tool, origin.y + look.px.tool}, look.theme.hover, look.px.radius_l);
+  if (hovered)
+    list.AddRectFilled(origin, {origin.x + look.px.tool, origin.y + look.px.tool}, look.theme.hover,
+                       look.px.radius_l);
   const std::string size = std::to_string(frame.view.brush);
-  draw_text_centred(list, look.fonts.mono, origin, {origin.x + look.px.tool, origin.y + look.px(22)}, look.theme.dim, size);
+  draw_text_centred(list, look.fonts.mono, origin, {origin.x + look.px.tool, origin.y + look.px(22)},
+                    look.theme.dim, size);
   const float bar = look.px(3) + static_cast<float>(frame.view.brush) / 64.0f * look.px(15);
   const float middle = origin.x + look.px.tool * 0.5f;
-  list.AddRectFilled({middle - bar * 0.5f, origin.y + look.px(24)}, {middle + bar * 0.5f, origin.y + look.px(27)},
-                     look.theme.dim, look.px(1));
+  list.AddRectFilled({middle - bar * 0.5f, origin.y + look.px(24)},
+                     {middle + bar * 0.5f, origin.y + look.px(27)}, look.theme.dim, look.px(1));
   if (ImGui::BeginPopup("brush size")) {
     double value = frame.view.brush;
     ImGui::BeginChild("slider", {look.px(200), look.px(40)});
-    if (slider(look, {.label = "Brush", .min = 1, .max = 64, .initial = 1, .unit = "cells", .decimals = 0, .logarithmic = true}, value))
+    if (slider(look,
+               {.label = "Brush",
+                .min = 1,
+                .max = 64,
+                .initial = 1,
+                .unit = "cells",
+                .decimals = 0,
+                .logarithmic = true},
+               value))
       frame.view.brush = static_cast<int>(value);
     ImGui::EndChild();
     ImGui::EndPopup();
@@ -43,7 +59,10 @@ void brush_size(Frame& frame) {
 
 void overlays_button(Frame& frame) {
   const Look& look = frame.look;
-  if (tool_button(look, "overlays", {.icon = icon::eye, .hint = {"Overlays", "", "What is laid over the world: values as colours, arrows, the path, the queue."}}))
+  if (tool_button(look, "overlays",
+                  {.icon = icon::eye,
+                   .hint = {"Overlays", "",
+                            "What is laid over the world: values as colours, arrows, the path, the queue."}}))
     ImGui::OpenPopup("overlays");
   const ImVec2 corner(ImGui::GetItemRectMax().x + look.px(10), ImGui::GetItemRectMax().y);
   ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {0, 1});

@@ -14,16 +14,21 @@ constexpr double kSlowest = 1;
 
 void transport_action(Frame& frame, ActionId id, const char* icon, bool primary = false) {
   const Action& each = action(id);
-  if (transport_button(frame.look, each.name, {.icon = icon, .hint = each.hint(), .selected = primary})) perform(frame, id);
+  if (transport_button(frame.look, each.name, {.icon = icon, .hint = each.hint(), .selected = primary}))
+    perform(frame, id);
   ImGui::SameLine(0, frame.look.px(6));
 }
 
 ActionId step_action(StepUnit unit, bool forwards) {
   switch (unit) {
-    case StepUnit::line: return forwards ? ActionId::line_forward : ActionId::line_back;
-    case StepUnit::expansion: return forwards ? ActionId::step_forward : ActionId::step_back;
-    case StepUnit::move: return forwards ? ActionId::move_forward : ActionId::move_back;
-    case StepUnit::replan: return forwards ? ActionId::replan_forward : ActionId::replan_back;
+    case StepUnit::line:
+      return forwards ? ActionId::line_forward : ActionId::line_back;
+    case StepUnit::expansion:
+      return forwards ? ActionId::step_forward : ActionId::step_back;
+    case StepUnit::move:
+      return forwards ? ActionId::move_forward : ActionId::move_back;
+    case StepUnit::replan:
+      return forwards ? ActionId::replan_forward : ActionId::replan_back;
   }
   return ActionId::step_forward;
 }
@@ -49,7 +54,9 @@ void step_unit(Frame& frame, bool roomy) {
   }
   int unit = static_cast<int>(frame.panels.unit);
   if (combo(look, "##unit", kUnits, unit, look.px(106))) frame.panels.unit = static_cast<StepUnit>(unit);
-  hint(look, {"Step over", "", "What one press of the step buttons goes over: a line of pseudo-code, an expansion, a move of the robot, or all up to the next plan."});
+  hint(look, {"Step over", "",
+              "What one press of the step buttons goes over: a line of pseudo-code, an expansion, a move of "
+              "the robot, or all up to the next plan."});
 }
 
 std::string speed_text(double speed) {
@@ -73,15 +80,19 @@ void speed(Frame& frame, bool roomy) {
   const double range = std::log(Session::kFullSpeed / kSlowest);
   double now = frame.session.playback().expansions_per_second;
   if (ImGui::IsItemActive()) {
-    const double at = std::clamp((ImGui::GetIO().MousePos.x - origin.x - knob) / (width - 2 * knob), 0.0f, 1.0f);
+    const double at =
+        std::clamp((ImGui::GetIO().MousePos.x - origin.x - knob) / (width - 2 * knob), 0.0f, 1.0f);
     now = at > 0.97 ? Session::kFullSpeed : kSlowest * std::exp(range * at);
     frame.commands.push_back(SetSpeed{now});
   }
-  hint(look, {"Speed", "", "Expansions per second, on a log scale; at the right end as fast as possible. The robot drives at most 15 cells a second."});
+  hint(look, {"Speed", "",
+              "Expansions per second, on a log scale; at the right end as fast as possible. The robot drives "
+              "at most 15 cells a second."});
   const auto part = static_cast<float>(std::clamp(std::log(now / kSlowest) / range, 0.0, 1.0));
   const float x = origin.x + knob + part * (width - 2 * knob), y = origin.y + height * 0.5f;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled({origin.x, y - look.px(2)}, {origin.x + width, y + look.px(2)}, look.theme.line, look.px(2));
+  list.AddRectFilled({origin.x, y - look.px(2)}, {origin.x + width, y + look.px(2)}, look.theme.line,
+                     look.px(2));
   list.AddRectFilled({origin.x, y - look.px(2)}, {x, y + look.px(2)}, look.theme.accent, look.px(2));
   list.AddCircleFilled({x, y}, knob, look.theme.accent);
   ImGui::SameLine(0, look.px.s);
@@ -106,7 +117,8 @@ void counter(Frame& frame, float left, float right, float top) {
   draw_text(list, mono, {right - width + text_width(mono, now), y}, look.theme.faint, all + tail);
   ImGui::SetCursorScreenPos({right - width, top});
   ImGui::InvisibleButton("counter", {width, look.px.control});
-  hint(look, {"Events", "", "Where the playhead stands in the log of everything that the planner and the robot did."});
+  hint(look, {"Events", "",
+              "Where the playhead stands in the log of everything that the planner and the robot did."});
 }
 
 }  // namespace
@@ -121,7 +133,7 @@ void draw_transport(Frame& frame) {
   step_unit(frame, roomy);
   speed(frame, roomy);
   counter(frame, ImGui::GetItemRectMax().x + look.px.m, origin.x + width, origin.y);
-  draw_timeline(frame, {origin.x, origin.y + look.px(38)}, {origin.x + width, origin.y + look.px(102)});
+  draw_timeline(frame, {origin.x, origin.y + look.px(38)}, {origin.x + width, origin.y + look.px(107)});
 }
 
 }  // namespace replan::ui

@@ -1,0 +1,83 @@
+# bash completion for replan. Source it, or copy it to /usr/share/bash-completion/completions/replan.
+
+# Offers the words in $1 for the last part of a list "a,b,c".
+_replan_list() {
+  local done="" part="$cur" word
+  case "$cur" in
+    *,*) done="${cur%,*}," part="${cur##*,}" ;;
+  esac
+  for word in $(compgen -W "$1" -- "$part"); do COMPREPLY+=("$done$word"); done
+  compopt -o nospace 2>/dev/null
+}
+
+# Offers files that end in one of the given extensions, and folders.
+_replan_files() {
+  local file
+  while IFS= read -r file; do
+    if [ -d "$file" ]; then
+      COMPREPLY+=("$file/")
+    else
+      case " $* " in *" ${file##*.} "*) COMPREPLY+=("$file") ;; esac
+    fi
+  done < <(compgen -f -- "$cur")
+  compopt -o filenames 2>/dev/null
+}
+
+# The first column of "replan list $1", without its head.
+_replan_ids() {
+  replan list "$1" 2>/dev/null | awk 'NR > 1 && NF == 0 { exit } NR > 1 { print $1 }'
+}
+
+_replan_settings() {
+  replan list planners --json 2>/dev/null | sed -n 's/^ *"key": "\(.*\)",$/\1=/p' | sort -u
+}
+
+_replan_options() {
+  case "$1" in
+    run) echo "-h --help --map --start --goal --planner --set --json --csv" ;;
+    batch) echo "-h --help --map --planner --set --limit --json" ;;
+    render)
+      echo "-h --help --map --start --goal --planner --set -o --output --size --scale --at --at-end --at-plan" \
+        "--overlay --theme --canvas-only"
+      ;;
+    convert) echo "-h --help --start --goal --planner --set" ;;
+    list) echo "-h --help --json" ;;
+    *) echo "-h --help --version" ;;
+  esac
+}
+
+_replan() {
+  local maps="map png bmp jpg jpeg pgm ppm" commands="run batch render convert list"
+  local cur="${COMP_WORDS[COMP_CWORD]}" before="${COMP_WORDS[COMP_CWORD - 1]}" command=""
+  COMPREPLY=()
+  [ "$COMP_CWORD" -gt 1 ] && command="${COMP_WORDS[1]}"
+  case "$before" in
+    --planner) _replan_list "all $(_replan_ids planners)"; return ;;
+    --overlay) _replan_list "$(_replan_ids overlays)"; return ;;
+    --set)
+      COMPREPLY=($(compgen -W "$(_replan_settings)" -- "$cur"))
+      compopt -o nospace 2>/dev/null
+      return
+      ;;
+    --theme) COMPREPLY=($(compgen -W "light dark" -- "$cur")); return ;;
+    --map) _replan_files $maps; return ;;
+    --csv) _replan_files csv; return ;;
+    -o | --output) _replan_files png svg; return ;;
+    --start | --goal | --size | --scale | --at | --limit) return ;;
+  esac
+  case "$cur" in
+    -*) COMPREPLY=($(compgen -W "$(_replan_options "$command")" -- "$cur")); return ;;
+  esac
+  case "$command" in
+    run | render) _replan_files json ;;
+    batch) _replan_files scen ;;
+    convert) _replan_files json $maps ;;
+    list) COMPREPLY=($(compgen -W "planners maps overlays" -- "$cur")) ;;
+    *)
+      _replan_files json $maps
+      COMPREPLY+=($(compgen -W "$commands" -- "$cur"))
+      ;;
+  esac
+}
+
+complete -F _replan replan

@@ -1,0 +1,354 @@
+// The contracts of 'replan run', 'batch', 'list' and 'convert': output, exit codes, JSON.
+#include "tests/cli/child.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "core/plan/registry.hpp"
+#include "core/scene/view.hpp"
+#include "core/world/map_file.hpp"
+#include "core/world/scenario.hpp"
+#include "tests/support/shared_data.hpp"
+
+namespace replan::test {
+namespace {
+
+using Arguments = std::vector<std::string>;
+using nlohmann::json;
+
+// A wall with a gap; the room at the lower right is closed.
+constexpr const char* kMap =
+    "type octile\nheight 6\nwidth 8\nmap\n"
+    "........\n"
+    "...@....\n"
+    "...@....\n"
+    "...@.@@@\n"
+    "...@.@.@\n"
+    ".....@@@\n";
+
+constexpr const char* kScenario = R"({
+  "replan": 1, "name": "Gap",
+  "map": {"rows": ["........", "...@....", "...@....", "...@....", "........"]},
+  "start": [0, 2], "goal": [7, 2],
+  "planners": [{"id": "dstar-lite"}, {"id": "astar", "settings": {"heuristic": "zero"}}],
+  "robot": {"knowledge": "map", "sensor_radius": 2},
+  "surprises": [{"at": {"move": 1}, "add": {"cells": [[3, 0]]}}]
+})";
+
+const std::set<std::string> kFigures = {
+    "nodes",     "length",  "turns",      "turning_angle_deg", "min_clearance", "mean_clearance", "plan_ms",
+    "replan_ms", "replans", "expansions", "queue_operations",  "sight_checks",  "memory_bytes"};
+
+std::set<std::string> keys(const json& object) {
+  std::set<std::string> result;
+  for (const auto& [key, value] : object.items()) result.insert(key);
+  return result;
+}
+
+void expect_all_numbers(const json& object) {
+  for (const auto& [key, value] : object.items()) EXPECT_TRUE(value.is_number()) << key << ": " << value;
+}
+
+class CommandLine : public ::testing::Test {
+ protected:
+  TemporaryFolder folder_;
+  std::string map_ = folder_.with("room.map", kMap);
+  std::string scenario_ = folder_.with("gap.json", kScenario);
+
+  [[nodiscard]] Arguments plan(const std::string& start, const std::string& goal, const Arguments& more) const {
+    Arguments arguments = {"run", "--map", map_, "--start", start, "--goal", goal};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+};
+
+TEST_F(CommandLine, runPrintsEachPlanAsJson) {
+  const Outcome outcome = run_program(plan("0,2", "7,2", {"--planner", "astar,dld-star-lite", "--json"}));
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err, "");
+  const json document = outcome.json();
+  EXPECT_EQ(keys(document), std::set<std::string>{"runs"});
+  ASSERT_EQ(document["runs"].size(), 2u);
+  EXPECT_EQ(document["runs"][0]["planner"], "astar");
+  EXPECT_EQ(document["runs"][1]["planner"], "dld-star-lite");
+  for (const json& run : document["runs"]) {
+    EXPECT_EQ(keys(run), (std::set<std::string>{"planner", "status", "path", "figures"}));
+    EXPECT_EQ(run["status"], "found");
+    EXPECT_EQ(run["path"].front(), json({0, 2}));
+    EXPECT_EQ(run["path"].back(), json({7, 2}));
+    EXPECT_EQ(keys(run["figures"]), kFigures);
+    expect_all_numbers(run["figures"]);
+    EXPECT_EQ(run["figures"]["nodes"], run["path"].size());
+  }
+  // Up to the top row, past the wall's end on straight moves, and down: four diagonals.
+  EXPECT_NEAR(document["runs"][0]["figures"]["length"].get<double>(), 3 + 4 * std::sqrt(2.0), 1e-9);
+}
+
+TEST_F(CommandLine, runWithoutAPathHasNoPathZerosAndExitCodeOne) {
+  for (const auto& [goal, status] : {std::pair{"6,4", "no-path"}, {"3,1", "goal-blocked"}}) {
+    const Outcome outcome = run_program(plan("0,0", goal, {"--planner", "all", "--json"}));
+    EXPECT_EQ(outcome.code, 1);
+    const json document = outcome.json();
+    EXPECT_EQ(document["runs"].size(), planners().size());
+    for (const json& run : document["runs"]) {
+      EXPECT_EQ(run["status"], status);
+      EXPECT_EQ(run["path"], json::array());
+      expect_all_numbers(run["figures"]);
+      for (const char* key : {"nodes", "length", "turns", "turning_angle_deg", "min_clearance", "mean_clearance"})
+        EXPECT_EQ(run["figures"][key], 0) << key;
+    }
+  }
+}
+
+TEST_F(CommandLine, runSaysInWordsWhyThereIsNoPath) {
+  const Outcome blocked = run_program(plan("3,1", "7,2", {"--planner", "astar"}));
+  EXPECT_EQ(blocked.code, 1);
+  EXPECT_NE(blocked.out.find("start-blocked"), std::string::npos);
+  EXPECT_NE(blocked.out.find("The start is inside an obstacle"), std::string::npos);
+  EXPECT_EQ(blocked.err, "");
+}
+
+TEST_F(CommandLine, runDrivesAScenariosRobot) {
+  const Outcome outcome = run_program({"run", scenario_, "--json"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const json document = outcome.json();
+  ASSERT_EQ(document["runs"].size(), 2u);
+  for (const json& run : document["runs"]) {
+    const json& robot = run["robot"];
+    EXPECT_EQ(keys(run), (std::set<std::string>{"planner", "status", "path", "figures", "robot"}));
+    for (const char* key : {"moves", "travelled", "collisions", "replans"})
+      EXPECT_TRUE(robot[key].is_number()) << key;
+    EXPECT_EQ(robot["reached"], true);
+    EXPECT_EQ(robot["ending"], "arrived");
+    EXPECT_EQ(robot["collisions"], 0);
+    EXPECT_EQ(robot["replans"], run["figures"]["replans"]);
+    EXPECT_EQ(run["path"].front(), json({0, 2}));
+    EXPECT_EQ(run["path"].back(), json({7, 2}));
+    expect_all_numbers(run["figures"]);
+  }
+}
+
+TEST_F(CommandLine, aRobotThatCannotArriveIsExitCodeOne) {
+  std::string closed = kScenario;
+  closed.replace(closed.find("[[3, 0]]"), 8, "[[3, 0], [3, 4]]");
+  const Outcome outcome = run_program({"run", folder_.with("closed.json", closed), "--json"});
+  EXPECT_EQ(outcome.code, 1);
+  for (const json& run : outcome.json()["runs"]) {
+    EXPECT_EQ(run["robot"]["reached"], false);
+    EXPECT_EQ(run["robot"]["ending"], "no-path");
+  }
+}
+
+TEST_F(CommandLine, setGoesToEachPlannerThatHasTheSetting) {
+  const auto length = [](const json& run) { return run["figures"]["length"].get<double>(); };
+  const json all = run_program(plan("0,2", "7,2", {"--planner", "astar,dstar-lite", "--set", "moves=4", "--json"})).json();
+  EXPECT_EQ(length(all["runs"][0]), 11);
+  EXPECT_EQ(length(all["runs"][1]), 11);
+  const json one =
+      run_program(plan("0,2", "7,2", {"--planner", "astar,dstar-lite", "--set", "astar.moves=4", "--json"})).json();
+  EXPECT_EQ(length(one["runs"][0]), 11);
+  EXPECT_LT(length(one["runs"][1]), 10);
+}
+
+TEST_F(CommandLine, plannerReplacesAScenariosOwnAndKeepsTheirSettings) {
+  const json own = run_program({"run", scenario_, "--json"}).json();
+  const json named = run_program({"run", scenario_, "--planner", "astar", "--json"}).json();
+  ASSERT_EQ(named["runs"].size(), 1u);
+  EXPECT_EQ(named["runs"][0]["figures"]["expansions"], own["runs"][1]["figures"]["expansions"]);
+}
+
+TEST_F(CommandLine, runWritesCsv) {
+  const Outcome outcome = run_program({"run", scenario_, "--csv", "-"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_TRUE(outcome.out.starts_with("planner,status,nodes,length,turns,turning_angle_deg,")) << outcome.out;
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 3);
+  const auto commas = [](const std::string& line) { return std::count(line.begin(), line.end(), ','); };
+  std::istringstream lines(outcome.out);
+  std::string names, line;
+  std::getline(lines, names);
+  while (std::getline(lines, line)) EXPECT_EQ(commas(line), commas(names)) << line;
+  EXPECT_EQ(run_program({"run", scenario_, "--csv", folder_.file("out.csv")}).code, 0);
+  EXPECT_TRUE(whole_file(folder_.file("out.csv")).starts_with(names));
+}
+
+TEST_F(CommandLine, badInputIsOneLineThatNamesTheMend) {
+  const std::string start = "--start", goal = "--goal", planner = "--planner";
+  expect_complaint({"run"}, {"give a scenario file, or --map FILE"});
+  expect_complaint({"run", scenario_, "--map", map_}, {"not both"});
+  expect_complaint({"run", folder_.file("none.json")}, {"none.json", "No such file"});
+  expect_complaint({"run", "--map", folder_.file("none.map"), start, "0,0", goal, "1,1", planner, "astar"}, {"none.map"});
+  expect_complaint({"run", "--map", map_, goal, "1,1", planner, "astar"}, {"--start is missing", "x from 0 to 7"});
+  expect_complaint(plan("8,0", "1,1", {planner, "astar"}), {"--start 8,0", "outside", "x from 0 to 7, y from 0 to 5"});
+  expect_complaint(plan("-1,0", "1,1", {planner, "astar"}), {"--start -1,0", "outside"});
+  expect_complaint(plan("0", "1,1", {planner, "astar"}), {"--start cannot be '0'", "X,Y"});
+  expect_complaint(plan("0,0", "1,1x", {planner, "astar"}), {"--goal cannot be '1,1x'"});
+  expect_complaint(plan("0,0", "99999999999,1", {planner, "astar"}), {"--goal cannot be"});
+  expect_complaint(plan("0,0", "1,1", {}), {"--planner", "replan list planners"});
+  expect_complaint(plan("0,0", "1,1", {planner, "astr"}), {"unknown planner 'astr'", "did you mean 'astar'?"});
+  expect_complaint(plan("0,0", "1,1", {planner, "astar", "--set", "heuristc=zero"}), {"did you mean 'heuristic'?"});
+  expect_complaint(plan("0,0", "1,1", {planner, "astar", "--set", "heuristic=none"}), {"one of: octile"});
+  expect_complaint(plan("0,0", "1,1", {planner, "astar", "--set", "heuristic"}), {"KEY=VALUE"});
+  expect_complaint(plan("0,0", "1,1", {planner, "astar", "--set", "range=3"}), {"dld-star-lite"});
+  expect_complaint(plan("0,0", "1,1", {planner, "dld-star-lite", "--set", "range=nan"}), {"from 1 to 12"});
+  expect_complaint(plan("0,0", "1,1", {planner, "astar", "--set", "dstar-lite.moves=4"}), {"add it with --planner"});
+  expect_complaint(plan("0,0", "1,1", {planner, "astar", "--set", "dstr-lite.moves=4"}), {"did you mean 'dstar-lite'?"});
+  expect_complaint({"run", scenario_, "--csv", folder_.file("no/such/x.csv")}, {"x.csv"});
+}
+
+TEST_F(CommandLine, badFilesAreNamedWithTheLine) {
+  std::string torn = kMap;
+  torn.replace(torn.find("...@.@@@"), 8, "...@.?@@");
+  const std::string torn_map = folder_.with("torn.map", torn);
+  expect_complaint({"run", "--map", torn_map, "--start", "0,0", "--goal", "1,1", "--planner", "astar"},
+                   {torn_map + ":8: ", "unknown cell letter '?'"});
+  std::string typo = kScenario;
+  typo.replace(typo.find("sensor_radius"), 13, "sensor_radios");
+  const std::string typo_file = folder_.with("typo.json", typo);
+  expect_complaint({"run", typo_file}, {typo_file + ":6: ", "sensor_radius"});
+  const std::string scen = folder_.with("a.scen", "version 1\n0\troom.map\t8\t6\t0\t0\t1\n");
+  expect_complaint({"batch", scen, "--planner", "astar"}, {scen + ":2: "});
+}
+
+TEST_F(CommandLine, unknownWordsGetASuggestion) {
+  expect_complaint({"rnu"}, {"did you mean 'run'?"});
+  expect_complaint({"rnu", "--map", "x"}, {"did you mean 'run'?"});
+  expect_complaint({"run", "--mapp", "x"}, {"'--mapp'", "did you mean '--map'?"});
+  expect_complaint({"run", scenario_, "more"}, {"'more'", "replan run --help"});
+  expect_complaint({"run", "--start"}, {"--start", "replan run --help"});
+  expect_complaint({"list", "planer"}, {"did you mean 'planners'?"});
+  expect_complaint({"list"}, {"WHAT is required"});
+  expect_complaint({"batch"}, {"FILE is required"});
+}
+
+TEST_F(CommandLine, outputThatCannotBeWritten) {
+  const int full = open("/dev/full", O_WRONLY);
+  if (full < 0) GTEST_SKIP() << "There is no /dev/full here.";
+  EXPECT_EQ(run_into({"list", "planners"}, full, folder_.file("err")), 2);
+  EXPECT_NE(whole_file(folder_.file("err")).find("No space left"), std::string::npos);
+  close(full);
+}
+
+TEST_F(CommandLine, aReaderThatGoesAwayIsNoError) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  close(ends[0]);
+  EXPECT_EQ(run_into({"list", "planners"}, ends[1], folder_.file("err")), 0);
+  EXPECT_EQ(whole_file(folder_.file("err")), "");
+  close(ends[1]);
+}
+
+TEST_F(CommandLine, batchHoldsLengthsAgainstTheFile) {
+  const std::string lines = "version 1\n"
+                            "0\troom.map\t8\t6\t0\t0\t2\t0\t2\n"
+                            "0\troom.map\t8\t6\t0\t0\t1\t1\t1.41421\n"
+                            "0\troom.map\t8\t6\t3\t1\t0\t0\t9\n"
+                            "1\troom.map\t8\t6\t4\t0\t7\t0\t3\n";
+  const Outcome good = run_program({"batch", folder_.with("good.scen", lines), "--planner", "astar,dld-star-lite", "--json"});
+  EXPECT_EQ(good.code, 0) << good.err;
+  EXPECT_EQ(good.err, "") << "no progress in a pipe";
+  const json document = good.json();
+  EXPECT_EQ(keys(document), std::set<std::string>{"planners"});
+  for (const json& planner : document["planners"]) {
+    for (const char* key : {"problems", "found", "mismatches", "max_relative_error", "total_ms", "expansions", "skipped"})
+      EXPECT_TRUE(planner[key].is_number()) << key;
+    EXPECT_EQ(planner["problems"], 4);
+    EXPECT_EQ(planner["skipped"], 1);
+    EXPECT_EQ(planner["found"], 3);
+    EXPECT_EQ(planner["mismatches"], 0);
+  }
+  EXPECT_EQ(document["planners"][0]["comparable"], true);
+  EXPECT_EQ(document["planners"][1]["comparable"], false);
+  EXPECT_LT(document["planners"][0]["max_relative_error"].get<double>(), 1e-5);
+}
+
+TEST_F(CommandLine, batchMismatchIsExitCodeOneAndNamesTheLine) {
+  const std::string scen = folder_.with("bad.scen", "version 1\n"
+                                                    "0\troom.map\t8\t6\t0\t0\t2\t0\t2\n"
+                                                    "0\troom.map\t8\t6\t0\t0\t1\t1\t1.5\n"
+                                                    "0\troom.map\t8\t6\t0\t0\t6\t4\t9\n");
+  const Outcome outcome = run_program({"batch", scen, "--planner", "astar", "--json"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.json()["planners"][0]["mismatches"], 2);
+  EXPECT_EQ(outcome.json()["planners"][0]["found"], 2);
+  EXPECT_NE(outcome.err.find("replan: " + scen + ":3: astar found 1.41421356, listed is 1.5"), std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find(scen + ":4: astar found no path"), std::string::npos) << outcome.err;
+}
+
+TEST_F(CommandLine, batchTakesAnEvenSample) {
+  std::string lines = "version 1\n";
+  for (int i = 1; i <= 7; ++i)
+    lines += "0\troom.map\t8\t6\t0\t0\t" + std::to_string(i) + "\t0\t" + std::to_string(i) + "\n";
+  const std::string scen = folder_.with("seven.scen", lines);
+  const auto problems = [&](const char* limit) {
+    return run_program({"batch", scen, "--planner", "astar", "--limit", limit, "--json"}).json()["planners"][0]["problems"];
+  };
+  EXPECT_EQ(problems("3"), 3);
+  EXPECT_EQ(problems("1"), 1);
+  EXPECT_EQ(problems("100"), 7);
+  expect_complaint({"batch", scen, "--planner", "astar", "--limit", "0"}, {"--limit cannot be '0'"});
+  expect_complaint({"batch", scen, "--planner", "astar", "--limit", "ten"}, {"--limit cannot be 'ten'"});
+}
+
+TEST_F(CommandLine, batchRefusesAnotherMap) {
+  const std::string scen = folder_.with("other.scen", "version 1\n0\tother.map\t8\t6\t0\t0\t2\t0\t2\n");
+  expect_complaint({"batch", scen, "--planner", "astar"}, {"'other.map'", "--map"});
+  EXPECT_EQ(run_program({"batch", scen, "--map", map_, "--planner", "astar", "--json"}).code, 0);
+  const std::string small = folder_.with("small.map", "type octile\nheight 1\nwidth 2\nmap\n..\n");
+  expect_complaint({"batch", scen, "--map", small, "--planner", "astar"}, {scen + ":2: ", "8 x 6", "2 x 1"});
+}
+
+TEST_F(CommandLine, listNamesAllThereIs) {
+  const Outcome text = run_program({"list", "planners"});
+  EXPECT_EQ(text.code, 0);
+  const json list = run_program({"list", "planners", "--json"}).json()["planners"];
+  ASSERT_EQ(list.size(), planners().size());
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const PlannerInfo& info = planners()[i];
+    EXPECT_EQ(list[i]["id"], info.id);
+    EXPECT_EQ(list[i]["settings"].size(), info.parameters.size());
+    EXPECT_NE(text.out.find("\n" + std::string(info.id) + " "), std::string::npos);
+  }
+  const json drawn = run_program({"list", "overlays", "--json"}).json()["overlays"];
+  EXPECT_EQ(drawn.size(), overlays().size());
+  bool demo = false;
+  for (const json& map : run_program({"list", "maps", "--json"}).json()["maps"])
+    demo |= map["path"].get<std::string>().ends_with("maps/demo.json");
+  EXPECT_TRUE(demo);
+}
+
+TEST_F(CommandLine, convertKeepsTheCells) {
+  const std::string png = folder_.file("room.png"), back = folder_.file("back.map"), json_file = folder_.file("room.json");
+  EXPECT_EQ(run_program({"convert", map_, png}).code, 0);
+  EXPECT_EQ(run_program({"convert", png, back}).code, 0);
+  EXPECT_EQ(run_program({"convert", back, json_file, "--start", "0,2", "--goal", "7,2", "--planner", "astar"}).code, 0);
+  const auto map = read_map(map_), returned = read_map(back);
+  ASSERT_TRUE(map.ok() && returned.ok());
+  EXPECT_EQ(*map, *returned);
+  const auto scenario = read_scenario(json_file);
+  ASSERT_TRUE(scenario.ok()) << scenario.error();
+  EXPECT_EQ(scenario->map.blocked, map->blocked);
+  EXPECT_EQ(scenario->goal, (Cell{7, 2}));
+  EXPECT_EQ(run_program({"convert", scenario_, folder_.file("gap.map")}).code, 0);
+  expect_complaint({"convert", map_, json_file}, {"--start is missing"});
+  expect_complaint({"convert", map_, folder_.file("x.gif")}, {"x.gif", ".map or .png"});
+  expect_complaint({"convert", map_, folder_.file("no/x.png")}, {"no/x.png"});
+}
+
+TEST(CommandLineOnSharedData, publishedLengthsHold) {
+  REPLAN_NEED_SHARED_DATA();
+  const std::string data = (shared_data() / "movingai").string();
+  for (const char* file : {"/dao/arena.map.scen", "/da2/ht_store.map.scen", "/mapf/empty-8-8.map.scen"}) {
+    const Outcome outcome = run_program({"batch", data + file, "--planner", "astar,dstar-lite", "--json"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    for (const json& planner : outcome.json()["planners"]) {
+      EXPECT_EQ(planner["mismatches"], 0) << file;
+      EXPECT_EQ(planner["found"], planner["problems"]) << file;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace replan::test

@@ -1,0 +1,164 @@
+// The hand on the canvas: scripted mouse input on frames without a display, and the commands that come of it.
+#include "ui/canvas.hpp"
+
+#include <gtest/gtest.h>
+
+#include "app/platform/offscreen.hpp"
+#include "core/scene/scene.hpp"
+
+namespace replan::ui {
+namespace {
+
+constexpr int kWidth = 640, kHeight = 480;
+
+/// A world of 20 x 10 free cells, drawn at 29 pixels a cell.
+class CanvasTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    Scenario scenario;
+    scenario.map = GridMap(20, 10);
+    scenario.start = {2, 5};
+    scenario.goal = {17, 5};
+    scenario.planners = {{"dstar-lite", {}}};
+    session_ = std::make_unique<Session>(scenario);
+    session_->settle();
+    auto offscreen = app::Offscreen::create({kWidth, kHeight, 1});
+    ASSERT_TRUE(offscreen.ok()) << offscreen.error();
+    offscreen_ = std::move(*offscreen);
+    offscreen_->frame([this] { canvas_ = std::make_unique<Canvas>(offscreen_->stage().renderer()); });
+    frame();
+  }
+  void TearDown() override {
+    if (offscreen_) offscreen_->frame([this] { canvas_.reset(); });
+  }
+
+  void frame() {
+    offscreen_->frame([this] {
+      ImGui::SetNextWindowPos({0, 0});
+      ImGui::SetNextWindowSize({kWidth, kHeight});
+      ImGui::Begin("pane", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+      canvas_->draw(offscreen_->stage().look(), *session_, 0, state_, {0, 0}, {kWidth, kHeight}, true,
+                    commands_);
+      ImGui::End();
+    });
+  }
+  void move_to(Cell cell) {
+    const Camera camera = resolve(state_.view.camera, 20, 10, {kWidth, kHeight});
+    input().mouse_move(static_cast<float>((cell.x + 0.5 - camera.x) * camera.zoom + kWidth / 2.0),
+                       static_cast<float>((cell.y + 0.5 - camera.y) * camera.zoom + kHeight / 2.0));
+    frame();
+  }
+  void button(int which, bool down) {
+    input().mouse_button(which, down);
+    frame();
+  }
+  void drag(Cell from, Cell to, int which = 0) {
+    move_to(from);
+    button(which, true);
+    move_to(to);
+    button(which, false);
+    frame();
+  }
+  InputQueue& input() { return offscreen_->stage().input(); }
+
+  /// All cells of all commands of a kind, and the strokes they belong to.
+  template <class C>
+  std::vector<CellChange> cells_of(std::uint64_t* stroke = nullptr) const {
+    std::vector<CellChange> cells;
+    for (const Command& command : commands_)
+      if (const C* each = std::get_if<C>(&command)) {
+        cells.insert(cells.end(), each->cells.begin(), each->cells.end());
+        if (stroke == nullptr) continue;
+        EXPECT_TRUE(*stroke == 0 || *stroke == each->stroke);
+        *stroke = each->stroke;
+      }
+    return cells;
+  }
+
+  std::unique_ptr<Session> session_;
+  std::unique_ptr<app::Offscreen> offscreen_;
+  std::unique_ptr<Canvas> canvas_;
+  ViewState state_;
+  std::vector<Command> commands_;
+};
+
+TEST_F(CanvasTest, AStrokeHasNoGapsAndOneNumber) {
+  drag({5, 2}, {12, 2});
+  std::uint64_t stroke = 0;
+  const auto cells = cells_of<PaintCells>(&stroke);
+  ASSERT_EQ(cells.size(), 8u);
+  for (const CellChange& change : cells) EXPECT_TRUE(change.blocked && change.cell.y == 2);
+  EXPECT_NE(stroke, 0u);
+}
+
+TEST_F(CanvasTest, TheFirstCellDecidesAndTheRightButtonErases) {
+  ASSERT_TRUE(session_->apply(PaintCells{{{{6, 2}, true}, {{7, 2}, true}}, 0}).ok());
+  session_->settle();
+  drag({6, 2}, {8, 2});
+  const auto erased = cells_of<PaintCells>();
+  ASSERT_EQ(erased.size(), 2u);
+  EXPECT_FALSE(erased[0].blocked);
+  commands_.clear();
+  drag({7, 2}, {7, 3}, 1);
+  ASSERT_EQ(cells_of<PaintCells>().size(), 1u);
+  EXPECT_FALSE(cells_of<PaintCells>()[0].blocked);
+}
+
+TEST_F(CanvasTest, ABroadBrushPaintsASquareAndSparesTheStart) {
+  state_.brush = 3;
+  drag({4, 5}, {3, 5});
+  EXPECT_TRUE(cells_of<PaintCells>().size() == 11u);  // 3 x 4 but for the start at (2, 5)
+}
+
+TEST_F(CanvasTest, AGrabbedStartMovesWithAnyTool) {
+  drag({2, 5}, {4, 6});
+  ASSERT_FALSE(commands_.empty());
+  const auto* set = std::get_if<SetStart>(&commands_.back());
+  ASSERT_NE(set, nullptr);
+  EXPECT_EQ(set->cell, (Cell{4, 6}));
+  EXPECT_TRUE(cells_of<PaintCells>().empty());
+}
+
+TEST_F(CanvasTest, RectangleAndSurpriseComeWhenLetGo) {
+  state_.tool = Tool::rectangle;
+  drag({5, 1}, {7, 2});
+  EXPECT_EQ(cells_of<PaintCells>().size(), 6u);
+  commands_.clear();
+  state_.tool = Tool::surprise;
+  drag({12, 8}, {10, 7});
+  EXPECT_EQ(cells_of<DropSurprise>().size(), 6u);
+  EXPECT_EQ(commands_.size(), 1u);
+}
+
+TEST_F(CanvasTest, AClickPinsAndAnotherUnpins) {
+  state_.tool = Tool::select;
+  drag({9, 3}, {9, 3});
+  EXPECT_EQ(state_.view.pinned, (Cell{9, 3}));
+  EXPECT_EQ(state_.view.hovered, (Cell{9, 3}));
+  drag({9, 3}, {9, 3});
+  EXPECT_FALSE(state_.view.pinned.has_value());
+  EXPECT_TRUE(commands_.empty());
+}
+
+TEST_F(CanvasTest, TheWheelZoomsToTheCursor) {
+  move_to({15, 8});
+  input().wheel(0, 3);
+  for (int i = 0; i < 60 || canvas_->animating(); ++i) {
+    ASSERT_LT(i, 300);
+    frame();
+  }
+  EXPECT_NEAR(state_.view.camera.zoom, 29 * 1.25 * 1.25 * 1.25, 1e-6);
+  EXPECT_EQ(state_.view.hovered, (Cell{15, 8}));
+  canvas_->fit();
+  frame();
+  EXPECT_EQ(state_.view.camera.zoom, 0);
+}
+
+TEST_F(CanvasTest, TheMiddleButtonMovesTheView) {
+  drag({10, 5}, {12, 5}, 2);
+  EXPECT_NEAR(state_.view.camera.x, 10 - 2, 0.1);
+  EXPECT_TRUE(commands_.empty());
+}
+
+}  // namespace
+}  // namespace replan::ui

@@ -1,0 +1,198 @@
+// Runs and batches: what their reports say.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/plan/registry.hpp"
+#include "core/study/batch.hpp"
+#include "core/study/run_report.hpp"
+
+namespace replan::test {
+namespace {
+
+GridMap map_of(const std::vector<std::string>& rows) {
+  GridMap map(static_cast<int>(rows.front().size()), static_cast<int>(rows.size()));
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x)
+      map.set({x, y}, rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] == '@');
+  return map;
+}
+
+Scenario corridor() {
+  Scenario scenario;
+  scenario.map = map_of({".......", "...@...", "......."});
+  scenario.start = {0, 1};
+  scenario.goal = {6, 1};
+  scenario.planners = {{.id = "dstar-lite", .settings = {}}};
+  scenario.robot.sensor_radius = 2;
+  return scenario;
+}
+
+std::vector<ScenProblem> problems(int count) {
+  std::vector<ScenProblem> result(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) result[static_cast<std::size_t>(i)].line = i;
+  return result;
+}
+
+std::vector<int> sampled(int count, std::size_t limit) {
+  std::vector<int> lines;
+  for (const ScenProblem& problem : even_sample(problems(count), limit)) lines.push_back(problem.line);
+  return lines;
+}
+
+TEST(EvenSample, spreadsOverTheFileWithItsEnds) {
+  EXPECT_EQ(sampled(9, 3), (std::vector{0, 4, 8}));
+  EXPECT_EQ(sampled(10, 4), (std::vector{0, 3, 6, 9}));
+  EXPECT_EQ(sampled(5, 1), (std::vector{0}));
+  EXPECT_EQ(sampled(3, 0), (std::vector{0, 1, 2}));
+  EXPECT_EQ(sampled(3, 3), (std::vector{0, 1, 2}));
+  EXPECT_EQ(sampled(3, 60), (std::vector{0, 1, 2}));
+  EXPECT_TRUE(sampled(0, 5).empty());
+}
+
+TEST(LengthsApply, toShortestPathsUnderTheFilesRules) {
+  EXPECT_TRUE(lengths_apply({"astar", {}}));
+  EXPECT_TRUE(lengths_apply({"dstar-lite", {}}));
+  EXPECT_FALSE(lengths_apply({"dld-star-lite", {}}));
+  for (const auto& [key, value] : {std::pair{"moves", 1.0}, {"corners", 2.0}, {"heuristic", 3.0}}) {
+    PlannerChoice choice{"astar", {}};
+    choice.settings.set(key, value);
+    EXPECT_FALSE(lengths_apply(choice)) << key;
+  }
+}
+
+ScenFile scen(const std::string& lines) {
+  auto file = parse_scen("version 1\n" + lines, "test.scen");
+  EXPECT_TRUE(file.ok()) << file.error();
+  return file.value();
+}
+
+BatchReport batch(const ScenFile& file, const std::string& planner) {
+  const GridMap map = map_of({"...@.", ".@.@.", "...@."});
+  return run_batch(map, file.lengths, file.problems, {planner, {}});
+}
+
+TEST(Batch, countsWhatAgreesWhatDoesNotAndWhatIsSkipped) {
+  const ScenFile file = scen("0 m.map 5 3 0 0 2 0 2\n"         // agrees
+                             "0 m.map 5 3 0 0 2 2 4.5\n"       // the length is 4
+                             "0 m.map 5 3 1 1 0 0 1\n"         // starts in an obstacle
+                             "0 m.map 5 3 0 0 4 0 6.82842\n"   // no way there
+                             "0 m.map 5 3 1 0 1 0 0\n");       // to where it stands
+  const BatchReport report = batch(file, "astar");
+  EXPECT_TRUE(report.comparable);
+  EXPECT_EQ(report.problems, 5);
+  EXPECT_EQ(report.skipped, 1);
+  EXPECT_EQ(report.found, 3);
+  EXPECT_EQ(report.unsolved(), 1);
+  EXPECT_EQ(report.mismatches, 2);
+  EXPECT_FALSE(report.passed());
+  ASSERT_EQ(report.first_mismatches.size(), 2u);
+  EXPECT_EQ(report.first_mismatches[0].line, 3);
+  EXPECT_EQ(report.first_mismatches[0].found, 4);
+  EXPECT_EQ(report.first_mismatches[1].line, 5);
+  EXPECT_EQ(report.first_mismatches[1].found, 0);
+  EXPECT_NEAR(report.max_relative_error, 0.5 / 4.5, 1e-12);
+  EXPECT_NEAR(report.mean_ratio, (1 + 4 / 4.5) / 2, 1e-12);
+}
+
+TEST(Batch, holdsNoPlannerToLengthsThatItDoesNotLookFor) {
+  const BatchReport report = batch(scen("0 m.map 5 3 0 0 2 2 4.5\n"), "dld-star-lite");
+  EXPECT_FALSE(report.comparable);
+  EXPECT_EQ(report.mismatches, 0);
+  EXPECT_TRUE(report.passed());
+  EXPECT_FALSE(batch(scen("0 m.map 5 3 0 0 4 0 4\n"), "dld-star-lite").passed()) << "a path that is not found";
+}
+
+TEST(Batch, oneInstanceGivesWhatFreshOnesGive) {
+  const std::string first = "0 m.map 5 3 0 0 2 2 4\n", second = "0 m.map 5 3 2 2 0 0 4\n";
+  for (const PlannerInfo& info : planners()) {
+    const std::string id(info.id);
+    EXPECT_EQ(batch(scen(first + second), id).expansions,
+              batch(scen(first), id).expansions + batch(scen(second), id).expansions)
+        << id;
+  }
+}
+
+TEST(Batch, stopsWhenAsked) {
+  const GridMap map(5, 3);
+  const ScenFile file = scen("0 m.map 5 3 0 0 2 0 2\n0 m.map 5 3 0 0 3 0 3\n0 m.map 5 3 0 0 4 0 4\n");
+  std::stop_source source;
+  std::size_t told = 0;
+  const BatchWatch watch{.progress =
+                             [&](std::size_t done) {
+                               told = done;
+                               if (done == 2) source.request_stop();
+                             },
+                         .stop = source.get_token()};
+  EXPECT_EQ(run_batch(map, file.lengths, file.problems, {"astar", {}}, watch).problems, 2);
+  EXPECT_EQ(told, 2u);
+}
+
+TEST(RunReport, aPlanHasItsPathAndFigures) {
+  const Scenario world = corridor();
+  const RunReport report = plan_once(world.map, world.start, world.goal, world.planners.front());
+  EXPECT_EQ(report.status, "found");
+  EXPECT_TRUE(report.succeeded());
+  EXPECT_EQ(report.path.front(), world.start);
+  EXPECT_EQ(report.path.back(), world.goal);
+  EXPECT_EQ(report.figures.nodes, static_cast<std::int64_t>(report.path.size()));
+  EXPECT_NEAR(report.figures.length, 4 + 2 * std::sqrt(2.0), 1e-9);
+  EXPECT_GT(report.counters.expansions, 0);
+  EXPECT_GT(report.memory_bytes, 0);
+  EXPECT_FALSE(report.robot.has_value());
+}
+
+TEST(RunReport, figuresAreFiniteNumbersWhateverHappens) {
+  Scenario world = corridor();
+  world.goal = {3, 1};
+  for (const PlannerInfo& info : planners()) {
+    const RunReport reports[] = {plan_once(world.map, world.start, world.goal, {std::string(info.id), {}}),
+                                 drive(world, {std::string(info.id), {}})};
+    EXPECT_FALSE(reports[0].succeeded() || reports[1].succeeded());
+    const auto json = nlohmann::json::parse(runs_json(reports));
+    for (const auto& run : json["runs"]) {
+      EXPECT_EQ(run["status"], "goal-blocked");
+      EXPECT_TRUE(run["path"].empty());
+      EXPECT_EQ(run["figures"].size(), 13u);
+      for (const auto& [key, value] : run["figures"].items()) EXPECT_TRUE(value.is_number()) << key;
+    }
+  }
+}
+
+TEST(RunReport, tellsTheFirstPlanAndTheWholeDrive) {
+  Scenario world = corridor();
+  const RunReport plain = plan_once(world.map, world.start, world.goal, world.planners.front());
+  const int row = plain.path[3].y;
+  world.surprises = {{.at = {.move = 1, .near = {}, .within = 0}, .cells = {{{3, row}, true}}, .announced = false}};
+  const RunReport report = drive(world, world.planners.front());
+  ASSERT_TRUE(report.robot.has_value());
+  EXPECT_EQ(report.path, plain.path) << "the plan before the surprise";
+  EXPECT_TRUE(report.robot->reached());
+  EXPECT_GE(report.robot->replans, 1);
+  EXPECT_EQ(report.replans, report.robot->replans);
+  EXPECT_GT(report.robot->travelled, report.figures.length);
+  EXPECT_GT(report.counters.expansions, plain.counters.expansions);
+}
+
+TEST(RunReport, aWayThatOpensLaterIsASuccess) {
+  Scenario world = corridor();
+  for (const int y : {0, 2}) world.map.set({3, y}, true);
+  world.surprises = {{.at = {.move = 2, .near = {}, .within = 0}, .cells = {{{3, 1}, false}}, .announced = true}};
+  const RunReport report = drive(world, world.planners.front());
+  EXPECT_EQ(report.status, "no-path");
+  EXPECT_TRUE(report.path.empty());
+  EXPECT_TRUE(report.succeeded());
+}
+
+TEST(RunReport, csvHasOneColumnForEachName) {
+  const Scenario world = corridor();
+  const RunReport reports[] = {drive(world, world.planners.front())};
+  const std::string csv = runs_csv(reports);
+  const std::string names = csv.substr(0, csv.find('\n')), line = csv.substr(names.size() + 1);
+  EXPECT_EQ(std::count(names.begin(), names.end(), ','), std::count(line.begin(), line.end(), ','));
+  EXPECT_TRUE(names.ends_with("robot_moves,robot_travelled,robot_collisions,robot_replans"));
+}
+
+}  // namespace
+}  // namespace replan::test
