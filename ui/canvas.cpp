@@ -148,10 +148,13 @@ void Canvas::Parts::point(const Session& session, const Run& run, ViewState& sta
   const Point at = screen.world(ImGui::GetIO().MousePos);
   const Cell cell{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))};
   const bool inside = is_hovered && !panning && run.lattice().contains(cell);
-  if (inside)
+  if (inside) {
     state.view.hovered = hovered = cell;
-  else if (hovered && state.view.hovered == hovered)
-    state.view.hovered = hovered = std::nullopt;
+  } else {
+    // Another pane may point elsewhere since; what this one pointed at is over in any case.
+    if (hovered && state.view.hovered == hovered) state.view.hovered.reset();
+    hovered.reset();
+  }
   const double radius = 9 * state.view.scale / screen.camera.zoom;
   const Pointer pointer{.cell = cell,
                         .inside = inside,

@@ -43,9 +43,12 @@ std::string value_text(Overlay field, double value) {
   return text;
 }
 
-/// The width that an entry takes in a legend, a little too large rather than too small.
+/// The width that an entry takes in a legend, with the space before it.
 float entry_width(const Look& look, const LegendEntry& entry) {
-  return look.px(18 + 5 + 13) + text_width(look.fonts.ui, entry.label);
+  const bool long_mark =
+      entry.mark == Mark::long_arrow || entry.mark == Mark::line || entry.mark == Mark::dashed;
+  return look.px(18) + look.px(5) + look.px(long_mark ? 13 : 9) +
+         std::ceil(text_width(look.fonts.ui, entry.label));
 }
 
 /// All that is in sight, what is rarest and needs telling most first.
@@ -86,11 +89,11 @@ void draw_legend(const Look& look, ImDrawList& list, const Scene& scene, ImVec2 
     high = value_text(*scene.field, scene.range->high);
     field = {overlays()[static_cast<std::size_t>(*scene.field)].label, &viridis(), low, high};
     used += look.px(120 + 28) + text_width(look.fonts.ui, field.label) +
-            text_width(look.fonts.mono, low + high + " ... ");
+            text_width(look.fonts.mono, low + high + "   ");
   }
   const std::vector<LegendEntry> entries = entries_in_sight(look, scene);
   auto rows = in_rows(look, entries, used, room);
-  if (rows.size() > 1) rows = in_rows(look, entries, used, room - look.px(56));
+  if (rows.size() > 1) rows = in_rows(look, entries, used, room - look.px(46));
   const ImVec2 foot(min.x + margin, max.y - margin);
   const ImVec2 size = legend(look, list, foot, field, rows.front());
   if (rows.size() == 1) return;

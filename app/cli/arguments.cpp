@@ -46,8 +46,8 @@ Error unknown_setting(const Assignment& set, std::span<const PlannerChoice> choi
       if (std::find(keys.begin(), keys.end(), parameter.key) == keys.end()) keys.push_back(parameter.key);
   const std::string start = "--set " + std::string(set.typed) + ": ";
   if (!owners.empty())
-    return {start + "none of the planners here has the setting '" + std::string(set.key) + "'; these have: " +
-            joined(owners)};
+    return {start + "none of the planners here has the setting '" + std::string(set.key) +
+            "'; these have: " + joined(owners)};
   return {start + "unknown setting '" + std::string(set.key) + "'" +
           suggestion(set.key, keys, "; known: " + joined(keys))};
 }
@@ -71,7 +71,8 @@ Result<void> assign(const Assignment& set, std::span<PlannerChoice> choices) {
                "' is not among the planners here; add it with --planner"};
 }
 
-Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids, std::span<const PlannerChoice> own) {
+Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids,
+                                          std::span<const PlannerChoice> own) {
   std::vector<PlannerChoice> result;
   for (const std::string& id : ids) {
     if (id == "all") {
@@ -80,7 +81,8 @@ Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids, std:
     }
     const auto info = require_planner(id);
     if (!info) return Error{"--planner: " + info.error()};
-    const auto kept = std::find_if(own.begin(), own.end(), [&](const PlannerChoice& c) { return c.id == id; });
+    const auto kept =
+        std::find_if(own.begin(), own.end(), [&](const PlannerChoice& c) { return c.id == id; });
     result.push_back({id, kept != own.end() ? kept->settings : Settings{}});
   }
   if (ids.empty()) result.assign(own.begin(), own.end());
@@ -91,8 +93,8 @@ Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids, std:
 
 Result<Cell> cell_on_map(std::string_view option, const std::string& text, const GridMap& map,
                          const std::string& source) {
-  const std::string range = "x from 0 to " + std::to_string(map.width - 1) + ", y from 0 to " +
-                            std::to_string(map.height - 1);
+  const std::string range =
+      "x from 0 to " + std::to_string(map.width - 1) + ", y from 0 to " + std::to_string(map.height - 1);
   if (text.empty())
     return Error{std::string(option) + " is missing: give " + std::string(option) + " X,Y with " + range};
   const auto cell = parse_cell(option, text);
@@ -121,7 +123,8 @@ std::string values_text(const Parameter& parameter) {
       return "true|false";
     case ParameterType::choice: {
       std::string list;
-      for (const std::string_view choice : parameter.choices) list += (list.empty() ? "" : "|") + std::string(choice);
+      for (const std::string_view choice : parameter.choices)
+        list += (list.empty() ? "" : "|") + std::string(choice);
       return list;
     }
     case ParameterType::real:
@@ -138,7 +141,9 @@ void PlannerArguments::declare(CLI::App& command) {
   command.add_option("--planner", ids, "Planners to run, or 'all'; 'replan list planners' shows them")
       ->type_name("ID[,ID...]")
       ->allow_extra_args(false);
-  command.add_option("--set", settings, "A setting, for each planner that has it or for the one named (repeatable)")
+  command
+      .add_option("--set", settings,
+                  "A setting, for each planner that has it or for the one named (repeatable)")
       ->type_name("[ID.]KEY=VALUE")
       ->allow_extra_args(false);
 }
@@ -164,8 +169,11 @@ void WorldArguments::declare(CLI::App& command) {
 
 Result<Scenario> WorldArguments::load() const {
   if (scenario.empty() == map.empty())
-    return Error{scenario.empty() ? "no world is named: give a scenario file, or --map FILE with --start and --goal"
-                                  : "give either a scenario file or --map, not both"};
+    return Error{scenario.empty()
+                     ? "no world is named: give a scenario file, or --map FILE with --start and --goal"
+                     : "give either a scenario file or --map, not both"};
+  if (map.empty() && file_extension(scenario) != ".json")
+    return Error{"'" + scenario + "' is no scenario file (.json); give a map with --map FILE"};
   Result<Scenario> world = map.empty() ? read_scenario(scenario) : plain_world(map);
   if (!world) return world;
   for (const auto& [option, text, cell] :
@@ -208,7 +216,8 @@ std::vector<std::string> split_list(std::span<const std::string> texts) {
   return parts;
 }
 
-std::string suggestion(std::string_view name, std::span<const std::string_view> names, std::string_view otherwise) {
+std::string suggestion(std::string_view name, std::span<const std::string_view> names,
+                       std::string_view otherwise) {
   const std::string_view nearest = nearest_name(name, names);
   return nearest.empty() ? std::string(otherwise) : "; did you mean '" + std::string(nearest) + "'?";
 }

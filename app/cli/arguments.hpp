@@ -22,8 +22,8 @@ struct PlannerArguments {
   std::vector<std::string> settings;
 
   void declare(CLI::App& command);
-  /// The planners asked for, in that order; those of `own` (a scenario's) if none is asked for. A planner keeps the
-  /// settings that it has in `own`, and `--set` changes them.
+  /// The planners asked for, in that order; those of `own` (a scenario's) if none is asked for. A planner
+  /// keeps the settings that it has in `own`, and `--set` changes them.
   [[nodiscard]] Result<std::vector<PlannerChoice>> choose(std::span<const PlannerChoice> own = {}) const;
 };
 
@@ -49,7 +49,8 @@ Result<std::int64_t> parse_count(std::string_view option, std::string_view text,
 /// The parts of "a,b,c", empty ones left out.
 std::vector<std::string> split_list(std::span<const std::string> texts);
 /// "; did you mean 'NAME'?", or `otherwise` if nothing is near.
-std::string suggestion(std::string_view name, std::span<const std::string_view> names, std::string_view otherwise);
+std::string suggestion(std::string_view name, std::span<const std::string_view> names,
+                       std::string_view otherwise);
 
 /// Every planner's settings, for the end of a command's help.
 std::string settings_help();

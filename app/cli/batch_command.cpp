@@ -21,16 +21,24 @@ struct BatchArguments {
 
 std::string table(std::span<const BatchReport> reports) {
   using enum Table::Align;
-  Table table({{"planner", left}, {"problems"}, {"skipped"}, {"found"}, {"mismatches"}, {"max rel. error"},
-               {"mean ratio"}, {"total ms"}, {"ms a problem"}, {"expansions"}});
+  Table table({{"planner", left},
+               {"problems"},
+               {"skipped"},
+               {"found"},
+               {"mismatches"},
+               {"max rel. error"},
+               {"mean ratio"},
+               {"total ms"},
+               {"ms a problem"},
+               {"expansions"}});
   for (const BatchReport& report : reports) {
     const auto solved = static_cast<double>(std::max<std::int64_t>(1, report.problems - report.skipped));
     char error[32];
     std::snprintf(error, sizeof error, "%.2e", report.max_relative_error);
     table.add({report.planner, std::to_string(report.problems), std::to_string(report.skipped),
-               std::to_string(report.found), report.comparable ? std::to_string(report.mismatches) : "-", error,
-               decimals(report.mean_ratio, 6), decimals(report.total_ms, 1), decimals(report.total_ms / solved, 3),
-               std::to_string(report.expansions)});
+               std::to_string(report.found), report.comparable ? std::to_string(report.mismatches) : "-",
+               error, decimals(report.mean_ratio, 6), decimals(report.total_ms, 1),
+               decimals(report.total_ms / solved, 3), std::to_string(report.expansions)});
   }
   return table.text();
 }
@@ -42,8 +50,10 @@ std::string remarks(std::span<const BatchReport> reports) {
     text += counted(skipped, "problem") + " skipped: the start or the goal lies in an obstacle of the map.\n";
   for (const BatchReport& report : reports) {
     if (!report.comparable)
-      text += report.planner + ": not held to the listed lengths; with these settings it looks for other paths.\n";
-    if (report.unsolved() > 0) text += report.planner + ": " + counted(report.unsolved(), "problem") + " without a path.\n";
+      text += report.planner +
+              ": not held to the listed lengths; with these settings it looks for other paths.\n";
+    if (report.unsolved() > 0)
+      text += report.planner + ": " + counted(report.unsolved(), "problem") + " without a path.\n";
   }
   return text.empty() ? text : "\n" + text;
 }
@@ -115,10 +125,14 @@ std::string footer() {
          "      Solves every problem and holds the lengths against those in the file.\n"
          "  replan batch big.map.scen --map maps/big.map --planner all --limit 60 --json\n"
          "      An even sample of 60 problems, for a program.\n\n"
-         "A mismatch is a length that is not the listed one to the precision printed in the file. The listed lengths\n"
-         "judge planners that find shortest paths on the grid; for the others the ratio to them is told. A problem\n"
-         "whose start or goal lies in an obstacle is skipped and counted as that. --limit N takes N problems spread\n"
-         "evenly over the file, the first and the last among them. Exit code 0 if all agree, 1 if any mismatches or\n"
+         "A mismatch is a length that is not the listed one to the precision printed in the file. The listed "
+         "lengths\n"
+         "judge planners that find shortest paths on the grid; for the others the ratio to them is told. A "
+         "problem\n"
+         "whose start or goal lies in an obstacle is skipped and counted as that. --limit N takes N problems "
+         "spread\n"
+         "evenly over the file, the first and the last among them. Exit code 0 if all agree, 1 if any "
+         "mismatches or\n"
          "has no path, 2 for bad input.\n\n" +
          settings_help();
 }
@@ -126,7 +140,8 @@ std::string footer() {
 }  // namespace
 
 Command add_batch(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("batch", "Solve every problem of a MovingAI .scen file and check the lengths");
+  CLI::App* app =
+      program.add_subcommand("batch", "Solve every problem of a MovingAI .scen file and check the lengths");
   const auto arguments = std::make_shared<BatchArguments>();
   app->add_option("FILE", arguments->scen, "A problem file (.scen)")->required();
   app->add_option("--map", arguments->map, "The map, if it is not beside the file")->type_name("FILE");

@@ -1,5 +1,5 @@
-// The commands of the program. Each is declared once, with its options, help and examples, and carried out when it
-// was the one asked for.
+// The commands of the program. Each is declared once, with its options, help and examples, and carried out
+// when it was the one asked for.
 #pragma once
 
 #include <functional>

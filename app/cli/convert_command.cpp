@@ -20,8 +20,10 @@ struct ConvertArguments {
 };
 
 std::string described(const GridMap& map) {
-  const auto obstacles = std::count_if(map.blocked.begin(), map.blocked.end(), [](auto cell) { return cell != 0; });
-  return std::to_string(map.width) + " x " + std::to_string(map.height) + " cells, " + counted(obstacles, "obstacle");
+  const auto obstacles =
+      std::count_if(map.blocked.begin(), map.blocked.end(), [](auto cell) { return cell != 0; });
+  return std::to_string(map.width) + " x " + std::to_string(map.height) + " cells, " +
+         counted(obstacles, "obstacle");
 }
 
 /// A map becomes a map, or a scenario on it.
@@ -49,10 +51,12 @@ Result<int> from_scenario(ConvertArguments& arguments) {
   if (!world) return Error{world.error()};
   const bool to_scenario = file_extension(arguments.out) == ".json";
   world->map_file.clear();
-  const auto written = to_scenario ? write_scenario(*world, arguments.out) : write_map(world->map, arguments.out);
+  const auto written =
+      to_scenario ? write_scenario(*world, arguments.out) : write_map(world->map, arguments.out);
   if (!written) return Error{written.error()};
-  print("wrote " + arguments.out + ": " + described(world->map) +
-        (to_scenario ? ", the map inside\n" : "; start, goal, planners and surprises stay in the scenario\n"));
+  print(
+      "wrote " + arguments.out + ": " + described(world->map) +
+      (to_scenario ? ", the map inside\n" : "; start, goal, planners and surprises stay in the scenario\n"));
   return kDone;
 }
 
@@ -77,7 +81,8 @@ Command add_convert(CLI::App& program) {
   const auto arguments = std::make_shared<ConvertArguments>();
   app->add_option("IN", arguments->in, "The file to read")->required();
   app->add_option("OUT", arguments->out, "The file to write; its name's end tells the format")->required();
-  app->add_option("--start", arguments->world.start, "For a scenario: where the robot starts")->type_name("X,Y");
+  app->add_option("--start", arguments->world.start, "For a scenario: where the robot starts")
+      ->type_name("X,Y");
   app->add_option("--goal", arguments->world.goal, "For a scenario: where it is to go")->type_name("X,Y");
   arguments->world.planners.declare(*app);
   app->footer(kFooter);

@@ -72,9 +72,11 @@ Result<Listing> list_overlays() {
   for (const OverlayInfo& info : overlays()) {
     const char* kind = info.is_field() ? "field" : "mark";
     table.add({std::string(info.id), kind, std::string(info.help)});
-    listing.json["overlays"].push_back({{"id", info.id}, {"label", info.label}, {"kind", kind}, {"help", info.help}});
+    listing.json["overlays"].push_back(
+        {{"id", info.id}, {"label", info.label}, {"kind", kind}, {"help", info.help}});
   }
-  listing.text = table.text() + "\nFields colour whole cells, one at a time; any number of marks is drawn on top.\n";
+  listing.text =
+      table.text() + "\nFields colour whole cells, one at a time; any number of marks is drawn on top.\n";
   return listing;
 }
 
@@ -93,8 +95,12 @@ void list_world(const std::filesystem::path& file, Table& table, Json& json) {
   }
   const std::string size = std::to_string(world.map.width) + " x " + std::to_string(world.map.height);
   table.add({path, kind, size, world.name});
-  json.push_back({{"path", path}, {"kind", kind}, {"width", world.map.width}, {"height", world.map.height},
-                  {"name", world.name}, {"caption", world.caption}});
+  json.push_back({{"path", path},
+                  {"kind", kind},
+                  {"width", world.map.width},
+                  {"height", world.map.height},
+                  {"name", world.name},
+                  {"caption", world.caption}});
 }
 
 Result<Listing> list_maps() {

@@ -1,4 +1,5 @@
-// What the commands print: results to stdout, one line of error to stderr, a progress bar where somebody watches.
+// What the commands print: results to stdout, one line of error to stderr, a progress bar where somebody
+// watches.
 #pragma once
 
 #include <chrono>
@@ -16,8 +17,8 @@ inline constexpr int kBadInput = 2;  ///< the input or the output could not be u
 
 /// Writes to stdout. A reader that has gone away ends the output quietly.
 void print(std::string_view text);
-/// Flushes stdout and returns `code`, or kBadInput with an error where stdout could not take everything (a full
-/// disk).
+/// Flushes stdout and returns `code`, or kBadInput with an error where stdout could not take everything (a
+/// full disk).
 int finish_output(int code);
 /// One line on stderr: "replan: MESSAGE".
 void complain(std::string_view message);

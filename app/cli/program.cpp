@@ -42,6 +42,8 @@ std::string help_hint(const CLI::App& program) {
 
 /// "replan FILE" where there is no such file: perhaps a command was meant.
 Error no_such_file(const CLI::App& program, const std::string& file) {
+  if (file.find_first_of("./") != std::string::npos)
+    return {"cannot read '" + file + "': there is no such file"};
   std::vector<std::string> held;
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
     held.push_back(command->get_name());
@@ -62,7 +64,8 @@ Error unexpected(const CLI::App& program, const std::string& argument) {
   for (const CLI::Option* option : app.get_options())
     for (const std::string& name : option->get_lnames()) held.push_back("--" + name);
   const std::vector<std::string_view> names(held.begin(), held.end());
-  if (!argument.starts_with("-")) return {"there is one argument too many: '" + argument + "'" + help_hint(program)};
+  if (!argument.starts_with("-"))
+    return {"there is one argument too many: '" + argument + "'" + help_hint(program)};
   return {"unknown option '" + argument + "'" + suggestion(argument, names, help_hint(program))};
 }
 
@@ -83,7 +86,8 @@ Result<int> open_window(const CLI::App& program, const std::string& file) {
   return kDone;
 }
 
-Result<int> carry_out(const CLI::App& program, const std::vector<Command>& commands, const std::string& file) {
+Result<int> carry_out(const CLI::App& program, const std::vector<Command>& commands,
+                      const std::string& file) {
   for (const Command& command : commands)
     if (command.app->parsed()) return command.action();
   return open_window(program, file);
@@ -101,14 +105,19 @@ int answer(const CLI::App& program, const CLI::Success& asked) {
 
 int run_program(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // print() sees a closed pipe as a failed write
-  CLI::App program("Replan: a laboratory for robot path planning. Without a command it opens the window.", "replan");
+  CLI::App program("Replan: a laboratory for robot path planning. Without a command it opens the window.",
+                   "replan");
   program.set_version_flag("--version", "replan " REPLAN_VERSION, "Print the version and exit");
   program.require_subcommand(0, 1);
   program.footer(kFooter);
+  program.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  program.get_formatter()->label("Positionals", "Arguments");
+  program.get_formatter()->label("TEXT", "");
   std::string file;
   program.add_option("FILE", file, "A scenario or a map to open in the window");
   const std::vector<Command> commands = {add_run(program), add_batch(program), add_render(program),
                                          add_convert(program), add_list(program)};
+  for (const Command& command : commands) command.app->group("Commands");
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& asked) {

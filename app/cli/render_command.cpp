@@ -29,7 +29,8 @@ Result<void> read_size(const std::string& text, app::RenderRequest& request) {
   const std::size_t cross = text.find('x');
   const auto width = number_from<int>(text.substr(0, cross));
   const auto height = cross == std::string::npos ? std::nullopt : number_from<int>(text.substr(cross + 1));
-  if (!width || !height) return Error{"--size cannot be '" + text + "': give WxH in pixels, for example 1440x900"};
+  if (!width || !height)
+    return Error{"--size cannot be '" + text + "': give WxH in pixels, for example 1440x900"};
   request.width = *width;
   request.height = *height;
   return {};
@@ -68,6 +69,7 @@ Result<int> render(const RenderArguments& arguments) {
   app::RenderRequest request;
   request.scenario = std::move(world.value());
   request.output = arguments.out;
+  request.window = !arguments.canvas_only;
   if (!arguments.size.empty())
     if (const auto size = read_size(arguments.size, request); !size) return Error{size.error()};
   if (const auto moment = read_moment(arguments, request); !moment) return Error{moment.error()};
@@ -83,7 +85,8 @@ Result<int> render(const RenderArguments& arguments) {
   if (!drawn) return Error{drawn.error()};
   const bool folder = frames > 0;
   print("wrote " + (folder ? counted(static_cast<std::int64_t>(frames), "frame") + " into " : std::string()) +
-        arguments.out + ", " + std::to_string(request.width) + " x " + std::to_string(request.height) + " pixels\n");
+        arguments.out + ", " + std::to_string(request.width) + " x " + std::to_string(request.height) +
+        " pixels\n");
   return kDone;
 }
 
@@ -93,16 +96,19 @@ std::string footer() {
          "      The window as it looks once the robot has arrived.\n"
          "  replan render maps/demo.json -o frames/ --size 1280x720\n"
          "      The whole run as numbered frames, for a film.\n"
-         "  replan render --map arena.map --start 1,11 --goal 40,30 --planner dld-star-lite -o plan.svg --overlay path,rp\n"
+         "  replan render --map arena.map --start 1,11 --goal 40,30 --planner dld-star-lite -o plan.svg "
+         "--overlay path,rp\n"
          "      A drawing of the plan, for a paper.\n\n"
-         "Needs neither a display nor a graphics card. Where nothing else is said, a picture shows the first plan.\n\n" +
+         "Needs neither a display nor a graphics card. Where nothing else is said, a picture shows the first "
+         "plan.\n\n" +
          settings_help();
 }
 
 }  // namespace
 
 Command add_render(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("render", "Draw a picture or the frames of a run, without a display");
+  CLI::App* app =
+      program.add_subcommand("render", "Draw a picture or the frames of a run, without a display");
   const auto arguments = std::make_shared<RenderArguments>();
   RenderArguments& into = *arguments;
   into.world.declare(*app);
@@ -110,14 +116,16 @@ Command add_render(CLI::App& program) {
       ->type_name("OUT")
       ->required();
   app->add_option("--size", into.size, "Pixels of the picture (default 1440x900)")->type_name("WxH");
-  app->add_option("--scale", into.scale, "Device pixels per design pixel, 0.5 to 4 (default 1)")->type_name("S");
+  app->add_option("--scale", into.scale, "Device pixels per design pixel, 0.5 to 4 (default 1)")
+      ->type_name("S");
   app->add_option("--at", into.at, "The moment: after that many events of the log")->type_name("EVENT");
   app->add_flag("--at-end", into.at_end, "The moment: the end of the run");
   app->add_flag("--at-plan", into.at_plan, "The moment: when the first plan stands (the default)");
   app->add_option("--overlay", into.overlays, "What to lay over the world; 'replan list overlays' shows them")
       ->type_name("ID[,ID...]")
       ->allow_extra_args(false);
-  app->add_option("--theme", into.theme, "The colours; else the scenario's, else dark")->type_name("light|dark");
+  app->add_option("--theme", into.theme, "The colours; else the scenario's, else dark")
+      ->type_name("light|dark");
   app->add_flag("--canvas-only", into.canvas_only, "The world alone, without the window around it");
   app->footer(footer);
   return {app, [arguments] { return render(*arguments); }};

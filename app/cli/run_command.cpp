@@ -23,13 +23,25 @@ std::string cell_text(Cell cell) {
 
 std::string plans_table(std::span<const RunReport> reports) {
   using enum Table::Align;
-  Table table({{"planner", left}, {"status", left}, {"nodes"}, {"length"}, {"turns"}, {"turning deg"}, {"clearance min"},
-               {"mean"}, {"plan ms"}, {"expansions"}, {"queue ops"}, {"sight checks"}, {"memory kB"}});
+  Table table({{"planner", left},
+               {"status", left},
+               {"nodes"},
+               {"length"},
+               {"turns"},
+               {"turning deg"},
+               {"clearance min"},
+               {"mean"},
+               {"plan ms"},
+               {"expansions"},
+               {"queue ops"},
+               {"sight checks"},
+               {"memory kB"}});
   for (const RunReport& report : reports) {
     const PathFigures& figures = report.figures;
-    table.add({report.planner, std::string(report.status), std::to_string(figures.nodes), decimals(figures.length, 3),
-               std::to_string(figures.turns), decimals(figures.turning_angle_deg, 1),
-               decimals(figures.min_clearance, 2), decimals(figures.mean_clearance, 2), decimals(report.plan_ms, 3),
+    table.add({report.planner, std::string(report.status), std::to_string(figures.nodes),
+               decimals(figures.length, 3), std::to_string(figures.turns),
+               decimals(figures.turning_angle_deg, 1), decimals(figures.min_clearance, 2),
+               decimals(figures.mean_clearance, 2), decimals(report.plan_ms, 3),
                std::to_string(report.counters.expansions), std::to_string(report.counters.queue_operations),
                std::to_string(report.counters.sight_checks),
                decimals(static_cast<double>(report.memory_bytes) / 1000, 0)});
@@ -39,13 +51,18 @@ std::string plans_table(std::span<const RunReport> reports) {
 
 std::string robots_table(std::span<const RunReport> reports) {
   using enum Table::Align;
-  Table table({{"planner", left}, {"robot", left}, {"moves"}, {"travelled"}, {"collisions"}, {"replans"},
+  Table table({{"planner", left},
+               {"robot", left},
+               {"moves"},
+               {"travelled"},
+               {"collisions"},
+               {"replans"},
                {"replan ms"}});
   for (const RunReport& report : reports)
     if (const auto& robot = report.robot)
       table.add({report.planner, mission_state_name(robot->ending), std::to_string(robot->moves),
-                 decimals(robot->travelled, 3), std::to_string(robot->collisions), std::to_string(robot->replans),
-                 decimals(report.replan_ms, 3)});
+                 decimals(robot->travelled, 3), std::to_string(robot->collisions),
+                 std::to_string(robot->replans), decimals(report.replan_ms, 3)});
   return table.text();
 }
 
@@ -61,7 +78,8 @@ std::string explanation(const RunReport& report) {
   return who + "The robot did not arrive: the way to the goal was cut off while it drove.\n";
 }
 
-std::string summary(const WorldArguments& arguments, const Scenario& world, std::span<const RunReport> reports) {
+std::string summary(const WorldArguments& arguments, const Scenario& world,
+                    std::span<const RunReport> reports) {
   std::string text = arguments.source() + ": " + std::to_string(world.map.width) + " x " +
                      std::to_string(world.map.height) + " cells, from " + cell_text(world.start) + " to " +
                      cell_text(world.goal) + "\n\n" + plans_table(reports);
@@ -95,12 +113,15 @@ std::string footer() {
   return "Examples:\n"
          "  replan run maps/demo.json\n"
          "      Drives the demo's robot with each of the scenario's planners.\n"
-         "  replan run --map arena.map --start 1,11 --goal 40,30 --planner astar,dld-star-lite --set range=3\n"
+         "  replan run --map arena.map --start 1,11 --goal 40,30 --planner astar,dld-star-lite --set "
+         "range=3\n"
          "      Compares two plans on a map.\n"
          "  replan run maps/demo.json --planner all --set astar.heuristic=euclidean --json\n"
          "      The figures of all planners, for a program.\n\n"
-         "Status, path and the figures of its shape are those of the first plan; times and counters are of the whole\n"
-         "run. Exit code 0 if every planner found a path (and its robot arrived), 1 if not, 2 for bad input.\n\n" +
+         "Status, path and the figures of its shape are those of the first plan; times and counters are of "
+         "the whole\n"
+         "run. Exit code 0 if every planner found a path (and its robot arrived), 1 if not, 2 for bad "
+         "input.\n\n" +
          settings_help();
 }
 
@@ -111,7 +132,8 @@ Command add_run(CLI::App& program) {
   const auto arguments = std::make_shared<RunArguments>();
   arguments->world.declare(*app);
   app->add_flag("--json", arguments->json, "Print the runs as JSON, paths included");
-  app->add_option("--csv", arguments->csv, "Write the figures as CSV too; '-' prints them instead")->type_name("FILE");
+  app->add_option("--csv", arguments->csv, "Write the figures as CSV too; '-' prints them instead")
+      ->type_name("FILE");
   app->footer(footer);
   return {app, [arguments] { return run(*arguments); }};
 }

@@ -62,9 +62,8 @@ bool ClearanceField<D>::is_inner(const BoxLattice<D>& lattice, NodeId node) cons
 
 template <int D>
 void ClearanceField<D>::prepare(const BoxLattice<D>& lattice) {
-  const double range = rules_.range;
-  reach_ = static_cast<int>(range);
-  const auto limit = static_cast<std::int64_t>(std::llround(range * static_cast<double>(Cost::kScale)));
+  const auto limit = static_cast<std::int64_t>(std::llround(rules_.range * static_cast<double>(Cost::kScale)));
+  reach_ = static_cast<int>(limit / Cost::kScale);
   std::map<std::int64_t, std::vector<std::array<int, D>>> by_distance;
   const int side = 2 * reach_ + 1;
   const int count = D == 2 ? side * side : side * side * side;

@@ -47,6 +47,7 @@ void BoxLattice<D>::prepare() {
 template <int D>
 void BoxLattice<D>::set_rules(MoveRules rules) {
   rules_ = rules;
+  open_moves_ = static_cast<MoveMask>(moves_given<D>(0, rules_));
   if constexpr (D == 2) {
     masks_by_surroundings_.resize(256);
     for (std::uint32_t blocked = 0; blocked < 256; ++blocked)
@@ -95,8 +96,9 @@ template <int D>
 auto BoxLattice<D>::moves_for(NodeId node) const -> MoveMask {
   if (blocked_[node] != 0) return 0;
   const std::uint32_t blocked = blocked_around(node);
+  if (blocked == 0) return open_moves_;
   if constexpr (D == 2) return masks_by_surroundings_[blocked];
-  else return moves_given<D>(blocked, rules_);
+  else return static_cast<MoveMask>(moves_given<D>(blocked, rules_));
 }
 
 template <int D>

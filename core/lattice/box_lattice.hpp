@@ -175,6 +175,7 @@ class BoxLattice {
   MoveRules rules_;
   std::vector<std::uint8_t> blocked_;
   std::vector<MoveMask> moves_;
+  MoveMask open_moves_ = 0;                      // of a cell with nothing blocked around it
   std::vector<MoveMask> masks_by_surroundings_;  // 2D only: the moves for each of the 256 surroundings
   std::vector<NodeId> touched_;
   std::vector<MoveChange> changes_;

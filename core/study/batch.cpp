@@ -80,7 +80,8 @@ class Batch {
 
 bool lengths_apply(const PlannerChoice& choice) {
   const MoveRules rules = move_rules(choice.settings);
-  return find_planner(choice.id)->optimal(choice.settings) && rules.diagonals && rules.corners == MoveRules{}.corners;
+  return find_planner(choice.id)->optimal(choice.settings) && rules.diagonals &&
+         rules.corners == MoveRules{}.corners;
 }
 
 std::vector<ScenProblem> even_sample(std::span<const ScenProblem> problems, std::size_t limit) {

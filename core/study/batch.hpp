@@ -22,15 +22,16 @@ struct BatchMismatch {
 
 /// What one planner came to on a file.
 struct BatchReport {
-  std::string planner;          ///< registry id
-  bool comparable = false;      ///< the listed lengths are this planner's to find: see lengths_apply()
-  std::int64_t problems = 0;    ///< that were to be solved, the skipped ones included
-  std::int64_t skipped = 0;     ///< start or goal lies in an obstacle of the map
-  std::int64_t found = 0;       ///< for which a path was found
-  std::int64_t mismatches = 0;  ///< not the listed optimum to the precision printed; 0 for planners not comparable
+  std::string planner;        ///< registry id
+  bool comparable = false;    ///< the listed lengths are this planner's to find: see lengths_apply()
+  std::int64_t problems = 0;  ///< that were to be solved, the skipped ones included
+  std::int64_t skipped = 0;   ///< start or goal lies in an obstacle of the map
+  std::int64_t found = 0;     ///< for which a path was found
+  std::int64_t mismatches =
+      0;  ///< not the listed optimum to the precision printed; 0 for planners not comparable
   double max_relative_error = 0;  ///< largest |found / listed - 1|
-  double mean_ratio = 0;        ///< mean of found / listed, problems of length 0 left out; 0 if there is none
-  double total_ms = 0;          ///< wall time of planning, all problems together
+  double mean_ratio = 0;  ///< mean of found / listed, problems of length 0 left out; 0 if there is none
+  double total_ms = 0;    ///< wall time of planning, all problems together
   std::int64_t expansions = 0;
   std::vector<BatchMismatch> first_mismatches;  ///< at most kMismatchesKept
   static constexpr std::size_t kMismatchesKept = 5;
@@ -46,12 +47,12 @@ struct BatchWatch {
   std::stop_token stop;                            ///< the report then counts the problems done so far
 };
 
-/// Whether the lengths of MovingAI files are what a planner must find with these settings: it finds shortest lattice
-/// paths, under the rules that the lengths were made with (8 neighbours, no corner cut).
+/// Whether the lengths of MovingAI files are what a planner must find with these settings: it finds shortest
+/// lattice paths, under the rules that the lengths were made with (8 neighbours, no corner cut).
 bool lengths_apply(const PlannerChoice& choice);
 
-/// `limit` problems spread evenly over the file in its order, the first and the last among them; all if there are no
-/// more than that. 0: all.
+/// `limit` problems spread evenly over the file in its order, the first and the last among them; all if there
+/// are no more than that. 0: all.
 std::vector<ScenProblem> even_sample(std::span<const ScenProblem> problems, std::size_t limit);
 
 /// Solves the problems with one instance of the planner. They must fit the map (check_scen_fits()).

@@ -14,9 +14,10 @@ SightRule sight_rule(const PlannerChoice& choice) {
   return static_cast<SightRule>(static_cast<int>(choice.settings.get(parameters::kSight)));
 }
 
-/// Status, path and the figures of its shape. A plan that was made with unchecked parents is looked at here, so that
-/// nobody takes it for a path that can be driven.
-void report_plan(RunReport& report, const Grid2& lattice, const Path& path, PlanStatus status, SightRule sight) {
+/// Status, path and the figures of its shape. A plan that was made with unchecked parents is looked at here,
+/// so that nobody takes it for a path that can be driven.
+void report_plan(RunReport& report, const Grid2& lattice, const Path& path, PlanStatus status,
+                 SightRule sight) {
   report.status = status_name(status);
   if (path.loops)
     report.status = mission_state_name(MissionState::loop);
@@ -58,7 +59,8 @@ RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoi
   const auto begin = std::chrono::steady_clock::now();
   planner->begin(lattice.node(start), lattice.node(goal));
   const PlanStatus status = finish(*planner);
-  report.plan_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  report.plan_ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   report_plan(report, lattice, planner->path(), status, sight_rule(choice));
   report.counters = planner->counters();
   report.memory_bytes = static_cast<std::int64_t>(planner->memory_bytes());
@@ -125,7 +127,8 @@ std::string runs_json(std::span<const RunReport> reports) {
     for (const Cell cell : report.path) path.push_back(Json::array({cell.x, cell.y}));
     run["figures"] = figures_json(named_figures(report));
     if (report.robot) {
-      run["robot"] = {{"reached", report.robot->reached()}, {"ending", mission_state_name(report.robot->ending)}};
+      run["robot"] = {{"reached", report.robot->reached()},
+                      {"ending", mission_state_name(report.robot->ending)}};
       run["robot"].update(figures_json(named_figures(*report.robot)));
     }
     document["runs"].push_back(std::move(run));
@@ -139,13 +142,15 @@ std::string runs_csv(std::span<const RunReport> reports) {
   for (const NamedFigure& figure : named_figures(RunReport{})) names += "," + std::string(figure.key);
   if (robots) {
     names += ",robot_reached,robot_ending";
-    for (const NamedFigure& figure : named_figures(RobotReport{})) names += ",robot_" + std::string(figure.key);
+    for (const NamedFigure& figure : named_figures(RobotReport{}))
+      names += ",robot_" + std::string(figure.key);
   }
   for (const RunReport& report : reports) {
     lines += report.planner + "," + std::string(report.status);
     for (const NamedFigure& figure : named_figures(report)) lines += "," + csv_number(figure);
     if (report.robot) {
-      lines += std::string(report.robot->reached() ? ",true," : ",false,") + mission_state_name(report.robot->ending);
+      lines += std::string(report.robot->reached() ? ",true," : ",false,") +
+               mission_state_name(report.robot->ending);
       for (const NamedFigure& figure : named_figures(*report.robot)) lines += "," + csv_number(figure);
     }
     lines += "\n";

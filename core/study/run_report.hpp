@@ -25,11 +25,12 @@ struct RobotReport {
   [[nodiscard]] bool reached() const { return ending == MissionState::arrived; }
 };
 
-/// One run of one planner. `status`, `path` and its figures are of the first plan, from the start to the goal on
-/// the map as it was known then; times, counters and memory are of the whole run, replans included.
+/// One run of one planner. `status`, `path` and its figures are of the first plan, from the start to the goal
+/// on the map as it was known then; times, counters and memory are of the whole run, replans included.
 struct RunReport {
   std::string planner;  ///< registry id
-  std::string_view status = "no-path";  ///< status_name(), or "loop" or "collision" for a plan that cannot be driven
+  std::string_view status =
+      "no-path";  ///< status_name(), or "loop" or "collision" for a plan that cannot be driven
   std::vector<Cell> path;
   PathFigures figures;
   double plan_ms = 0;    ///< wall time of the first plan

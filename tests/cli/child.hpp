@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -76,8 +77,16 @@ inline Outcome run_program(const std::vector<std::string>& arguments) {
   return outcome;
 }
 
+/// The keys of a JSON object.
+inline std::set<std::string> keys(const nlohmann::json& object) {
+  std::set<std::string> result;
+  for (const auto& [key, value] : object.items()) result.insert(key);
+  return result;
+}
+
 /// Bad input: exit code 2, nothing on stdout, one line on stderr that says all of `phrases`.
-inline void expect_complaint(const std::vector<std::string>& arguments, const std::vector<std::string>& phrases) {
+inline void expect_complaint(const std::vector<std::string>& arguments,
+                             const std::vector<std::string>& phrases) {
   const Outcome outcome = run_program(arguments);
   std::string line;
   for (const std::string& argument : arguments) line += argument + " ";
@@ -87,7 +96,8 @@ inline void expect_complaint(const std::vector<std::string>& arguments, const st
   EXPECT_TRUE(outcome.err.starts_with("replan: ")) << outcome.err;
   EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << "one line: " << outcome.err;
   for (const std::string& phrase : phrases)
-    EXPECT_NE(outcome.err.find(phrase), std::string::npos) << "should say '" << phrase << "': " << outcome.err;
+    EXPECT_NE(outcome.err.find(phrase), std::string::npos)
+        << "should say '" << phrase << "': " << outcome.err;
 }
 
 }  // namespace replan::test

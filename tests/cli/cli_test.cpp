@@ -1,6 +1,4 @@
-// The contracts of 'replan run', 'batch', 'list' and 'convert': output, exit codes, JSON.
-#include "tests/cli/child.hpp"
-
+// The contracts of 'replan run', 'list' and 'convert': output, exit codes, JSON.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -10,7 +8,7 @@
 #include "core/scene/view.hpp"
 #include "core/world/map_file.hpp"
 #include "core/world/scenario.hpp"
-#include "tests/support/shared_data.hpp"
+#include "tests/cli/child.hpp"
 
 namespace replan::test {
 namespace {
@@ -41,12 +39,6 @@ const std::set<std::string> kFigures = {
     "nodes",     "length",  "turns",      "turning_angle_deg", "min_clearance", "mean_clearance", "plan_ms",
     "replan_ms", "replans", "expansions", "queue_operations",  "sight_checks",  "memory_bytes"};
 
-std::set<std::string> keys(const json& object) {
-  std::set<std::string> result;
-  for (const auto& [key, value] : object.items()) result.insert(key);
-  return result;
-}
-
 void expect_all_numbers(const json& object) {
   for (const auto& [key, value] : object.items()) EXPECT_TRUE(value.is_number()) << key << ": " << value;
 }
@@ -57,7 +49,8 @@ class CommandLine : public ::testing::Test {
   std::string map_ = folder_.with("room.map", kMap);
   std::string scenario_ = folder_.with("gap.json", kScenario);
 
-  [[nodiscard]] Arguments plan(const std::string& start, const std::string& goal, const Arguments& more) const {
+  [[nodiscard]] Arguments plan(const std::string& start, const std::string& goal,
+                               const Arguments& more) const {
     Arguments arguments = {"run", "--map", map_, "--start", start, "--goal", goal};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
@@ -96,7 +89,8 @@ TEST_F(CommandLine, runWithoutAPathHasNoPathZerosAndExitCodeOne) {
       EXPECT_EQ(run["status"], status);
       EXPECT_EQ(run["path"], json::array());
       expect_all_numbers(run["figures"]);
-      for (const char* key : {"nodes", "length", "turns", "turning_angle_deg", "min_clearance", "mean_clearance"})
+      for (const char* key :
+           {"nodes", "length", "turns", "turning_angle_deg", "min_clearance", "mean_clearance"})
         EXPECT_EQ(run["figures"][key], 0) << key;
     }
   }
@@ -135,7 +129,8 @@ TEST_F(CommandLine, aRobotThatCannotArriveIsExitCodeOne) {
   closed.replace(closed.find("[[3, 0]]"), 8, "[[3, 0], [3, 4]]");
   const Outcome outcome = run_program({"run", folder_.with("closed.json", closed), "--json"});
   EXPECT_EQ(outcome.code, 1);
-  for (const json& run : outcome.json()["runs"]) {
+  const json document = outcome.json();
+  for (const json& run : document["runs"]) {
     EXPECT_EQ(run["robot"]["reached"], false);
     EXPECT_EQ(run["robot"]["ending"], "no-path");
   }
@@ -143,11 +138,13 @@ TEST_F(CommandLine, aRobotThatCannotArriveIsExitCodeOne) {
 
 TEST_F(CommandLine, setGoesToEachPlannerThatHasTheSetting) {
   const auto length = [](const json& run) { return run["figures"]["length"].get<double>(); };
-  const json all = run_program(plan("0,2", "7,2", {"--planner", "astar,dstar-lite", "--set", "moves=4", "--json"})).json();
+  const json all =
+      run_program(plan("0,2", "7,2", {"--planner", "astar,dstar-lite", "--set", "moves=4", "--json"})).json();
   EXPECT_EQ(length(all["runs"][0]), 11);
   EXPECT_EQ(length(all["runs"][1]), 11);
   const json one =
-      run_program(plan("0,2", "7,2", {"--planner", "astar,dstar-lite", "--set", "astar.moves=4", "--json"})).json();
+      run_program(plan("0,2", "7,2", {"--planner", "astar,dstar-lite", "--set", "astar.moves=4", "--json"}))
+          .json();
   EXPECT_EQ(length(one["runs"][0]), 11);
   EXPECT_LT(length(one["runs"][1]), 10);
 }
@@ -178,22 +175,31 @@ TEST_F(CommandLine, badInputIsOneLineThatNamesTheMend) {
   expect_complaint({"run"}, {"give a scenario file, or --map FILE"});
   expect_complaint({"run", scenario_, "--map", map_}, {"not both"});
   expect_complaint({"run", folder_.file("none.json")}, {"none.json", "No such file"});
-  expect_complaint({"run", "--map", folder_.file("none.map"), start, "0,0", goal, "1,1", planner, "astar"}, {"none.map"});
-  expect_complaint({"run", "--map", map_, goal, "1,1", planner, "astar"}, {"--start is missing", "x from 0 to 7"});
-  expect_complaint(plan("8,0", "1,1", {planner, "astar"}), {"--start 8,0", "outside", "x from 0 to 7, y from 0 to 5"});
+  expect_complaint({"run", map_}, {map_, "--map"});
+  expect_complaint({folder_.file("none.json")}, {"none.json", "no such file"});
+  expect_complaint({"run", "--map", folder_.file("none.map"), start, "0,0", goal, "1,1", planner, "astar"},
+                   {"none.map"});
+  expect_complaint({"run", "--map", map_, goal, "1,1", planner, "astar"},
+                   {"--start is missing", "x from 0 to 7"});
+  expect_complaint(plan("8,0", "1,1", {planner, "astar"}),
+                   {"--start 8,0", "outside", "x from 0 to 7, y from 0 to 5"});
   expect_complaint(plan("-1,0", "1,1", {planner, "astar"}), {"--start -1,0", "outside"});
   expect_complaint(plan("0", "1,1", {planner, "astar"}), {"--start cannot be '0'", "X,Y"});
   expect_complaint(plan("0,0", "1,1x", {planner, "astar"}), {"--goal cannot be '1,1x'"});
   expect_complaint(plan("0,0", "99999999999,1", {planner, "astar"}), {"--goal cannot be"});
   expect_complaint(plan("0,0", "1,1", {}), {"--planner", "replan list planners"});
-  expect_complaint(plan("0,0", "1,1", {planner, "astr"}), {"unknown planner 'astr'", "did you mean 'astar'?"});
-  expect_complaint(plan("0,0", "1,1", {planner, "astar", "--set", "heuristc=zero"}), {"did you mean 'heuristic'?"});
+  expect_complaint(plan("0,0", "1,1", {planner, "astr"}),
+                   {"unknown planner 'astr'", "did you mean 'astar'?"});
+  expect_complaint(plan("0,0", "1,1", {planner, "astar", "--set", "heuristc=zero"}),
+                   {"did you mean 'heuristic'?"});
   expect_complaint(plan("0,0", "1,1", {planner, "astar", "--set", "heuristic=none"}), {"one of: octile"});
   expect_complaint(plan("0,0", "1,1", {planner, "astar", "--set", "heuristic"}), {"KEY=VALUE"});
   expect_complaint(plan("0,0", "1,1", {planner, "astar", "--set", "range=3"}), {"dld-star-lite"});
   expect_complaint(plan("0,0", "1,1", {planner, "dld-star-lite", "--set", "range=nan"}), {"from 1 to 12"});
-  expect_complaint(plan("0,0", "1,1", {planner, "astar", "--set", "dstar-lite.moves=4"}), {"add it with --planner"});
-  expect_complaint(plan("0,0", "1,1", {planner, "astar", "--set", "dstr-lite.moves=4"}), {"did you mean 'dstar-lite'?"});
+  expect_complaint(plan("0,0", "1,1", {planner, "astar", "--set", "dstar-lite.moves=4"}),
+                   {"add it with --planner"});
+  expect_complaint(plan("0,0", "1,1", {planner, "astar", "--set", "dstr-lite.moves=4"}),
+                   {"did you mean 'dstar-lite'?"});
   expect_complaint({"run", scenario_, "--csv", folder_.file("no/such/x.csv")}, {"x.csv"});
 }
 
@@ -239,67 +245,6 @@ TEST_F(CommandLine, aReaderThatGoesAwayIsNoError) {
   close(ends[1]);
 }
 
-TEST_F(CommandLine, batchHoldsLengthsAgainstTheFile) {
-  const std::string lines = "version 1\n"
-                            "0\troom.map\t8\t6\t0\t0\t2\t0\t2\n"
-                            "0\troom.map\t8\t6\t0\t0\t1\t1\t1.41421\n"
-                            "0\troom.map\t8\t6\t3\t1\t0\t0\t9\n"
-                            "1\troom.map\t8\t6\t4\t0\t7\t0\t3\n";
-  const Outcome good = run_program({"batch", folder_.with("good.scen", lines), "--planner", "astar,dld-star-lite", "--json"});
-  EXPECT_EQ(good.code, 0) << good.err;
-  EXPECT_EQ(good.err, "") << "no progress in a pipe";
-  const json document = good.json();
-  EXPECT_EQ(keys(document), std::set<std::string>{"planners"});
-  for (const json& planner : document["planners"]) {
-    for (const char* key : {"problems", "found", "mismatches", "max_relative_error", "total_ms", "expansions", "skipped"})
-      EXPECT_TRUE(planner[key].is_number()) << key;
-    EXPECT_EQ(planner["problems"], 4);
-    EXPECT_EQ(planner["skipped"], 1);
-    EXPECT_EQ(planner["found"], 3);
-    EXPECT_EQ(planner["mismatches"], 0);
-  }
-  EXPECT_EQ(document["planners"][0]["comparable"], true);
-  EXPECT_EQ(document["planners"][1]["comparable"], false);
-  EXPECT_LT(document["planners"][0]["max_relative_error"].get<double>(), 1e-5);
-}
-
-TEST_F(CommandLine, batchMismatchIsExitCodeOneAndNamesTheLine) {
-  const std::string scen = folder_.with("bad.scen", "version 1\n"
-                                                    "0\troom.map\t8\t6\t0\t0\t2\t0\t2\n"
-                                                    "0\troom.map\t8\t6\t0\t0\t1\t1\t1.5\n"
-                                                    "0\troom.map\t8\t6\t0\t0\t6\t4\t9\n");
-  const Outcome outcome = run_program({"batch", scen, "--planner", "astar", "--json"});
-  EXPECT_EQ(outcome.code, 1);
-  EXPECT_EQ(outcome.json()["planners"][0]["mismatches"], 2);
-  EXPECT_EQ(outcome.json()["planners"][0]["found"], 2);
-  EXPECT_NE(outcome.err.find("replan: " + scen + ":3: astar found 1.41421356, listed is 1.5"), std::string::npos)
-      << outcome.err;
-  EXPECT_NE(outcome.err.find(scen + ":4: astar found no path"), std::string::npos) << outcome.err;
-}
-
-TEST_F(CommandLine, batchTakesAnEvenSample) {
-  std::string lines = "version 1\n";
-  for (int i = 1; i <= 7; ++i)
-    lines += "0\troom.map\t8\t6\t0\t0\t" + std::to_string(i) + "\t0\t" + std::to_string(i) + "\n";
-  const std::string scen = folder_.with("seven.scen", lines);
-  const auto problems = [&](const char* limit) {
-    return run_program({"batch", scen, "--planner", "astar", "--limit", limit, "--json"}).json()["planners"][0]["problems"];
-  };
-  EXPECT_EQ(problems("3"), 3);
-  EXPECT_EQ(problems("1"), 1);
-  EXPECT_EQ(problems("100"), 7);
-  expect_complaint({"batch", scen, "--planner", "astar", "--limit", "0"}, {"--limit cannot be '0'"});
-  expect_complaint({"batch", scen, "--planner", "astar", "--limit", "ten"}, {"--limit cannot be 'ten'"});
-}
-
-TEST_F(CommandLine, batchRefusesAnotherMap) {
-  const std::string scen = folder_.with("other.scen", "version 1\n0\tother.map\t8\t6\t0\t0\t2\t0\t2\n");
-  expect_complaint({"batch", scen, "--planner", "astar"}, {"'other.map'", "--map"});
-  EXPECT_EQ(run_program({"batch", scen, "--map", map_, "--planner", "astar", "--json"}).code, 0);
-  const std::string small = folder_.with("small.map", "type octile\nheight 1\nwidth 2\nmap\n..\n");
-  expect_complaint({"batch", scen, "--map", small, "--planner", "astar"}, {scen + ":2: ", "8 x 6", "2 x 1"});
-}
-
 TEST_F(CommandLine, listNamesAllThereIs) {
   const Outcome text = run_program({"list", "planners"});
   EXPECT_EQ(text.code, 0);
@@ -314,16 +259,19 @@ TEST_F(CommandLine, listNamesAllThereIs) {
   const json drawn = run_program({"list", "overlays", "--json"}).json()["overlays"];
   EXPECT_EQ(drawn.size(), overlays().size());
   bool demo = false;
-  for (const json& map : run_program({"list", "maps", "--json"}).json()["maps"])
-    demo |= map["path"].get<std::string>().ends_with("maps/demo.json");
+  const json worlds = run_program({"list", "maps", "--json"}).json();
+  for (const json& map : worlds["maps"]) demo |= map["path"].get<std::string>().ends_with("maps/demo.json");
   EXPECT_TRUE(demo);
 }
 
 TEST_F(CommandLine, convertKeepsTheCells) {
-  const std::string png = folder_.file("room.png"), back = folder_.file("back.map"), json_file = folder_.file("room.json");
+  const std::string png = folder_.file("room.png"), back = folder_.file("back.map"),
+                    json_file = folder_.file("room.json");
   EXPECT_EQ(run_program({"convert", map_, png}).code, 0);
   EXPECT_EQ(run_program({"convert", png, back}).code, 0);
-  EXPECT_EQ(run_program({"convert", back, json_file, "--start", "0,2", "--goal", "7,2", "--planner", "astar"}).code, 0);
+  EXPECT_EQ(
+      run_program({"convert", back, json_file, "--start", "0,2", "--goal", "7,2", "--planner", "astar"}).code,
+      0);
   const auto map = read_map(map_), returned = read_map(back);
   ASSERT_TRUE(map.ok() && returned.ok());
   EXPECT_EQ(*map, *returned);
@@ -335,19 +283,6 @@ TEST_F(CommandLine, convertKeepsTheCells) {
   expect_complaint({"convert", map_, json_file}, {"--start is missing"});
   expect_complaint({"convert", map_, folder_.file("x.gif")}, {"x.gif", ".map or .png"});
   expect_complaint({"convert", map_, folder_.file("no/x.png")}, {"no/x.png"});
-}
-
-TEST(CommandLineOnSharedData, publishedLengthsHold) {
-  REPLAN_NEED_SHARED_DATA();
-  const std::string data = (shared_data() / "movingai").string();
-  for (const char* file : {"/dao/arena.map.scen", "/da2/ht_store.map.scen", "/mapf/empty-8-8.map.scen"}) {
-    const Outcome outcome = run_program({"batch", data + file, "--planner", "astar,dstar-lite", "--json"});
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    for (const json& planner : outcome.json()["planners"]) {
-      EXPECT_EQ(planner["mismatches"], 0) << file;
-      EXPECT_EQ(planner["found"], planner["problems"]) << file;
-    }
-  }
 }
 
 }  // namespace

@@ -1,12 +1,11 @@
 // Help, manual page and completion: they name the same commands, options, planners and settings.
-#include "tests/cli/child.hpp"
-
 #include <algorithm>
 #include <regex>
 #include <set>
 #include <sstream>
 
 #include "core/plan/registry.hpp"
+#include "tests/cli/child.hpp"
 
 namespace replan::test {
 namespace {
@@ -26,9 +25,10 @@ std::set<std::string> options_in(const std::string& help) {
   return options;
 }
 
-/// A section of the manual page as plain words: the escapes of troff taken out.
+/// The manual page as plain words: the escapes of troff taken out.
 std::string manual() {
   std::string text = whole_file(std::string(REPLAN_SOURCE_DIR) + "/assets/man/replan.1");
+  text = std::regex_replace(text, std::regex(R"(\\f[BIRP])"), "");
   text.erase(std::remove(text.begin(), text.end(), '\\'), text.end());
   return text;
 }
@@ -54,7 +54,8 @@ TEST(Help, namesEverySettingOfEveryPlanner) {
   for (const char* command : {"run", "batch", "render"}) {
     const std::string help = run_program({command, "--help"}).out;
     for (const PlannerInfo& info : planners()) {
-      EXPECT_TRUE(names(help, std::string(info.id)) || info.parameters.size() == lattice_parameters().size()) << info.id;
+      EXPECT_TRUE(names(help, std::string(info.id)) || info.parameters.size() == lattice_parameters().size())
+          << info.id;
       for (const Parameter& parameter : info.parameters)
         EXPECT_TRUE(names(help, std::string(parameter.key))) << info.id << " " << parameter.key;
     }
@@ -84,7 +85,8 @@ TEST(Manual, namesNothingThatIsNotThere) {
   for (const std::string& command : kCommands) helps += run_program({command, "--help"}).out;
   const std::string page = manual();
   const std::regex option("--[a-z][a-z-]*");
-  for (auto found = std::sregex_iterator(page.begin(), page.end(), option); found != std::sregex_iterator(); ++found)
+  for (auto found = std::sregex_iterator(page.begin(), page.end(), option); found != std::sregex_iterator();
+       ++found)
     EXPECT_TRUE(names(helps, found->str())) << found->str();
 }
 
@@ -103,10 +105,12 @@ TEST(Manual, namesEveryPlannerAndSetting) {
 /// What bash would offer for a command line, one per line.
 std::string completions(const std::string& words) {
   const TemporaryFolder folder;
-  const std::string script = "PATH=$(dirname '" REPLAN_PROGRAM "'):$PATH; source '" REPLAN_SOURCE_DIR
-                             "/assets/completion/replan.bash'; COMP_WORDS=(" + words +
-                             "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _replan; printf '%s\\n' \"${COMPREPLY[@]}\"";
-  const std::string command = "bash --norc '" + folder.with("ask.bash", script) + "' > '" + folder.file("out") + "'";
+  const std::string script =
+      "PATH=$(dirname '" REPLAN_PROGRAM "'):$PATH; source '" REPLAN_SOURCE_DIR
+      "/assets/completion/replan.bash'; COMP_WORDS=(" +
+      words + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _replan; printf '%s\\n' \"${COMPREPLY[@]}\"";
+  const std::string command =
+      "bash --norc '" + folder.with("ask.bash", script) + "' > '" + folder.file("out") + "'";
   EXPECT_EQ(std::system(command.c_str()), 0) << whole_file(folder.file("ask.bash"));
   return "\n" + whole_file(folder.file("out"));
 }
@@ -122,7 +126,8 @@ TEST(Completion, offersCommandsAndAllTheirOptions) {
 
 TEST(Completion, offersPlannersOverlaysAndSettings) {
   EXPECT_NE(completions("replan run --planner as").find("\nastar\n"), std::string::npos);
-  EXPECT_NE(completions("replan run --planner dijkstra,dld").find("\ndijkstra,dld-star-lite\n"), std::string::npos);
+  EXPECT_NE(completions("replan run --planner dijkstra,dld").find("\ndijkstra,dld-star-lite\n"),
+            std::string::npos);
   EXPECT_NE(completions("replan render --overlay path,tr").find("\npath,trail\n"), std::string::npos);
   EXPECT_NE(completions("replan batch --set heu").find("\nheuristic=\n"), std::string::npos);
   EXPECT_NE(completions("replan list ov").find("\noverlays\n"), std::string::npos);

@@ -203,8 +203,8 @@ TEST(Session, PanesGoInLockstepByStepsOfTheRobotAndExpansions) {
   Session session(scenario);
   run_to_end(session);
   while (session.runs()[1]->busy()) session.update(0);
-  const Run& first = *session.runs()[0];
-  const Run& second = *session.runs()[1];
+  const auto& first = *session.runs()[0];
+  const auto& second = *session.runs()[1];
   for (std::size_t p = 0; p < first.timeline().size(); p += 13) {
     ASSERT_TRUE(session.apply(Seek{p}).ok());
     const auto wanted = first.progress(p), got = second.progress(second.timeline().cursor());

@@ -1,7 +1,7 @@
 // Runs and batches: what their reports say.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "core/plan/registry.hpp"
@@ -74,11 +74,12 @@ BatchReport batch(const ScenFile& file, const std::string& planner) {
 }
 
 TEST(Batch, countsWhatAgreesWhatDoesNotAndWhatIsSkipped) {
-  const ScenFile file = scen("0 m.map 5 3 0 0 2 0 2\n"         // agrees
-                             "0 m.map 5 3 0 0 2 2 4.5\n"       // the length is 4
-                             "0 m.map 5 3 1 1 0 0 1\n"         // starts in an obstacle
-                             "0 m.map 5 3 0 0 4 0 6.82842\n"   // no way there
-                             "0 m.map 5 3 1 0 1 0 0\n");       // to where it stands
+  const ScenFile file = scen(
+      "0 m.map 5 3 0 0 2 0 2\n"        // agrees
+      "0 m.map 5 3 0 0 2 2 4.5\n"      // the length is 4
+      "0 m.map 5 3 1 1 0 0 1\n"        // starts in an obstacle
+      "0 m.map 5 3 0 0 4 0 6.82842\n"  // no way there
+      "0 m.map 5 3 1 0 1 0 0\n");      // to where it stands
   const BatchReport report = batch(file, "astar");
   EXPECT_TRUE(report.comparable);
   EXPECT_EQ(report.problems, 5);
@@ -101,7 +102,8 @@ TEST(Batch, holdsNoPlannerToLengthsThatItDoesNotLookFor) {
   EXPECT_FALSE(report.comparable);
   EXPECT_EQ(report.mismatches, 0);
   EXPECT_TRUE(report.passed());
-  EXPECT_FALSE(batch(scen("0 m.map 5 3 0 0 4 0 4\n"), "dld-star-lite").passed()) << "a path that is not found";
+  EXPECT_FALSE(batch(scen("0 m.map 5 3 0 0 4 0 4\n"), "dld-star-lite").passed())
+      << "a path that is not found";
 }
 
 TEST(Batch, oneInstanceGivesWhatFreshOnesGive) {
@@ -164,7 +166,8 @@ TEST(RunReport, tellsTheFirstPlanAndTheWholeDrive) {
   Scenario world = corridor();
   const RunReport plain = plan_once(world.map, world.start, world.goal, world.planners.front());
   const int row = plain.path[3].y;
-  world.surprises = {{.at = {.move = 1, .near = {}, .within = 0}, .cells = {{{3, row}, true}}, .announced = false}};
+  world.surprises = {
+      {.at = {.move = 1, .near = {}, .within = 0}, .cells = {{{3, row}, true}}, .announced = false}};
   const RunReport report = drive(world, world.planners.front());
   ASSERT_TRUE(report.robot.has_value());
   EXPECT_EQ(report.path, plain.path) << "the plan before the surprise";
@@ -178,7 +181,8 @@ TEST(RunReport, tellsTheFirstPlanAndTheWholeDrive) {
 TEST(RunReport, aWayThatOpensLaterIsASuccess) {
   Scenario world = corridor();
   for (const int y : {0, 2}) world.map.set({3, y}, true);
-  world.surprises = {{.at = {.move = 2, .near = {}, .within = 0}, .cells = {{{3, 1}, false}}, .announced = true}};
+  world.surprises = {
+      {.at = {.move = 2, .near = {}, .within = 0}, .cells = {{{3, 1}, false}}, .announced = true}};
   const RunReport report = drive(world, world.planners.front());
   EXPECT_EQ(report.status, "no-path");
   EXPECT_TRUE(report.path.empty());

@@ -65,7 +65,8 @@ std::pair<const char*, ImU32> consistency(const Theme& theme, const CellView& vi
     return g.is_infinite()                ? std::pair{"not seen", theme.dim}
            : view.state.queued(view.node) ? std::pair{"open", theme.accent}
                                           : std::pair{"settled", theme.text};
-  if (g.is_infinite() && rhs.is_infinite()) return {"not seen", theme.dim};
+  if (g.is_infinite() && rhs.is_infinite())
+    return {view.state.order(view.node) == 0 ? "not seen" : "no value", theme.dim};
   if (g == rhs) return {"consistent", theme.text};
   return g > rhs ? std::pair{"over", theme.accent} : std::pair{"under", theme.warning};
 }
@@ -119,64 +120,64 @@ void values(Frame& frame, const CellView& view) {
   key_values(look, pairs);
 }
 
-/// The table and, where it does not add up yet, the reason.
-void explain(Frame& frame, const CellView& view) {
+/// Why there is nothing to add up; empty if there is.
+const char* special_case(const CellView& view, const std::vector<Offer>& all) {
+  if (view.node == view.state.node(view.lookahead ? Scalar::goal : Scalar::start))
+    return view.lookahead ? "This is the goal: its rhs is 0, by definition."
+                          : "This is the start: its g is 0.";
+  if (view.state.known_blocked(view.node))
+    return "The robot takes this cell for an obstacle: no move leads in or out.";
+  if (all.empty()) return "Obstacles stand all around: no move leads from here.";
+  if (all.front().sum.is_infinite()) return "No neighbour has a value now: no way leads on from here yet.";
+  return "";
+}
+
+/// Each neighbour's sum, the least first; a click goes on to the neighbour.
+void offer_table(Frame& frame, const CellView& view, const std::vector<Offer>& all) {
   const Look& look = frame.look;
-  const Cost value = view.lookahead ? view.state.rhs(view.node) : view.state.g(view.node);
-  const char* name = view.lookahead ? "rhs" : "g";
-  section_title(look, std::string("Why is ") + name + " " + cost_text(value) + "?");
-  const NodeId fixed_node = view.state.node(view.lookahead ? Scalar::goal : Scalar::start);
-  if (view.node == fixed_node) {
-    paragraph(
-        look.fonts.ui, look.theme.dim,
-        view.lookahead ? "This is the goal: its rhs is 0, by definition." : "This is the start: its g is 0.");
-    return;
-  }
-  if (view.state.known_blocked(view.node)) {
-    paragraph(look.fonts.ui, look.theme.dim,
-              "The robot takes this cell for an obstacle: no move leads in or out.");
-    return;
-  }
-  const std::vector<Offer> all = offers(view);
-  const auto finite = static_cast<std::size_t>(
-      std::count_if(all.begin(), all.end(), [](const Offer& o) { return !o.sum.is_infinite(); }));
-  if (finite == 0) {
-    paragraph(look.fonts.ui, look.theme.dim,
-              all.empty() ? "Obstacles stand all around: no move leads from here."
-                          : "No neighbour has a value: the search has not come here.");
-    return;
-  }
   const bool with_dist = view.run.info().clearance;
   std::vector<Column> columns = {{"neighbour", 1.6f, Align::left}, {"c", 1}, {"g", 1.2f}};
   if (with_dist) columns.push_back({"dist"});
   columns.push_back({"sum", 1.2f});
   table_header(look, columns);
-  for (std::size_t i = 0; i < finite; ++i) {
-    const Offer& offer = all[i];
+  std::size_t shown = 0;
+  for (; shown < all.size() && !all[shown].sum.is_infinite(); ++shown) {
+    const Offer& offer = all[shown];
     const bool winner = offer.node == view.state.lp(view.node);
     const std::string at = node_text(view.run, offer.node), c = cost_text(offer.step), g = cost_text(offer.g),
                       dist = cost_text(offer.dist), sum = cost_text(offer.sum);
     std::vector<TableCell> cells = {{at}, {c}, {g}};
     if (with_dist) cells.push_back({dist});
     cells.push_back({sum, 0, winner});
-    if (table_row(look, static_cast<int>(i), columns, cells, winner))
+    if (table_row(look, static_cast<int>(shown), columns, cells, winner))
       frame.view.view.pinned = view.run.lattice().position(offer.node);
   }
-  if (finite < all.size()) {
-    std::vector<TableCell> cells(columns.size());
-    const std::string more = std::to_string(all.size() - finite) + " more";
-    cells.front() = {more, look.theme.faint};
-    cells.back() = {"∞", look.theme.faint};
-    table_row(look, -1, columns, cells);
+  if (shown == all.size()) return;
+  std::vector<TableCell> cells(columns.size());
+  const std::string more = std::to_string(all.size() - shown) + " more";
+  cells.front() = {more, look.theme.faint};
+  cells.back() = {"∞", look.theme.faint};
+  table_row(look, -1, columns, cells);
+}
+
+/// The table and, where it does not add up yet, the reason.
+void explain(Frame& frame, const CellView& view) {
+  const Look& look = frame.look;
+  const Cost value = view.lookahead ? view.state.rhs(view.node) : view.state.g(view.node);
+  const char* name = view.lookahead ? "rhs" : "g";
+  section_title(look, std::string("Why is ") + name + " " + cost_text(value) + "?");
+  const std::vector<Offer> all = offers(view);
+  if (const std::string_view special = special_case(view, all); !special.empty()) {
+    paragraph(look.fonts.ui, look.theme.dim, special);
+    return;
   }
-  const Cost least = all.empty() ? Cost::infinity() : all.front().sum;
-  if (least != value) {
-    ImGui::Dummy({0, look.px.xs});
-    paragraph(look.fonts.ui, look.theme.warning,
-              view.lookahead
-                  ? "The least sum is " + cost_text(least) + ": UpdateVertex has yet to come to this cell."
-                  : "A neighbour offers less: it has not been expanded yet.");
-  }
+  offer_table(frame, view, all);
+  if (all.front().sum == value) return;
+  ImGui::Dummy({0, look.px.xs});
+  paragraph(look.fonts.ui, look.theme.warning,
+            view.lookahead ? "The least sum is " + cost_text(all.front().sum) +
+                                 ": UpdateVertex has yet to come to this cell."
+                           : "A neighbour offers less: it has not been expanded yet.");
 }
 
 /// The lines about the current one, as in the Code tab.

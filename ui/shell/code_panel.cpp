@@ -110,7 +110,8 @@ void draw_code_panel(Frame& frame) {
   what_happened(frame);
   ImGui::Dummy({0, look.px.xs});
   // The page scrolls under what happened, which stays in sight.
-  ImGui::BeginChild("page", {0, 0});
+  // Its scroll bar stands in the padding, so that it takes no room from the code.
+  ImGui::BeginChild("page", {ImGui::GetContentRegionAvail().x + look.px(12), 0});
   bool first = true;
   for (const PseudoBlock& block : page->code) {
     if (!first) section_rule(look);

@@ -24,7 +24,7 @@ std::string value_text(const Run& run, EventKind kind, std::uint64_t raw) {
     case EventKind::dist:
       return cost_text(Cost{static_cast<std::int64_t>(raw)});
     case EventKind::queue:
-      return raw == 0 ? "not in it" : cost_text(Cost{static_cast<std::int64_t>(raw) - 1});
+      return raw == 0 ? "not in U" : cost_text(Cost{static_cast<std::int64_t>(raw) - 1});
     case EventKind::lp:
     case EventKind::rp:
       return node_text(run, static_cast<NodeId>(raw) - 1u);
@@ -40,7 +40,7 @@ std::string value_text(const Run& run, EventKind kind, std::uint64_t raw) {
 
 std::string change_text(const Run& run, const Event& event) {
   static constexpr std::array<const char*, 9> kNames = {
-      "g", "rhs", "in U at", "lp", "rp", "dist", "expansion", "the robot's map", "the world"};
+      "g", "rhs", "k1", "lp", "rp", "dist", "expansion", "the robot's map", "the world"};
   if (event.kind == EventKind::scalar) {
     const std::uint64_t after = run.timeline().state().scalar(static_cast<Scalar>(event.node));
     const std::string name = scalar_name(event.node);
@@ -127,6 +127,13 @@ std::string bytes_text(std::size_t bytes) {
 
 std::string count_text(std::int64_t count, const char* one, const char* many) {
   return grouped(count) + " " + (count == 1 ? one : many);
+}
+
+std::string as_sentence(std::string words) {
+  const std::size_t end = words.find_first_not_of("abcdefghijklmnopqrstuvwxyz");
+  const bool plain_word = end != 0 && !words.empty() && (end == std::string::npos || words[end] == ' ');
+  if (plain_word) words.front() = static_cast<char>(words.front() - 'a' + 'A');
+  return words;
 }
 
 std::string last_event_text(const Run& run) {

@@ -25,6 +25,9 @@ std::string bytes_text(std::size_t bytes);
 /// "3 cells", "1 cell".
 std::string count_text(std::int64_t count, const char* one, const char* many);
 
+/// Begins with a capital letter, unless the first word is a path or a name.
+std::string as_sentence(std::string words);
+
 /// What the event before the cursor did, as a sentence: "rhs(31, 18): 41.213 → 43.799". Empty at the
 /// beginning.
 std::string last_event_text(const Run& run);

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/file.hpp"
 #include "core/scene/scene.hpp"
 #include "ui/icons.hpp"
-#include "ui/shell/documents.hpp"
 #include "ui/shell/panels.hpp"
 
 namespace replan::ui {
@@ -14,7 +12,6 @@ namespace {
 
 constexpr float kNarrowestSide = 280, kWidestSide = 640, kNarrowestCanvas = 320;
 constexpr float kNarrowestPane = 340;
-constexpr auto kMessageTime = std::chrono::seconds(6), kErrorTime = std::chrono::seconds(15);
 
 /// Seeks, steps and play are no edits: nobody needs to be told twice that there is nothing to undo.
 bool is_quiet(const Command& command) {
@@ -175,126 +172,6 @@ void Shell::take_commands(Session& session, std::vector<Command>& commands) {
       tell(done.error(), true);
 }
 
-void Shell::take_wish(Session& session, Wish wish) {
-  switch (wish) {
-    case Wish::none:
-      break;
-    case Wish::new_world:
-      begin(session, {Pending::Kind::new_world, {}});
-      break;
-    case Wish::open:
-      begin(session, {Pending::Kind::open_dialog, {}});
-      break;
-    case Wish::quit:
-      begin(session, {Pending::Kind::quit, {}});
-      break;
-    case Wish::save:
-      if (saves_in_place(session.file()))
-        save(session, session.file());
-      else
-        dialogs_.show(DialogKind::save, session.file().empty() ? ""
-                                                               : file_folder(session.file()) + "/" +
-                                                                     file_stem(session.file()) + ".json");
-      break;
-    case Wish::save_as:
-      dialogs_.show(DialogKind::save, session.file());
-      break;
-    case Wish::fit:
-      fit();
-      break;
-    case Wish::keys:
-      dialogs_.show(DialogKind::keys);
-      break;
-  }
-}
-
-void Shell::take_decision(Session& session, const Decision& decision) {
-  switch (decision.kind) {
-    case Decision::Kind::none:
-      break;
-    case Decision::Kind::cancel:
-      dialogs_.close();
-      pending_ = {};
-      break;
-    case Decision::Kind::open:
-      if (load(session, typed_path(decision.path))) dialogs_.close();
-      break;
-    case Decision::Kind::save:
-      if (!save(session, typed_path(decision.path))) break;
-      dialogs_.close();
-      go_on(session);
-      break;
-    case Decision::Kind::new_world:
-      replace(session, empty_world(decision.width, decision.height, session.scenario()), "");
-      break;
-    case Decision::Kind::discard:
-      go_on(session);
-      break;
-    case Decision::Kind::save_first:
-      if (!saves_in_place(session.file()))
-        dialogs_.show(DialogKind::save);
-      else if (save(session, session.file()))
-        go_on(session);
-      break;
-  }
-}
-
-void Shell::begin(Session& session, Pending pending) {
-  pending_ = std::move(pending);
-  if (!session.modified()) {
-    go_on(session);
-    return;
-  }
-  dialogs_.show(DialogKind::unsaved, document_name(session));
-}
-
-void Shell::go_on(Session& session) {
-  const Pending pending = std::exchange(pending_, {});
-  switch (pending.kind) {
-    case Pending::Kind::none:
-      break;
-    case Pending::Kind::open_dialog:
-      dialogs_.show(DialogKind::open);
-      break;
-    case Pending::Kind::open_file:
-      load(session, pending.path);
-      break;
-    case Pending::Kind::new_world:
-      dialogs_.show(DialogKind::new_world);
-      break;
-    case Pending::Kind::quit:
-      quitting_ = true;
-      break;
-  }
-}
-
-bool Shell::load(Session& session, const std::string& path) {
-  Result<Scenario> scenario = open_document(path, session.scenario());
-  if (!scenario) {
-    complain(scenario.error());
-    return false;
-  }
-  replace(session, *std::move(scenario), path);
-  return true;
-}
-
-bool Shell::save(Session& session, const std::string& path) {
-  const Result<void> done = save_document(session, view_, path);
-  if (!done) {
-    complain(done.error());
-    return false;
-  }
-  session.saved(path);
-  tell("Saved " + file_name(path), false);
-  return true;
-}
-
-void Shell::replace(Session& session, Scenario scenario, const std::string& file) {
-  show(scenario.view);
-  if (const Result<void> done = session.apply(ReplaceScenario{std::move(scenario), file}); !done)
-    tell(done.error(), true);
-}
-
 void Shell::show(const ViewSetup& view) {
   if (const Result<OverlaySet> set = parse_overlays(view.overlays); set && !view.overlays.empty())
     view_.view.overlays = *set;
@@ -304,41 +181,6 @@ void Shell::show(const ViewSetup& view) {
   panels_.drafts.clear();
   fit();
   if (view.camera) view_.view.camera = {view.camera->x, view.camera->y, view.camera->zoom};
-}
-
-std::string Shell::title(const Session& session) {
-  return document_name(session) + (session.modified() ? " — edited" : "");
-}
-
-void Shell::open(Session& session, const std::string& path) {
-  begin(session, {Pending::Kind::open_file, path});
-}
-
-bool Shell::may_close(const Session& session) {
-  if (quitting_ || !session.modified()) return true;
-  pending_ = {Pending::Kind::quit, {}};
-  dialogs_.show(DialogKind::unsaved, document_name(session));
-  return false;
-}
-
-/// In the dialog that the user is looking at, else over the canvas and in the Log.
-void Shell::complain(const std::string& sentence) {
-  if (dialogs_.open()) {
-    dialogs_.complain(sentence);
-    return;
-  }
-  panels_.notices.push_back(sentence);
-  tell(sentence, true);
-}
-
-void Shell::tell(std::string sentence, bool bad) {
-  if (sentence.empty()) return;
-  // A sentence begins large, a path stays as it is.
-  const std::size_t word = sentence.find_first_not_of("abcdefghijklmnopqrstuvwxyz");
-  if (word != 0 && (word == std::string::npos || sentence[word] == ' '))
-    sentence.front() = static_cast<char>(sentence.front() - 'a' + 'A');
-  const auto time = bad ? std::chrono::duration_cast<std::chrono::seconds>(kErrorTime) : kMessageTime;
-  message_ = {std::move(sentence), bad, std::chrono::steady_clock::now() + time};
 }
 
 }  // namespace replan::ui

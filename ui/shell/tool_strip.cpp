@@ -65,7 +65,7 @@ void overlays_button(Frame& frame) {
                             "What is laid over the world: values as colours, arrows, the path, the queue."}}))
     ImGui::OpenPopup("overlays");
   const ImVec2 corner(ImGui::GetItemRectMax().x + look.px(10), ImGui::GetItemRectMax().y);
-  ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {0, 1});
+  ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {0, 0.5f});
   if (ImGui::BeginPopup("overlays")) {
     draw_overlay_switches(frame);
     ImGui::EndPopup();
