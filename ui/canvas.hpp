@@ -1,12 +1,12 @@
 // The canvas: a pane of the world with its plan, pan and zoom, and the tools' hands on it.
 #pragma once
 
-#include <imgui.h>
-
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
+
+#include <imgui.h>
 
 #include "core/scene/view.hpp"
 #include "core/session/session.hpp"
@@ -22,10 +22,10 @@ enum class Tool : std::uint8_t { select, paint, erase, rectangle, start, goal, s
 struct ViewState {
   View view;
   Tool tool = Tool::paint;
-  int brush = 1;                ///< side of the brush in cells, 1 to 64
+  int brush = 1;  ///< side of the brush in cells, 1 to 64
   bool dark = true;
-  bool panels = true;           ///< side panel and tool strip shown
-  int tab = 1;                  ///< chosen side tab
+  bool panels = true;  ///< side panel and tool strip shown
+  int tab = 1;         ///< chosen side tab
   bool legend = true;
 };
 
@@ -35,10 +35,10 @@ class Canvas {
   explicit Canvas(ImGuiRenderer& renderer);
   ~Canvas();
 
-  /// Draws pane `pane` of the session at `min`..`max` (screen coordinates). With `interactive` the mouse pans, zooms,
-  /// hovers, pins and uses the tool; commands that come of it are appended to `commands`.
-  void draw(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min, ImVec2 max,
-            bool interactive, std::vector<Command>& commands);
+  /// Draws pane `pane` of the session at `min`..`max` (screen coordinates). With `interactive` the mouse
+  /// pans, zooms, hovers, pins and uses the tool; commands that come of it are appended to `commands`.
+  void draw(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
+            ImVec2 max, bool interactive, std::vector<Command>& commands);
 
   /// Makes the next draw show the whole world.
   void fit();

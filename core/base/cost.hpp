@@ -41,7 +41,8 @@ struct Cost {
 /// `squared` is a squared length in cells, below 2^50.
 inline Cost euclidean_floor(std::int64_t squared) {
   __extension__ using Wide = unsigned __int128;
-  auto root = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(squared)) * static_cast<double>(Cost::kScale));
+  auto root =
+      static_cast<std::uint64_t>(std::sqrt(static_cast<double>(squared)) * static_cast<double>(Cost::kScale));
   const Wide target = static_cast<Wide>(squared) << 60;
   // The double square root is correctly rounded; it can be one unit above the floor, never below it by more.
   while (static_cast<Wide>(root) * root > target) --root;

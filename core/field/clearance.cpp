@@ -35,7 +35,8 @@ ClearanceField<D>::ClearanceField(const BoxLattice<D>& lattice, ClearanceRules r
     if (!lattice.blocked(node)) continue;
     ranks_[node] = 0;
     if (is_inner(lattice, node)) continue;
-    for_stencil(lattice, node, [&](NodeId there, std::uint8_t rank) { ranks_[there] = std::min(ranks_[there], rank); });
+    for_stencil(lattice, node,
+                [&](NodeId there, std::uint8_t rank) { ranks_[there] = std::min(ranks_[there], rank); });
   }
   if (rules_.border_is_obstacle)
     for (NodeId node = 0; node < ranks_.size(); ++node) {
@@ -47,8 +48,9 @@ ClearanceField<D>::ClearanceField(const BoxLattice<D>& lattice, ClearanceRules r
     }
 }
 
-/// True if no obstacle is nearest to any free cell because of this one: all its face neighbours are obstacles too. (From
-/// the nearest obstacle, the face neighbour towards the free cell along the longer axis is nearer still.)
+/// True if no obstacle is nearest to any free cell because of this one: all its face neighbours are obstacles
+/// too. (From the nearest obstacle, the face neighbour towards the free cell along the longer axis is nearer
+/// still.)
 template <int D>
 bool ClearanceField<D>::is_inner(const BoxLattice<D>& lattice, NodeId node) const {
   const auto at = lattice.coordinates(node);
@@ -62,7 +64,8 @@ bool ClearanceField<D>::is_inner(const BoxLattice<D>& lattice, NodeId node) cons
 
 template <int D>
 void ClearanceField<D>::prepare(const BoxLattice<D>& lattice) {
-  const auto limit = static_cast<std::int64_t>(std::llround(rules_.range * static_cast<double>(Cost::kScale)));
+  const auto limit =
+      static_cast<std::int64_t>(std::llround(rules_.range * static_cast<double>(Cost::kScale)));
   reach_ = static_cast<int>(limit / Cost::kScale);
   std::map<std::int64_t, std::vector<std::array<int, D>>> by_distance;
   const int side = 2 * reach_ + 1;
@@ -105,8 +108,8 @@ std::uint8_t ClearanceField<D>::rank_of(const BoxLattice<D>& lattice, NodeId nod
   for (const Offset& offset : stencil_) {
     auto there = at;
     for (std::size_t axis = 0; axis < D; ++axis) there[axis] += offset.by[axis];
-    const bool blocked =
-        lattice.contains(there) ? lattice.blocked(node + static_cast<NodeId>(offset.delta)) : rules_.border_is_obstacle;
+    const bool blocked = lattice.contains(there) ? lattice.blocked(node + static_cast<NodeId>(offset.delta))
+                                                 : rules_.border_is_obstacle;
     if (blocked) return offset.rank;
   }
   return kFar;

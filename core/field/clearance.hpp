@@ -1,12 +1,13 @@
-// The clearance penalty of the DLD* Lite paper (Huang & Zhou 2018, doi 10.13195/j.kzyjc.2018.0583, definitions 1-3):
-// dist(s) = 0 if r_s > r, else r - r_s + 1, where r_s is the distance to the nearest obstacle and r the range.
+// The clearance penalty of the DLD* Lite paper (Huang & Zhou 2018, doi 10.13195/j.kzyjc.2018.0583,
+// definitions 1-3): dist(s) = 0 if r_s > r, else r - r_s + 1, where r_s is the distance to the nearest
+// obstacle and r the range.
 //
-// What is settled here: only obstacles within r matter, so r_s is kept as a rank in the short list of distances that
-// occur within r: one byte per node. The two-pass chamfer transform with weights 1 and sqrt 2 gives the octile
-// distance to the nearest obstacle, exactly, so taking the nearest obstacle of a stencil ordered by distance gives the
-// same numbers; it works alike for the exact Euclidean distance, in 2D and in 3D, and locally: a removed obstacle is
-// forgotten by looking again at the nodes around it (as printed, DistanceTransformLocal only takes the larger penalty
-// and can never forget one).
+// What is settled here: only obstacles within r matter, so r_s is kept as a rank in the short list of
+// distances that occur within r: one byte per node. The two-pass chamfer transform with weights 1 and sqrt 2
+// gives the octile distance to the nearest obstacle, exactly, so taking the nearest obstacle of a stencil
+// ordered by distance gives the same numbers; it works alike for the exact Euclidean distance, in 2D and in
+// 3D, and locally: a removed obstacle is forgotten by looking again at the nodes around it (as printed,
+// DistanceTransformLocal only takes the larger penalty and can never forget one).
 #pragma once
 
 #include <cstdint>
@@ -24,9 +25,9 @@ enum class Transform : std::uint8_t {
 };
 
 struct ClearanceRules {
-  double range = 2;                         ///< r in cells, 1 to kMaxRange
+  double range = 2;  ///< r in cells, 1 to kMaxRange
   Transform transform = Transform::chamfer;
-  bool border_is_obstacle = false;          ///< the cells just outside the map count as obstacles
+  bool border_is_obstacle = false;  ///< the cells just outside the map count as obstacles
   static constexpr double kMaxRange = 12;
   friend bool operator==(const ClearanceRules&, const ClearanceRules&) = default;
 };
@@ -50,8 +51,8 @@ class ClearanceField {
   [[nodiscard]] bool near(NodeId node) const { return ranks_[node] != kFar; }
   [[nodiscard]] std::span<const std::uint8_t> ranks() const { return ranks_; }
 
-  /// Takes in changed cells that the lattice shows already. Returns the nodes whose penalty changed, each once, valid
-  /// until the next call.
+  /// Takes in changed cells that the lattice shows already. Returns the nodes whose penalty changed, each
+  /// once, valid until the next call.
   std::span<const ClearanceChange> update(const BoxLattice<D>& lattice, std::span<const CellEdit> edits);
 
   [[nodiscard]] std::size_t memory_bytes() const { return ranks_.capacity() + noted_.capacity(); }
@@ -73,13 +74,13 @@ class ClearanceField {
   void for_stencil(const BoxLattice<D>& lattice, NodeId node, Visit&& visit) const;
 
   ClearanceRules rules_;
-  int reach_ = 0;                  // the stencil's half width
-  std::vector<Offset> stencil_;    // by growing distance
-  std::vector<Cost> penalties_;    // by rank
+  int reach_ = 0;                // the stencil's half width
+  std::vector<Offset> stencil_;  // by growing distance
+  std::vector<Cost> penalties_;  // by rank
   std::vector<std::uint8_t> ranks_;
-  std::vector<std::uint8_t> noted_;    // 1 while a node is among changes_
+  std::vector<std::uint8_t> noted_;  // 1 while a node is among changes_
   std::vector<ClearanceChange> changes_;
-  std::vector<std::uint8_t> before_;   // the ranks of changes_ before the update
+  std::vector<std::uint8_t> before_;  // the ranks of changes_ before the update
 };
 
 extern template class ClearanceField<2>;

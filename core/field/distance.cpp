@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
-// Loops over whole rows gain most from wide registers: the loader picks the best version that the machine has.
+// Loops over whole rows gain most from wide registers: the loader picks the best version that the machine
+// has.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
 #define REPLAN_WIDE __attribute__((target_clones("avx2", "default")))
 #else
@@ -19,8 +20,8 @@ constexpr int kScan = 48;
 constexpr int kLook = 4;
 
 // Down: cells above. A column distance is capped, so that its square stays below kNoObstacle.
-REPLAN_WIDE void sweep_down(const std::uint8_t* blocked, const std::int32_t* above, std::int32_t* row, int width,
-                            std::int32_t cap) {
+REPLAN_WIDE void sweep_down(const std::uint8_t* blocked, const std::int32_t* above, std::int32_t* row,
+                            int width, std::int32_t cap) {
   for (int x = 0; x < width; ++x) row[x] = blocked[x] != 0 ? 0 : std::min(above[x] + 1, cap);
 }
 REPLAN_WIDE void sweep_up(const std::int32_t* below, std::int32_t* row, int width) {
@@ -31,7 +32,8 @@ REPLAN_WIDE void square(const std::int32_t* column, std::int32_t* parabola, int 
   for (int x = 0; x < width; ++x) parabola[x] = column[x] >= cap ? kNoObstacle : column[x] * column[x];
 }
 
-/// row = min over |d| <= last of parabola(x + d) + d^2, for d from `first` on. The parabolas are padded on both sides.
+/// row = min over |d| <= last of parabola(x + d) + d^2, for d from `first` on. The parabolas are padded on
+/// both sides.
 REPLAN_WIDE void scan(const std::int32_t* parabola, std::int32_t* row, int width, int first, int last) {
   for (int d = first; d <= last; ++d) {
     const std::int32_t squared = d * d;
@@ -48,7 +50,8 @@ REPLAN_WIDE std::int32_t largest(const std::int32_t* row, int width) {
 /// The envelope of the parabolas over one row.
 class Envelope {
  public:
-  explicit Envelope(int width) : site_(static_cast<std::size_t>(width)), from_(static_cast<std::size_t>(width)) {}
+  explicit Envelope(int width)
+      : site_(static_cast<std::size_t>(width)), from_(static_cast<std::size_t>(width)) {}
 
   void run(const std::int32_t* parabola, std::int32_t* row, int width) {
     int top = -1;
@@ -72,7 +75,8 @@ class Envelope {
   static int& at(std::vector<int>& values, int index) { return values[static_cast<std::size_t>(index)]; }
   /// The first x from which on the parabola at j > i is not above the one at i.
   static int overtakes(const std::int32_t* parabola, int i, int j) {
-    const std::int64_t numerator = std::int64_t{parabola[j]} + std::int64_t{j} * j - parabola[i] - std::int64_t{i} * i;
+    const std::int64_t numerator =
+        std::int64_t{parabola[j]} + std::int64_t{j} * j - parabola[i] - std::int64_t{i} * i;
     const std::int64_t denominator = 2 * (j - i);
     const std::int64_t down = numerator / denominator;
     return static_cast<int>(std::max<std::int64_t>(0, down + (numerator % denominator > 0 ? 1 : 0)));
@@ -107,7 +111,8 @@ std::vector<std::int32_t> squared_distances(int width, int height, std::span<con
   std::vector<std::int32_t> distances(w * h);
   const std::vector<std::int32_t> outside(w, cap);
   for (std::size_t y = 0; y < h; ++y)
-    sweep_down(blocked.data() + y * w, y == 0 ? outside.data() : &distances[(y - 1) * w], &distances[y * w], width, cap);
+    sweep_down(blocked.data() + y * w, y == 0 ? outside.data() : &distances[(y - 1) * w], &distances[y * w],
+               width, cap);
   for (std::size_t y = h - 1; y-- > 0;) sweep_up(&distances[(y + 1) * w], &distances[y * w], width);
   std::vector<std::int32_t> padded(w + 2 * kScan, kNoObstacle);
   Envelope envelope(width);

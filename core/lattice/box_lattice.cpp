@@ -3,7 +3,8 @@
 namespace replan {
 namespace {
 
-/// The moves out of a free cell whose surroundings are blocked as in `blocked` (bit d: the cell in direction d).
+/// The moves out of a free cell whose surroundings are blocked as in `blocked` (bit d: the cell in direction
+/// d).
 template <int D>
 std::uint32_t moves_given(std::uint32_t blocked, MoveRules rules) {
   const int allowed = rules.corners == CornerRule::none ? 0 : rules.corners == CornerRule::one ? 1 : 8;
@@ -66,11 +67,15 @@ Cost BoxLattice<D>::other_bound(Heuristic heuristic, const Coordinates& p, const
     longest = std::max(longest, d);
   }
   switch (heuristic) {
-    case Heuristic::euclidean: return euclidean_floor(squared_distance(p, q));
-    case Heuristic::chebyshev: return Cost::cells(longest);
-    case Heuristic::zero: return Cost::zero();
+    case Heuristic::euclidean:
+      return euclidean_floor(squared_distance(p, q));
+    case Heuristic::chebyshev:
+      return Cost::cells(longest);
+    case Heuristic::zero:
+      return Cost::zero();
     case Heuristic::octile:  // without diagonals
-    case Heuristic::manhattan: break;
+    case Heuristic::manhattan:
+      break;
   }
   return Cost::cells(sum);
 }
@@ -97,8 +102,10 @@ auto BoxLattice<D>::moves_for(NodeId node) const -> MoveMask {
   if (blocked_[node] != 0) return 0;
   const std::uint32_t blocked = blocked_around(node);
   if (blocked == 0) return open_moves_;
-  if constexpr (D == 2) return masks_by_surroundings_[blocked];
-  else return static_cast<MoveMask>(moves_given<D>(blocked, rules_));
+  if constexpr (D == 2)
+    return masks_by_surroundings_[blocked];
+  else
+    return static_cast<MoveMask>(moves_given<D>(blocked, rules_));
 }
 
 template <int D>
@@ -115,7 +122,8 @@ auto BoxLattice<D>::apply(std::span<const CellEdit> edits) -> std::span<const Mo
     moves_[node] = moves_for(node);
     if (moves_[node] != before) changes_.push_back({node, before});
   };
-  // All cells are written before the first mask is made, so a node's first refresh is final: a second finds it done.
+  // All cells are written before the first mask is made, so a node's first refresh is final: a second finds
+  // it done.
   for (const NodeId node : touched_) {
     refresh(node);
     const Coordinates at = coordinates(node);

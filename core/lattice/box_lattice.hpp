@@ -38,7 +38,8 @@ struct Directions {
     for (const int part : offset(d)) count += part != 0;
     return count;
   }
-  /// The directions to the cells that a move along d squeezes past: those of the box it spans but for its ends.
+  /// The directions to the cells that a move along d squeezes past: those of the box it spans but for its
+  /// ends.
   static constexpr std::uint32_t squeezed(int d) {
     const Offset whole = offset(d);
     std::uint32_t mask = 0;
@@ -51,7 +52,8 @@ struct Directions {
   }
 };
 
-/// A box of cells. Move masks are kept per cell, so that a search reads one byte (2D) or word (3D) per expansion.
+/// A box of cells. Move masks are kept per cell, so that a search reads one byte (2D) or word (3D) per
+/// expansion.
 template <int D>
 class BoxLattice {
   static_assert(D == 2 || D == 3);
@@ -87,12 +89,11 @@ class BoxLattice {
     return node + static_cast<NodeId>(delta_[static_cast<std::size_t>(direction)]);
   }
   static constexpr int reverse(int direction) { return kDirections - 1 - direction; }
-  static constexpr Cost step_cost(int direction) {
-    return kStepCosts[static_cast<std::size_t>(direction)];
-  }
+  static constexpr Cost step_cost(int direction) { return kStepCosts[static_cast<std::size_t>(direction)]; }
   /// The place one step from `at`, which need not be inside.
   static constexpr Coordinates step(Coordinates at, int direction) {
-    for (std::size_t axis = 0; axis < D; ++axis) at[axis] += kOffsets[static_cast<std::size_t>(direction)][axis];
+    for (std::size_t axis = 0; axis < D; ++axis)
+      at[axis] += kOffsets[static_cast<std::size_t>(direction)][axis];
     return at;
   }
 
@@ -103,14 +104,15 @@ class BoxLattice {
   }
   [[nodiscard]] NodeId node(const Coordinates& at) const {
     NodeId index = 0;
-    for (std::size_t axis = D; axis-- > 0;) index = index * static_cast<NodeId>(size_[axis]) + static_cast<NodeId>(at[axis]);
+    for (std::size_t axis = D; axis-- > 0;)
+      index = index * static_cast<NodeId>(size_[axis]) + static_cast<NodeId>(at[axis]);
     return index;
   }
   [[nodiscard]] Coordinates coordinates(NodeId node) const {
     Coordinates at{};
     for (std::size_t axis = 0; axis + 1 < D; ++axis) {
-      // A multiplication instead of a division. Exact: (n + 0.5) / size keeps 0.5 / size >= 2^-27 away from every
-      // whole number, far more than the error of a double.
+      // A multiplication instead of a division. Exact: (n + 0.5) / size keeps 0.5 / size >= 2^-27 away from
+      // every whole number, far more than the error of a double.
       const auto quotient = static_cast<NodeId>((static_cast<double>(node) + 0.5) * inverse_[axis]);
       at[axis] = static_cast<int>(node - quotient * static_cast<NodeId>(size_[axis]));
       node = quotient;
@@ -120,14 +122,18 @@ class BoxLattice {
   }
   [[nodiscard]] Position position(NodeId node) const {
     const Coordinates at = coordinates(node);
-    if constexpr (D == 2) return {at[0], at[1]};
-    else return {at[0], at[1], at[2]};
+    if constexpr (D == 2)
+      return {at[0], at[1]};
+    else
+      return {at[0], at[1], at[2]};
   }
   [[nodiscard]] bool contains(const Position& at) const { return contains(to_coordinates(at)); }
   [[nodiscard]] NodeId node(const Position& at) const { return node(to_coordinates(at)); }
   static constexpr Coordinates to_coordinates(const Position& at) {
-    if constexpr (D == 2) return {at.x, at.y};
-    else return {at.x, at.y, at.z};
+    if constexpr (D == 2)
+      return {at.x, at.y};
+    else
+      return {at.x, at.y, at.z};
   }
 
   [[nodiscard]] Cost bound(Heuristic heuristic, const Coordinates& p, const Coordinates& q) const;
@@ -144,8 +150,8 @@ class BoxLattice {
     return sum;
   }
 
-  /// Writes cells and brings the moves up to date. Edits that change nothing are passed over; of several edits of
-  /// one cell the last one holds. Returns the nodes whose moves changed, valid until the next call.
+  /// Writes cells and brings the moves up to date. Edits that change nothing are passed over; of several
+  /// edits of one cell the last one holds. Returns the nodes whose moves changed, valid until the next call.
   std::span<const MoveChange> apply(std::span<const CellEdit> edits);
   /// Builds all moves anew under other rules.
   void set_rules(MoveRules rules);

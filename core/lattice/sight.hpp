@@ -1,9 +1,9 @@
 // Lines of sight between two nodes, and the cells that a straight segment passes.
 //
-// Supercover: Amanatides & Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing" (1987), in whole numbers, so
-// that passing exactly through a corner is seen as such. Bresenham: the line drawing that the DLD* Lite paper uses
-// (Huang & Zhou 2018, doi 10.13195/j.kzyjc.2018.0583, Fig. 2), drawn from the smaller to the larger index so that
-// both ends see each other or neither does.
+// Supercover: Amanatides & Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing" (1987), in whole numbers,
+// so that passing exactly through a corner is seen as such. Bresenham: the line drawing that the DLD* Lite
+// paper uses (Huang & Zhou 2018, doi 10.13195/j.kzyjc.2018.0583, Fig. 2), drawn from the smaller to the
+// larger index so that both ends see each other or neither does.
 #pragma once
 
 #include <array>
@@ -58,8 +58,8 @@ struct Ray {
   }
 };
 
-/// The cells that the segment touches. Axis i crosses its k-th boundary at time (2k + 1) / (2 d_i); all times are
-/// scaled by 2 * (product of the d), so they are whole numbers.
+/// The cells that the segment touches. Axis i crosses its k-th boundary at time (2k + 1) / (2 d_i); all times
+/// are scaled by 2 * (product of the d), so they are whole numbers.
 template <int D>
 struct SupercoverRay : Ray<D> {
   static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
@@ -75,7 +75,8 @@ struct SupercoverRay : Ray<D> {
     }
   }
 
-  /// Enters the next cell. Returns the axes crossed, a bit each: several where the segment passes through a corner.
+  /// Enters the next cell. Returns the axes crossed, a bit each: several where the segment passes through a
+  /// corner.
   unsigned step() {
     std::int64_t soonest = next[0];
     for (std::size_t i = 1; i < D; ++i) soonest = std::min(soonest, next[i]);
@@ -129,7 +130,8 @@ struct BresenhamRay : Ray<D> {
     return axes;
   }
 
-  /// As SupercoverRay::leap(). After k steps axis i has gone floor((error + 2 k length + longest) / (2 longest)) cells.
+  /// As SupercoverRay::leap(). After k steps axis i has gone floor((error + 2 k length + longest) / (2
+  /// longest)) cells.
   bool leap(int side) {
     std::int64_t steps = std::numeric_limits<std::int64_t>::max();
     for (std::size_t i = 0; i < D; ++i)
@@ -145,9 +147,9 @@ struct BresenhamRay : Ray<D> {
   }
 };
 
-/// Walks the cells that the segment from `from` to `to` touches, in order. `step(node, direction)` is called for
-/// each cell entered (not for `from`), with the direction of entry; it returns false to stop. Where the segment
-/// passes exactly through a corner or an edge the direction is diagonal. Returns false if stopped.
+/// Walks the cells that the segment from `from` to `to` touches, in order. `step(node, direction)` is called
+/// for each cell entered (not for `from`), with the direction of entry; it returns false to stop. Where the
+/// segment passes exactly through a corner or an edge the direction is diagonal. Returns false if stopped.
 template <int D, class Step>
 bool walk_supercover(const BoxLattice<D>& lattice, NodeId from, NodeId to, Step&& step) {
   for (SupercoverRay<D> ray(lattice, from, to); ray.node != to;) {
@@ -167,8 +169,8 @@ bool walk_bresenham(const BoxLattice<D>& lattice, NodeId from, NodeId to, Step&&
   return true;
 }
 
-/// Follows a ray to `to` over good cells only; at a step along several axes at most `allowed` of the cells that it
-/// squeezes past may be bad.
+/// Follows a ray to `to` over good cells only; at a step along several axes at most `allowed` of the cells
+/// that it squeezes past may be bad.
 template <class SomeRay, class Bad, class Tiles>
 bool ray_is_clear(SomeRay ray, NodeId to, int allowed, Bad&& bad, const Tiles& tiles) {
   while (ray.node != to) {
@@ -189,9 +191,9 @@ bool ray_is_clear(SomeRay ray, NodeId to, int allowed, Bad&& bad, const Tiles& t
   return true;
 }
 
-/// True if `a` and `b` see each other: no cell on the way is bad, both ends included, and at each diagonal step no
-/// more bad cells are squeezed past than the lattice's corner rule allows. `bad(node)` says which cells are bad;
-/// `tiles` lets rays leap where none is.
+/// True if `a` and `b` see each other: no cell on the way is bad, both ends included, and at each diagonal
+/// step no more bad cells are squeezed past than the lattice's corner rule allows. `bad(node)` says which
+/// cells are bad; `tiles` lets rays leap where none is.
 template <int D, class Bad, class Tiles = NoSightMap>
 bool line_of_sight(const BoxLattice<D>& lattice, SightRule rule, NodeId a, NodeId b, Bad&& bad,
                    const Tiles& tiles = {}) {

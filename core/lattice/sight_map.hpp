@@ -1,7 +1,7 @@
 // Where a ray may leap: counts of bad cells in tiles of 8 and of 64 cells a side.
 //
-// A line of sight over open ground passes hundreds of cells to learn that none is bad. In a tile without a bad cell
-// it need not look at them: it goes straight to the last cell of the tile that it touches.
+// A line of sight over open ground passes hundreds of cells to learn that none is bad. In a tile without a
+// bad cell it need not look at them: it goes straight to the last cell of the tile that it touches.
 #pragma once
 
 #include <array>
@@ -54,7 +54,8 @@ class SightMap {
  private:
   static std::size_t tile(const Coordinates& at, int shift, const std::array<std::size_t, D>& stride) {
     std::size_t index = 0;
-    for (std::size_t axis = 0; axis < D; ++axis) index += static_cast<std::size_t>(at[axis] >> shift) * stride[axis];
+    for (std::size_t axis = 0; axis < D; ++axis)
+      index += static_cast<std::size_t>(at[axis] >> shift) * stride[axis];
     return index;
   }
 

@@ -8,39 +8,74 @@
 namespace replan::parameters {
 
 inline const Parameter kMoves{
-    .key = "moves", .label = "Neighbours", .type = ParameterType::choice, .choices = {"8", "4"},
+    .key = "moves",
+    .label = "Neighbours",
+    .type = ParameterType::choice,
+    .choices = {"8", "4"},
     .help = "Which neighbours a cell has: 8 with diagonals, 4 without (26 and 6 in 3D)."};
 inline const Parameter kCorners{
-    .key = "corners", .label = "Corner rule", .type = ParameterType::choice, .choices = {"none", "one", "any"},
-    .help = "What may be blocked beside a diagonal move: none of the cells it squeezes past (the rule of the "
-            "MovingAI benchmarks), at most one, or any."};
+    .key = "corners",
+    .label = "Corner rule",
+    .type = ParameterType::choice,
+    .choices = {"none", "one", "any"},
+    .help =
+        "What may be blocked beside a diagonal move: none of the cells it squeezes past (the rule of the "
+        "MovingAI benchmarks), at most one, or any."};
 inline const Parameter kHeuristic{
-    .key = "heuristic", .label = "Heuristic", .type = ParameterType::choice, .choices = {"octile", "euclidean", "zero"},
-    .help = "The estimate that draws the search towards its end. Octile is the exact distance on an empty grid and "
-            "expands least; the DLD* Lite paper uses Euclidean; zero searches in all directions."};
+    .key = "heuristic",
+    .label = "Heuristic",
+    .type = ParameterType::choice,
+    .choices = {"octile", "euclidean", "zero"},
+    .help =
+        "The estimate that draws the search towards its end. Octile is the exact distance on an empty grid "
+        "and "
+        "expands least; the DLD* Lite paper uses Euclidean; zero searches in all directions."};
 inline const Parameter kAnyHeuristic{
-    .key = "heuristic", .label = "Heuristic", .type = ParameterType::choice,
+    .key = "heuristic",
+    .label = "Heuristic",
+    .type = ParameterType::choice,
     .choices = {"octile", "euclidean", "chebyshev", "manhattan", "zero"},
-    .help = "The estimate that draws the search towards the goal. Manhattan overestimates where diagonals are "
-            "allowed: fewer expansions, no promise of a shortest path."};
-inline const Parameter kSight{
-    .key = "sight", .label = "Line of sight", .type = ParameterType::choice, .choices = {"supercover", "bresenham"},
-    .help = "Which cells must be clear between two cells that see each other: all that the segment touches, or those "
-            "that a drawn line fills (the paper's rule)."};
+    .help =
+        "The estimate that draws the search towards the goal. Manhattan overestimates where diagonals are "
+        "allowed: fewer expansions, no promise of a shortest path."};
+inline const Parameter kSight{.key = "sight",
+                              .label = "Line of sight",
+                              .type = ParameterType::choice,
+                              .choices = {"supercover", "bresenham"},
+                              .help =
+                                  "Which cells must be clear between two cells that see each other: all that "
+                                  "the segment touches, or those "
+                                  "that a drawn line fills (the paper's rule)."};
 inline const Parameter kRemoteParents{
-    .key = "remote_parents", .label = "Remote parents", .type = ParameterType::choice, .choices = {"checked", "printed"},
-    .help = "A remote parent goes stale when the map changes. 'checked' tests it when it is used; 'printed' trusts it "
-            "as the paper's pseudo-code does, and can drive into a wall or in a circle."};
+    .key = "remote_parents",
+    .label = "Remote parents",
+    .type = ParameterType::choice,
+    .choices = {"checked", "printed"},
+    .help =
+        "A remote parent goes stale when the map changes. 'checked' tests it when it is used; 'printed' "
+        "trusts it "
+        "as the paper's pseudo-code does, and can drive into a wall or in a circle."};
 inline const Parameter kRange{
-    .key = "range", .label = "Clearance range", .type = ParameterType::real, .initial = 2, .low = 1,
-    .high = ClearanceRules::kMaxRange, .unit = "cells",
+    .key = "range",
+    .label = "Clearance range",
+    .type = ParameterType::real,
+    .initial = 2,
+    .low = 1,
+    .high = ClearanceRules::kMaxRange,
+    .unit = "cells",
     .help = "How far from an obstacle the penalty dist(s) = range - distance + 1 reaches."};
-inline const Parameter kTransform{
-    .key = "transform", .label = "Distance", .type = ParameterType::choice, .choices = {"chamfer", "euclidean"},
-    .help = "How the distance to the nearest obstacle is measured: the two-pass chamfer transform with weights 1 and "
-            "sqrt 2 (the paper's), or exactly."};
+inline const Parameter kTransform{.key = "transform",
+                                  .label = "Distance",
+                                  .type = ParameterType::choice,
+                                  .choices = {"chamfer", "euclidean"},
+                                  .help =
+                                      "How the distance to the nearest obstacle is measured: the two-pass "
+                                      "chamfer transform with weights 1 and "
+                                      "sqrt 2 (the paper's), or exactly."};
 inline const Parameter kBorder{
-    .key = "border", .label = "Border is obstacle", .type = ParameterType::toggle,
+    .key = "border",
+    .label = "Border is obstacle",
+    .type = ParameterType::toggle,
     .help = "Whether coming near the edge of the map costs as much as coming near an obstacle."};
 
 }  // namespace replan::parameters

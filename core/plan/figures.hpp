@@ -10,10 +10,10 @@ namespace replan {
 
 /// Lengths in cells, angles in degrees. All zero for an empty path.
 struct PathFigures {
-  std::int64_t nodes = 0;         ///< vertices of the polyline, both ends counted
+  std::int64_t nodes = 0;  ///< vertices of the polyline, both ends counted
   double length = 0;
-  std::int64_t turns = 0;         ///< inner vertices where the heading changes by more than 1e-9 rad
-  double turning_angle_deg = 0;   ///< sum of all heading changes
+  std::int64_t turns = 0;        ///< inner vertices where the heading changes by more than 1e-9 rad
+  double turning_angle_deg = 0;  ///< sum of all heading changes
   /// Distance from the polyline, sampled every 0.1 cell, to the square (cube) of the nearest obstacle cell;
   /// 0 if it enters one; the lattice's diagonal if there is no obstacle at all.
   double min_clearance = 0;
@@ -28,7 +28,8 @@ double path_length(const BoxLattice<D>& lattice, std::span<const NodeId> path);
 template <int D>
 PathFigures path_figures(const BoxLattice<D>& lattice, std::span<const NodeId> path);
 
-/// True if every segment of the polyline is either a move of the lattice or a line of sight on its free cells.
+/// True if every segment of the polyline is either a move of the lattice or a line of sight on its free
+/// cells.
 template <int D>
 bool path_is_free(const BoxLattice<D>& lattice, std::span<const NodeId> path, SightRule sight);
 

@@ -10,24 +10,25 @@
 
 namespace replan {
 
-/// D* Lite's key [k1; k2], compared lexicographically. Nodes with equal keys come out by index, so that the order
-/// does not depend on how the heap happens to be laid out, and a search can be taken up from its values alone.
+/// D* Lite's key [k1; k2], compared lexicographically. Nodes with equal keys come out by index, so that the
+/// order does not depend on how the heap happens to be laid out, and a search can be taken up from its values
+/// alone.
 struct Key {
   Cost k1 = Cost::infinity();
   Cost k2 = Cost::infinity();
   friend constexpr auto operator<=>(const Key&, const Key&) = default;
 };
 
-/// A priority queue of nodes. `Slots` holds one number per node for it: `get(node)` and `set(node, slot)`, zero = not
-/// in the list; it is passed in by each call, since it lives in the planner's own node records.
+/// A priority queue of nodes. `Slots` holds one number per node for it: `get(node)` and `set(node, slot)`,
+/// zero = not in the list; it is passed in by each call, since it lives in the planner's own node records.
 template <class K>
 class OpenList {
  public:
   struct Entry {
     K key;
     NodeId node;
-    // Without branches: which of two entries comes first is a coin toss, and a mispredicted one costs more than both
-    // comparisons.
+    // Without branches: which of two entries comes first is a coin toss, and a mispredicted one costs more
+    // than both comparisons.
     friend constexpr bool operator<(const Entry& a, const Entry& b) {
       const int second = int{a.key.k2 < b.key.k2} | (int{a.key.k2 == b.key.k2} & int{a.node < b.node});
       return (int{a.key.k1 < b.key.k1} | (int{a.key.k1 == b.key.k1} & second)) != 0;
@@ -77,8 +78,10 @@ class OpenList {
 
   template <class Slots>
   void place(Slots& slots, std::size_t hole, const Entry& entry) {
-    if (hole > 0 && entry < entries_[(hole - 1) / kArity]) rise(slots, hole, entry);
-    else sink(slots, hole, entry);
+    if (hole > 0 && entry < entries_[(hole - 1) / kArity])
+      rise(slots, hole, entry);
+    else
+      sink(slots, hole, entry);
   }
   template <class Slots>
   void settle(Slots& slots, std::size_t hole, const Entry& entry) {

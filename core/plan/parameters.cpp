@@ -8,7 +8,9 @@
 
 namespace replan {
 
-double Settings::get(const Parameter& parameter) const { return get(parameter.key, parameter.initial); }
+double Settings::get(const Parameter& parameter) const {
+  return get(parameter.key, parameter.initial);
+}
 
 double Settings::get(std::string_view key, double fallback) const {
   const auto found = values_.find(key);
@@ -16,7 +18,8 @@ double Settings::get(std::string_view key, double fallback) const {
 }
 
 const Parameter* find_parameter(std::span<const Parameter> parameters, std::string_view key) {
-  const auto found = std::find_if(parameters.begin(), parameters.end(), [&](const Parameter& p) { return p.key == key; });
+  const auto found =
+      std::find_if(parameters.begin(), parameters.end(), [&](const Parameter& p) { return p.key == key; });
   return found == parameters.end() ? nullptr : &*found;
 }
 
@@ -30,14 +33,17 @@ std::string number_text(double value) {
 
 std::string allowed(const Parameter& parameter) {
   switch (parameter.type) {
-    case ParameterType::toggle: return "true or false";
+    case ParameterType::toggle:
+      return "true or false";
     case ParameterType::choice: {
       std::string list;
-      for (const std::string_view choice : parameter.choices) list += (list.empty() ? "" : ", ") + std::string(choice);
+      for (const std::string_view choice : parameter.choices)
+        list += (list.empty() ? "" : ", ") + std::string(choice);
       return "one of: " + list;
     }
     case ParameterType::whole:
-    case ParameterType::real: break;
+    case ParameterType::real:
+      break;
   }
   return std::string(parameter.type == ParameterType::whole ? "a whole number" : "a number") + " from " +
          number_text(parameter.low) + " to " + number_text(parameter.high) +
@@ -45,7 +51,8 @@ std::string allowed(const Parameter& parameter) {
 }
 
 Error bad_value(const Parameter& parameter, std::string_view text) {
-  return {"'" + std::string(parameter.key) + "' cannot be '" + std::string(text) + "': give " + allowed(parameter)};
+  return {"'" + std::string(parameter.key) + "' cannot be '" + std::string(text) + "': give " +
+          allowed(parameter)};
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -86,7 +93,8 @@ Result<double> parse_value(const Parameter& parameter, std::string_view text) {
 
 std::string format_value(const Parameter& parameter, double value) {
   if (parameter.type == ParameterType::toggle) return value != 0 ? "true" : "false";
-  if (parameter.type == ParameterType::choice) return std::string(parameter.choices.at(static_cast<std::size_t>(value)));
+  if (parameter.type == ParameterType::choice)
+    return std::string(parameter.choices.at(static_cast<std::size_t>(value)));
   return number_text(value);
 }
 

@@ -1,5 +1,5 @@
-// Parameters that a planner, a robot or a generator declares once: one declaration feeds the window, the command
-// line, scenario files and the documentation.
+// Parameters that a planner, a robot or a generator declares once: one declaration feeds the window, the
+// command line, scenario files and the documentation.
 #pragma once
 
 #include <map>
@@ -28,7 +28,8 @@ struct Parameter {
   std::string_view help = {};  ///< one or two sentences for tooltip and `--help`
 };
 
-/// Values of parameters by key, held as numbers (choice: index; toggle: 0 or 1). What is not set has its default.
+/// Values of parameters by key, held as numbers (choice: index; toggle: 0 or 1). What is not set has its
+/// default.
 class Settings {
  public:
   /// The value, or the parameter's default.
@@ -47,7 +48,8 @@ class Settings {
 
 /// The parameter of that key, or nullptr.
 const Parameter* find_parameter(std::span<const Parameter> parameters, std::string_view key);
-/// Reads a value as typed by a user: a choice's name, a number in range, true/false. The error names the range.
+/// Reads a value as typed by a user: a choice's name, a number in range, true/false. The error names the
+/// range.
 Result<double> parse_value(const Parameter& parameter, std::string_view text);
 /// The value as text: what parse_value() reads back.
 std::string format_value(const Parameter& parameter, double value);

@@ -30,7 +30,8 @@ const char* status_sentence(PlanStatus status);
 /// A polyline over lattice nodes, both ends included; empty if there is no path.
 struct Path {
   std::vector<NodeId> nodes;
-  /// Parents led in a circle before the goal: only with `remote_parents=printed`. The nodes end at the repetition.
+  /// Parents led in a circle before the goal: only with `remote_parents=printed`. The nodes end at the
+  /// repetition.
   bool loops = false;
   /// Some segment was taken on trust and may cross an obstacle: only with `remote_parents=printed`.
   bool unchecked = false;
@@ -47,12 +48,12 @@ struct Counters {
 /// A change of the map that the lattice shows already.
 template <class L>
 struct MapChange {
-  std::span<const CellEdit> cells;                     ///< each changed cell once, with its new value
-  std::span<const typename L::MoveChange> moves;       ///< what L::apply() returned
+  std::span<const CellEdit> cells;                ///< each changed cell once, with its new value
+  std::span<const typename L::MoveChange> moves;  ///< what L::apply() returned
 };
 
-/// A planner over a lattice that its owner changes. Call begin(), then advance() until it returns true; after the map
-/// or the start has changed, update() and advance() again. The lattice must outlive the planner.
+/// A planner over a lattice that its owner changes. Call begin(), then advance() until it returns true; after
+/// the map or the start has changed, update() and advance() again. The lattice must outlive the planner.
 template <class L>
 class Planner {
  public:
@@ -62,8 +63,8 @@ class Planner {
   virtual void begin(NodeId start, NodeId goal) = 0;
   /// Runs at most `iterations` iterations of the main loop (at least one). Returns true when the plan stands.
   virtual bool advance(std::int64_t iterations) = 0;
-  /// The robot stands at `start` now and the map has changed as told (possibly not at all). A search under way is
-  /// taken along.
+  /// The robot stands at `start` now and the map has changed as told (possibly not at all). A search under
+  /// way is taken along.
   virtual void update(const MapChange<L>& change, NodeId start) = 0;
 
   [[nodiscard]] virtual PlanStatus status() const = 0;
@@ -74,9 +75,9 @@ class Planner {
   [[nodiscard]] virtual Counters counters() const = 0;
   /// Bytes held, the lattice not counted; the open list with its peak.
   [[nodiscard]] virtual std::size_t memory_bytes() const = 0;
-  /// Takes up the search as `state` shows it: the state before a `pop` event of this planner's own log, or while it
-  /// stands still. `counters` is the work done until then. The lattice must show the map as known then. What follows
-  /// is the same, event for event, as if the search had never stopped.
+  /// Takes up the search as `state` shows it: the state before a `pop` event of this planner's own log, or
+  /// while it stands still. `counters` is the work done until then. The lattice must show the map as known
+  /// then. What follows is the same, event for event, as if the search had never stopped.
   virtual void restore(const SearchState& state, const Counters& counters) = 0;
 };
 

@@ -1,5 +1,5 @@
-// The planners there are. Menus, sliders, command line, help, conformance tests and benchmarks are all made from
-// planners/planners.def; nothing else names a planner.
+// The planners there are. Menus, sliders, command line, help, conformance tests and benchmarks are all made
+// from planners/planners.def; nothing else names a planner.
 #pragma once
 
 #include <memory>
@@ -22,12 +22,13 @@ struct PlannerInfo {
   std::string_view summary;  ///< one sentence
   std::string_view source;   ///< authors, year, DOI
   std::vector<Parameter> parameters;
-  bool incremental = false;   ///< repairs its plan instead of starting afresh
-  bool any_angle = false;     ///< its paths leave the lattice's directions
-  bool from_goal = false;     ///< searches from the goal: g is the cost to go
-  bool clearance = false;     ///< pays for coming near obstacles
-  bool sight = false;         ///< asks for lines of sight
-  /// Finds a shortest lattice path with these settings (an inadmissible heuristic or a penalty takes that away).
+  bool incremental = false;  ///< repairs its plan instead of starting afresh
+  bool any_angle = false;    ///< its paths leave the lattice's directions
+  bool from_goal = false;    ///< searches from the goal: g is the cost to go
+  bool clearance = false;    ///< pays for coming near obstacles
+  bool sight = false;        ///< asks for lines of sight
+  /// Finds a shortest lattice path with these settings (an inadmissible heuristic or a penalty takes that
+  /// away).
   bool (*optimal)(const Settings& settings) = nullptr;
 };
 
@@ -41,7 +42,8 @@ Result<const PlannerInfo*> require_planner(std::string_view id);
 /// Makes a planner. `lattice` and `tracer` must outlive it.
 /// Instantiated for Grid2 and Voxel3 with NoTrace and Recorder.
 template <class L, class T>
-std::unique_ptr<Planner<L>> make_planner(const PlannerInfo& info, const L& lattice, const Settings& settings, T& tracer);
+std::unique_ptr<Planner<L>> make_planner(const PlannerInfo& info, const L& lattice, const Settings& settings,
+                                         T& tracer);
 
 /// The parameters `moves` and `corners`, which every lattice planner has.
 std::span<const Parameter> lattice_parameters();

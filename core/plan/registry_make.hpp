@@ -1,5 +1,5 @@
-// make_planner() for one lattice and one tracer. Included by one source file for each pair, so that the planners
-// compile in parallel and nowhere else.
+// make_planner() for one lattice and one tracer. Included by one source file for each pair, so that the
+// planners compile in parallel and nowhere else.
 #pragma once
 
 #define REPLAN_PLANNER_HEADERS

@@ -1,13 +1,15 @@
 // A* and Dijkstra's algorithm: best-first search from the start, afresh for each plan.
 //
-//  A*        Hart, Nilsson & Raphael, "A formal basis for the heuristic determination of minimum cost paths", IEEE
+//  A*        Hart, Nilsson & Raphael, "A formal basis for the heuristic determination of minimum cost paths",
+//  IEEE
 //            Trans. Systems Science and Cybernetics 4(2), 1968, doi 10.1109/TSSC.1968.300136
 //  Dijkstra  "A note on two problems in connexion with graphs", Numerische Mathematik 1, 1959,
 //            doi 10.1007/BF01386390: the same with no estimate
 //
-// Line numbers are those of assets/planners/astar.md. Settled here: among equal f the larger g is taken first (it is
-// nearer to the goal and saves most of the expansions on open ground), then the smaller index. With an inconsistent
-// heuristic (Manhattan on a lattice with diagonals) settled nodes are opened again when a shorter way to them shows.
+// Line numbers are those of assets/planners/astar.md. Settled here: among equal f the larger g is taken first
+// (it is nearer to the goal and saves most of the expansions on open ground), then the smaller index. With an
+// inconsistent heuristic (Manhattan on a lattice with diagonals) settled nodes are opened again when a
+// shorter way to them shows.
 #pragma once
 
 #include <algorithm>
@@ -30,13 +32,16 @@ struct AStarSwitches {
 inline PlannerInfo describe(AStarSwitches switches) {
   PlannerInfo info;
   info.name = switches.estimate ? "A*" : "Dijkstra";
-  info.summary = switches.estimate ? "Best-first search from the start, drawn to the goal by an estimate; plans afresh each time."
-                                   : "Searches in all directions by cost; plans afresh each time.";
+  info.summary =
+      switches.estimate
+          ? "Best-first search from the start, drawn to the goal by an estimate; plans afresh each time."
+          : "Searches in all directions by cost; plans afresh each time.";
   info.source = switches.estimate ? "Hart, Nilsson & Raphael 1968, doi 10.1109/TSSC.1968.300136"
                                   : "Dijkstra 1959, doi 10.1007/BF01386390";
   if (switches.estimate) info.parameters = {parameters::kAnyHeuristic};
   info.optimal = [](const Settings& settings) {
-    const bool manhattan = settings.get(parameters::kAnyHeuristic) == static_cast<double>(Heuristic::manhattan);
+    const bool manhattan =
+        settings.get(parameters::kAnyHeuristic) == static_cast<double>(Heuristic::manhattan);
     return !manhattan || settings.get(parameters::kMoves) == 1;
   };
   return info;
@@ -47,8 +52,9 @@ class AStar final : public Planner<L> {
  public:
   AStar(const L& lattice, const Settings& settings, T& tracer, AStarSwitches switches)
       : lattice_(lattice), tr_(tracer), nodes_(lattice.node_count()) {
-    heuristic_ = switches.estimate ? static_cast<Heuristic>(static_cast<int>(settings.get(parameters::kAnyHeuristic)))
-                                   : Heuristic::zero;
+    heuristic_ = switches.estimate
+                     ? static_cast<Heuristic>(static_cast<int>(settings.get(parameters::kAnyHeuristic)))
+                     : Heuristic::zero;
     if constexpr (T::kEnabled) visits_.resize(nodes_.size());
   }
 
@@ -72,7 +78,9 @@ class AStar final : public Planner<L> {
     if (search_needed()) return PlanStatus::searching;
     return g(goal_).is_infinite() ? PlanStatus::no_path : PlanStatus::found;
   }
-  [[nodiscard]] Cost cost() const override { return status() == PlanStatus::found ? g(goal_) : Cost::infinity(); }
+  [[nodiscard]] Cost cost() const override {
+    return status() == PlanStatus::found ? g(goal_) : Cost::infinity();
+  }
   [[nodiscard]] Counters counters() const override { return counters_; }
   [[nodiscard]] std::size_t memory_bytes() const override {
     return nodes_.capacity() * sizeof(Node) + open_.peak_bytes();
@@ -102,8 +110,8 @@ class AStar final : public Planner<L> {
 
   struct Node {
     Cost g = Cost::infinity();
-    std::uint32_t search = 0;              // the search that wrote this node; older ones are forgotten
-    std::uint32_t slot : 27 = 0;           // place in the open list + 1
+    std::uint32_t search = 0;                 // the search that wrote this node; older ones are forgotten
+    std::uint32_t slot : 27 = 0;              // place in the open list + 1
     std::uint32_t parent : 5 = kNoDirection;  // direction towards the start
   };
   struct Nodes : std::vector<Node> {
@@ -171,8 +179,10 @@ class AStar final : public Planner<L> {
     const Key key{sum + h, h};
     tr_.line(12);
     if (node.slot != 0) {
-      if constexpr (T::kEnabled) note_queue(s, open_.entries()[node.slot - 1].key.k1.raw + 1, key.k1.raw + 1);
-      else ++counters_.queue_operations;
+      if constexpr (T::kEnabled)
+        note_queue(s, open_.entries()[node.slot - 1].key.k1.raw + 1, key.k1.raw + 1);
+      else
+        ++counters_.queue_operations;
       open_.update(nodes_, key, s);
     } else {
       note_queue(s, 0, key.k1.raw + 1);
@@ -180,7 +190,9 @@ class AStar final : public Planner<L> {
     }
   }
 
-  [[nodiscard]] Cost g(NodeId s) const { return nodes_[s].search == search_ ? nodes_[s].g : Cost::infinity(); }
+  [[nodiscard]] Cost g(NodeId s) const {
+    return nodes_[s].search == search_ ? nodes_[s].g : Cost::infinity();
+  }
   [[nodiscard]] NodeId parent(NodeId s) const {
     const Node& node = nodes_[s];
     return node.search != search_ || node.parent == kNoDirection

@@ -8,19 +8,24 @@
 //                                              optimization of D* Lite algorithm", Control and Decision 2018,
 //                                              doi 10.13195/j.kzyjc.2018.0583
 //
-// Line numbers are those of the DLD* Lite paper: Algorithm 2 (helper functions) as printed, Algorithm 1 (main) + 100.
+// Line numbers are those of the DLD* Lite paper: Algorithm 2 (helper functions) as printed, Algorithm 1
+// (main) + 100.
 //
 // What the print leaves open, and what holds here:
-//  * rhs is updated incrementally (Koenig & Likhachev, "Fast replanning for navigation in unknown terrain", IEEE
-//    Trans. Robotics 21(3), 2005, "optimised D* Lite"): where one successor improved, the minimum is that of two
-//    numbers; where one got worse, it is taken anew only if that successor was the argmin. Costs and parents are
-//    those of the plain version.
-//  * A change of clearance is a change of edge costs: every predecessor of a vertex whose dist changed is updated.
+//  * rhs is updated incrementally (Koenig & Likhachev, "Fast replanning for navigation in unknown terrain",
+//  IEEE
+//    Trans. Robotics 21(3), 2005, "optimised D* Lite"): where one successor improved, the minimum is that of
+//    two numbers; where one got worse, it is taken anew only if that successor was the argmin. Costs and
+//    parents are those of the plain version.
+//  * A change of clearance is a change of edge costs: every predecessor of a vertex whose dist changed is
+//  updated.
 //  * km grows by the heuristic rounded *up* (law 6 in lattice.hpp), so that keys in U stay lower bounds.
-//  * A remote parent goes stale when the map changes after its sight check. It is checked when it is used (next()):
-//    it must be in sight now, consistent, nearer to the goal, and settled (key <= U.TopKey()). Else the local parent
-//    is taken. `remote_parents=printed` trusts it instead.
-//  * A remote parent equal to the local parent needs no check: failing it would put the local parent in its place.
+//  * A remote parent goes stale when the map changes after its sight check. It is checked when it is used
+//  (next()):
+//    it must be in sight now, consistent, nearer to the goal, and settled (key <= U.TopKey()). Else the local
+//    parent is taken. `remote_parents=printed` trusts it instead.
+//  * A remote parent equal to the local parent needs no check: failing it would put the local parent in its
+//  place.
 //  * While the start or the goal lies inside an obstacle the search rests: no work could find a path.
 #pragma once
 
@@ -58,7 +63,8 @@ inline PlannerInfo describe(DStarLiteSwitches switches) {
   if (switches.clearance) info.parameters.insert(info.parameters.end(), {kRange, kTransform, kBorder});
   if (switches.sight && switches.clearance) {
     info.name = "DLD* Lite";
-    info.summary = "D* Lite with a lazy line of sight and a distance transform: smooth, safe, repairable paths.";
+    info.summary =
+        "D* Lite with a lazy line of sight and a distance transform: smooth, safe, repairable paths.";
   } else if (switches.sight) {
     info.name = "Los D* Lite";
     info.summary = "D* Lite with a lazy line of sight: any-angle paths that hug corners.";
@@ -81,7 +87,8 @@ class DStarLite final : public Planner<L> {
   DStarLite(const L& lattice, const Settings& settings, T& tracer, DStarLiteSwitches switches)
       : lattice_(lattice), tr_(tracer), nodes_(lattice.node_count()), switches_(switches) {
     using namespace parameters;
-    heuristic_ = static_cast<Heuristic>(kHeuristicByChoice[static_cast<std::size_t>(settings.get(kHeuristic))]);
+    heuristic_ =
+        static_cast<Heuristic>(kHeuristicByChoice[static_cast<std::size_t>(settings.get(kHeuristic))]);
     sight_rule_ = static_cast<SightRule>(settings.get(kSight));
     checked_ = settings.get(kRemoteParents) == 0;
     clearance_rules_ = {.range = settings.get(kRange),
@@ -123,7 +130,8 @@ class DStarLite final : public Planner<L> {
     tr_.line(115);
     for (const auto& move : change.moves) moves_changed(move.node, move.before);
     if (switches_.sight)
-      for (const CellEdit& cell : change.cells) sight_map_.change(lattice_.coordinates(cell.node), cell.blocked);
+      for (const CellEdit& cell : change.cells)
+        sight_map_.change(lattice_.coordinates(cell.node), cell.blocked);
   }
 
   [[nodiscard]] PlanStatus status() const override {
@@ -132,13 +140,11 @@ class DStarLite final : public Planner<L> {
     if (search_needed()) return PlanStatus::searching;
     return nodes_[start_].rhs.is_infinite() ? PlanStatus::no_path : PlanStatus::found;
   }
-  [[nodiscard]] Cost cost() const override {
-    return resting() ? Cost::infinity() : nodes_[start_].rhs;
-  }
+  [[nodiscard]] Cost cost() const override { return resting() ? Cost::infinity() : nodes_[start_].rhs; }
   [[nodiscard]] Counters counters() const override { return counters_; }
   [[nodiscard]] std::size_t memory_bytes() const override {
-    return nodes_.capacity() * sizeof(Node) + open_.peak_bytes() + clearance_.memory_bytes() + sight_map_.memory_bytes() +
-           marked_.capacity();
+    return nodes_.capacity() * sizeof(Node) + open_.peak_bytes() + clearance_.memory_bytes() +
+           sight_map_.memory_bytes() + marked_.capacity();
   }
 
   /// Algorithm 1, line 6, from the start on.
@@ -170,21 +176,23 @@ class DStarLite final : public Planner<L> {
     km_ = state.km();
     open_.clear(nodes_);
     if (switches_.clearance) clearance_ = ClearanceField<L::kDimensions>(lattice_, clearance_rules_);
-    if (switches_.sight) sight_map_ = SightMap<L::kDimensions>(lattice_, [this](NodeId c) { return is_bad(c); });
+    if (switches_.sight)
+      sight_map_ = SightMap<L::kDimensions>(lattice_, [this](NodeId c) { return is_bad(c); });
     for (NodeId n = 0; n < nodes_.size(); ++n) restore_node(state, n);
   }
 
  private:
   using Coordinates = typename L::Coordinates;
   static constexpr std::uint32_t kNoDirection = 31;
-  static constexpr Heuristic kHeuristicByChoice[] = {Heuristic::octile, Heuristic::euclidean, Heuristic::zero};
+  static constexpr Heuristic kHeuristicByChoice[] = {Heuristic::octile, Heuristic::euclidean,
+                                                     Heuristic::zero};
 
   struct Node {
     Cost g = Cost::infinity();
     Cost rhs = Cost::infinity();
     NodeId rp = kNoNode;
-    std::uint32_t slot : 27 = 0;           // place in U + 1; kMaxCells fits
-    std::uint32_t lp : 5 = kNoDirection;   // direction of the local parent
+    std::uint32_t slot : 27 = 0;          // place in U + 1; kMaxCells fits
+    std::uint32_t lp : 5 = kNoDirection;  // direction of the local parent
   };
   struct Nodes : std::vector<Node> {
     using std::vector<Node>::vector;
@@ -209,7 +217,8 @@ class DStarLite final : public Planner<L> {
     start_at_ = lattice_.coordinates(start_);
     tr_.line(12);
     if (switches_.clearance) distance_transform();
-    if (switches_.sight) sight_map_ = SightMap<L::kDimensions>(lattice_, [this](NodeId c) { return is_bad(c); });
+    if (switches_.sight)
+      sight_map_ = SightMap<L::kDimensions>(lattice_, [this](NodeId c) { return is_bad(c); });
     tr_.line(13);
     set_rhs(goal_, Cost::zero());
     tr_.line(14);
@@ -244,8 +253,10 @@ class DStarLite final : public Planner<L> {
     }
     ++counters_.expansions;
     record_visit(u);
-    if (nodes_[u].g > nodes_[u].rhs) lower_vertex(u);
-    else raise_vertex(u);
+    if (nodes_[u].g > nodes_[u].rhs)
+      lower_vertex(u);
+    else
+      raise_vertex(u);
     return true;
   }
 
@@ -335,8 +346,10 @@ class DStarLite final : public Planner<L> {
     }
     if (node.g != node.rhs) {
       tr_.line(31);
-      if (node.slot != 0) re_key(u, calculate_key(u, at));
-      else put_in(u, calculate_key(u, at));
+      if (node.slot != 0)
+        re_key(u, calculate_key(u, at));
+      else
+        put_in(u, calculate_key(u, at));
     } else if (node.slot != 0) {
       tr_.line(28);
       take_out(u);
@@ -363,7 +376,9 @@ class DStarLite final : public Planner<L> {
     return seen;
   }
 
-  [[nodiscard]] bool is_bad(NodeId c) const { return switches_.clearance ? clearance_.near(c) : lattice_.blocked(c); }
+  [[nodiscard]] bool is_bad(NodeId c) const {
+    return switches_.clearance ? clearance_.near(c) : lattice_.blocked(c);
+  }
 
   /// Where the robot goes from s: the remote parent if it can be trusted, else the local one.
   NodeId next(NodeId s, Path& path) {
@@ -375,7 +390,9 @@ class DStarLite final : public Planner<L> {
       path.unchecked = true;
       return remote;
     }
-    return remote != kNoNode && settled(remote) && nodes_[remote].g < nodes_[s].g && in_sight(remote, s) ? remote : local;
+    return remote != kNoNode && settled(remote) && nodes_[remote].g < nodes_[s].g && in_sight(remote, s)
+               ? remote
+               : local;
   }
   [[nodiscard]] bool settled(NodeId n) const {
     return nodes_[n].g == nodes_[n].rhs && calculate_key(n) <= top_key();
@@ -397,8 +414,8 @@ class DStarLite final : public Planner<L> {
     }
   }
 
-  // Lines 12-15 of Algorithm 1 with clearance on: penalties change around a changed cell, and with them the cost of
-  // every edge that leads to such a vertex.
+  // Lines 12-15 of Algorithm 1 with clearance on: penalties change around a changed cell, and with them the
+  // cost of every edge that leads to such a vertex.
   void costs_changed(const MapChange<L>& change) {
     affected_.clear();
     const auto affect = [this](NodeId n) {
@@ -425,9 +442,12 @@ class DStarLite final : public Planner<L> {
   void distance_transform() {
     clearance_ = ClearanceField<L::kDimensions>(lattice_, clearance_rules_);
     if constexpr (T::kEnabled)
-      for (NodeId n = 0; n < nodes_.size(); ++n) tr_.change(EventKind::dist, n, Cost::zero(), clearance_.penalty(n));
+      for (NodeId n = 0; n < nodes_.size(); ++n)
+        tr_.change(EventKind::dist, n, Cost::zero(), clearance_.penalty(n));
   }
-  [[nodiscard]] Cost dist(NodeId s) const { return switches_.clearance ? clearance_.penalty(s) : Cost::zero(); }
+  [[nodiscard]] Cost dist(NodeId s) const {
+    return switches_.clearance ? clearance_.penalty(s) : Cost::zero();
+  }
 
   // Lines 1-3.
   [[nodiscard]] Key calculate_key(NodeId s) const { return calculate_key(s, lattice_.coordinates(s)); }
@@ -478,13 +498,17 @@ class DStarLite final : public Planner<L> {
     open_.push(nodes_, key, s);
   }
   void re_key(NodeId s, const Key& key) {
-    if constexpr (T::kEnabled) note_queue(s, {open_.entries()[nodes_.get(s) - 1].key.k1.raw + 1}, {key.k1.raw + 1});
-    else ++counters_.queue_operations;
+    if constexpr (T::kEnabled)
+      note_queue(s, {open_.entries()[nodes_.get(s) - 1].key.k1.raw + 1}, {key.k1.raw + 1});
+    else
+      ++counters_.queue_operations;
     open_.update(nodes_, key, s);
   }
   void take_out(NodeId s) {
-    if constexpr (T::kEnabled) note_queue(s, {open_.entries()[nodes_.get(s) - 1].key.k1.raw + 1}, Cost::zero());
-    else ++counters_.queue_operations;
+    if constexpr (T::kEnabled)
+      note_queue(s, {open_.entries()[nodes_.get(s) - 1].key.k1.raw + 1}, Cost::zero());
+    else
+      ++counters_.queue_operations;
     open_.remove(nodes_, s);
   }
   void take_out_top() {
@@ -492,7 +516,8 @@ class DStarLite final : public Planner<L> {
     open_.pop(nodes_);
   }
 
-  /// Before another begin() in one log: the values of the search before go back to their defaults, on the record.
+  /// Before another begin() in one log: the values of the search before go back to their defaults, on the
+  /// record.
   void forget_recorded() {
     for (NodeId n = 0; n < nodes_.size(); ++n) {
       // By node and not in heap order: a search that was taken up may have its heap laid out differently.
@@ -537,9 +562,9 @@ class DStarLite final : public Planner<L> {
   Coordinates start_at_{};
   Cost km_ = Cost::zero();
   Counters counters_;
-  std::vector<std::uint64_t> visits_;   // recorded runs only
+  std::vector<std::uint64_t> visits_;  // recorded runs only
   std::vector<NodeId> affected_;
-  std::vector<std::uint8_t> marked_;    // 1 while a node is among affected_
+  std::vector<std::uint8_t> marked_;  // 1 while a node is among affected_
 };
 
 }  // namespace replan

@@ -12,24 +12,36 @@ NodeId robot_node(const SceneContext& context) {
   return robot == kNoNode ? context.lattice.node(context.run.scenario().start) : robot;
 }
 
-/// The route's vertices from the robot on. It drives cells, not the segments' inner points, so the first
-/// piece leads from its cell to the next vertex.
-std::vector<NodeId> ahead(const Mark& mark, const Grid2& lattice) {
+/// Where the robot is at a mark: on its path, not in the middle of the cell that the path crosses there.
+Point robot_point(const SceneContext& context, const Mark& mark, NodeId cell) {
+  if (mark.next == 0) return context.centre(cell);
+  const PlanePoint& at = mark.route->points[mark.next - 1];
+  return {at.x, at.y};
+}
+Point robot_point(const SceneContext& context) {
+  const Mark* mark = context.run.mark_at(context.cursor);
+  const NodeId cell = robot_node(context);
+  return mark == nullptr ? context.centre(cell) : robot_point(context, *mark, cell);
+}
+
+/// The path from the robot on.
+std::vector<Point> ahead(const SceneContext& context, const Mark& mark) {
   const std::vector<NodeId>& path = mark.route->path.nodes;
-  if (mark.next == 0 || path.empty()) return path;
-  std::vector<NodeId> rest = {mark.route->cells[mark.next - 1]};
-  const double driven = mark.route->along[mark.next - 1];
+  std::vector<Point> rest;
+  if (path.empty()) return rest;
+  rest.push_back(robot_point(context, mark, path.front()));
+  const double driven = mark.next == 0 ? 0 : mark.route->along[mark.next - 1];
   double walked = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
-    const Cell a = lattice.position(path[i - 1]), b = lattice.position(path[i]);
+    const Point a = context.centre(path[i - 1]), b = context.centre(path[i]);
     walked += std::hypot(b.x - a.x, b.y - a.y);
-    if (walked > driven + 1e-9) rest.push_back(path[i]);
+    if (walked > driven + 1e-9) rest.push_back(b);
   }
   return rest;
 }
 
 /// The lp chain from the start while no plan stands yet; empty unless it reaches the goal.
-std::vector<NodeId> chain_of_parents(const SceneContext& context) {
+std::vector<Point> chain_of_parents(const SceneContext& context) {
   const NodeId from = context.state.node(Scalar::start), to = context.state.node(Scalar::goal);
   if (from == kNoNode || to == kNoNode) return {};
   std::vector<NodeId> chain = {context.run.info().from_goal ? from : to};
@@ -39,7 +51,9 @@ std::vector<NodeId> chain_of_parents(const SceneContext& context) {
     if (next == kNoNode || chain.size() > context.lattice.node_count()) return {};
     chain.push_back(next);
   }
-  return chain;
+  std::vector<Point> points;
+  for (const NodeId node : chain) points.push_back(context.centre(node));
+  return points;
 }
 
 void add_path(SceneContext& context) {
@@ -47,15 +61,13 @@ void add_path(SceneContext& context) {
   const std::size_t plans = digest.plans_before(context.cursor);
   const bool searching = plans > 0 && digest.plans()[plans - 1].end > context.cursor;
   const Mark* mark = context.run.mark_at(context.cursor);
-  const std::vector<NodeId> nodes = mark != nullptr ? ahead(*mark, context.lattice)
+  const std::vector<Point> points = mark != nullptr ? ahead(context, *mark)
                                     : searching     ? chain_of_parents(context)
-                                                    : std::vector<NodeId>();
-  if (nodes.size() < 2) return;
-  Polyline line{{}, context.palette.path, context.pixels(3), 0};
+                                                    : std::vector<Point>();
+  if (points.size() < 2) return;
+  Polyline line{points, context.palette.path, context.pixels(3), 0};
   if (searching) line.colour = faded(line.colour, 0.4);
-  for (const NodeId node : nodes) line.points.push_back(context.centre(node));
   context.scene.show(Sign::path);
-  const std::vector<Point> points = line.points;
   context.add(std::move(line));
   if (!context.has(Overlay::rp) || !context.run.info().any_angle) return;
   context.scene.show(Sign::rp);
@@ -65,14 +77,14 @@ void add_path(SceneContext& context) {
 }
 
 void add_trail(SceneContext& context) {
-  std::vector<NodeId> nodes = {context.lattice.node(context.run.scenario().start)};
-  for (const Marker& marker : context.run.markers()) {
-    if (marker.event >= context.cursor) break;
-    if (marker.kind == EventKind::move) nodes.push_back(context.run.timeline().event(marker.event).node);
-  }
-  if (nodes.size() < 2) return;
   Polyline line{{}, faded(context.palette.robot, 0.75), context.pixels(2), 0};
-  for (const NodeId node : nodes) line.points.push_back(context.centre(node));
+  for (const Mark& mark : context.run.marks()) {
+    if (mark.event > context.cursor) break;
+    if (mark.route->path.nodes.empty()) continue;  // it stood still
+    const Point at = robot_point(context, mark, mark.route->path.nodes.front());
+    if (line.points.empty() || line.points.back() != at) line.points.push_back(at);
+  }
+  if (line.points.size() < 2) return;
   context.scene.show(Sign::trail);
   context.add(std::move(line));
 }
@@ -105,7 +117,8 @@ void add_sight(SceneContext& context) {
 double heading(const SceneContext& context) {
   const Mark* mark = context.run.mark_at(context.cursor);
   if (mark == nullptr || mark->next >= mark->route->cells.size()) return 0;
-  const Point from = context.centre(robot_node(context)), to = context.centre(mark->route->cells[mark->next]);
+  const Point from = robot_point(context);
+  const PlanePoint& to = mark->route->points[mark->next];
   return std::atan2(to.y - from.y, to.x - from.x);
 }
 
@@ -113,8 +126,8 @@ void add_sensor(SceneContext& context) {
   const RobotSetup& setup = context.run.scenario().robot;
   if (!context.has(Overlay::sensor) || setup.knowledge == Knowledge::all) return;
   context.scene.show(Sign::sensor);
-  context.add(Ring{context.centre(robot_node(context)), setup.sensor_radius, context.palette.robot,
-                   context.pixels(1.2), context.pixels(4)});
+  context.add(Ring{robot_point(context), setup.sensor_radius, context.palette.robot, context.pixels(1.2),
+                   context.pixels(4)});
 }
 
 void add_cell_frames(SceneContext& context) {
@@ -153,7 +166,7 @@ void build_things(SceneContext& context) {
   // Before it has moved, the robot would only hide the start.
   if (mark == nullptr || (robot == context.lattice.node(scenario.start) && mark->clock == 0)) return;
   context.scene.show(Sign::robot);
-  context.add(Disc{context.centre(robot), radius, palette.robot, palette.outline, rim, Glyph::heading,
+  context.add(Disc{robot_point(context), radius, palette.robot, palette.outline, rim, Glyph::heading,
                    heading(context)});
 }
 

@@ -22,8 +22,10 @@ bool is_marker(EventKind kind) {
     case EventKind::collision:
     case EventKind::waiting:
     case EventKind::arrival:
-    case EventKind::gave_up: return true;
-    default: return false;
+    case EventKind::gave_up:
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -43,7 +45,8 @@ Run::Run(std::shared_ptr<const Scenario> scenario, std::size_t planner)
       planner_(planner),
       info_(find_planner(scenario_->planners[planner].id)),
       lattice_(std::make_unique<const Grid2>(Grid2::Coordinates{scenario_->map.width, scenario_->map.height},
-                                             scenario_->map.blocked, move_rules(scenario_->planners[planner].settings))),
+                                             scenario_->map.blocked,
+                                             move_rules(scenario_->planners[planner].settings))),
       timeline_(initial_state(*scenario_)),
       log_id_(next_log_id()) {
   thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });

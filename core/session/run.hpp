@@ -27,13 +27,14 @@ struct Target {
   enum class Kind : std::uint8_t { plan, clock, end } kind = Kind::plan;
   std::int64_t clock = 0;  ///< for Kind::clock
 
-  static Target plan() { return {Kind::plan, 0}; }             ///< until the plan stands
+  static Target plan() { return {Kind::plan, 0}; }                     ///< until the plan stands
   static Target clock_at(std::int64_t c) { return {Kind::clock, c}; }  ///< until the robot's clock shows c
-  static Target end() { return {Kind::end, 0}; }               ///< until nothing is left to do
+  static Target end() { return {Kind::end, 0}; }                       ///< until nothing is left to do
 };
 
-/// A mission that runs on a thread of its own in slices, and the timeline of what it did. The thread owns the mission
-/// while it works; pump() is the one place where events come over. All members are for the owner's thread.
+/// A mission that runs on a thread of its own in slices, and the timeline of what it did. The thread owns the
+/// mission while it works; pump() is the one place where events come over. All members are for the owner's
+/// thread.
 class Run {
  public:
   /// `planner` is an index into scenario->planners. Nothing runs before go() or finish().
@@ -53,12 +54,13 @@ class Run {
   /// Where the run can branch, in order; the last one is the latest decision.
   [[nodiscard]] std::span<const Mark> marks() const { return marks_; }
   [[nodiscard]] std::span<const Marker> markers() const { return markers_; }
-  /// Changes whenever events are cut off, and differs between runs: while it stays the same, the log has only grown.
+  /// Changes whenever events are cut off, and differs between runs: while it stays the same, the log has only
+  /// grown.
   [[nodiscard]] std::uint64_t log_id() const { return log_id_; }
   /// The last mark at or before a position, or nullptr before the first plan stands.
   [[nodiscard]] const Mark* mark_at(std::size_t position) const;
-  /// How far a position is: the robot's clock (-1 before the first plan stands), and the expansions since the clock
-  /// came to that.
+  /// How far a position is: the robot's clock (-1 before the first plan stands), and the expansions since the
+  /// clock came to that.
   struct Progress {
     std::int64_t clock = -1;
     std::int64_t expansions = 0;
@@ -81,8 +83,9 @@ class Run {
   /// go() and wait, for programs without a window.
   void finish(Target target);
 
-  /// Puts in a scenario that differs only in surprises from index `common` on. The log is cut where that first makes
-  /// a difference; false if there is no such place after the first plan (the run has to start afresh).
+  /// Puts in a scenario that differs only in surprises from index `common` on. The log is cut where that
+  /// first makes a difference; false if there is no such place after the first plan (the run has to start
+  /// afresh).
   bool rebase(std::shared_ptr<const Scenario> scenario, std::size_t common);
 
  private:

@@ -26,7 +26,8 @@ std::shared_ptr<const Scenario> rest_of(const Scenario& scenario) {
 }
 
 /// Cells in which two maps of one size differ, as they are in `a` and as they are in `b`.
-void differences(const GridMap& a, const GridMap& b, std::vector<CellChange>& in_a, std::vector<CellChange>& in_b) {
+void differences(const GridMap& a, const GridMap& b, std::vector<CellChange>& in_a,
+                 std::vector<CellChange>& in_b) {
   for (int y = 0; y < a.height; ++y)
     for (int x = 0; x < a.width; ++x) {
       const Cell cell{x, y};
@@ -38,10 +39,11 @@ void differences(const GridMap& a, const GridMap& b, std::vector<CellChange>& in
 
 /// How many surprises two scenarios begin with in common, or nothing if a run cannot be carried over at all.
 std::optional<std::size_t> common_surprises(const Scenario& a, const Scenario& b) {
-  const bool same_run = a.map == b.map && a.start == b.start && a.goal == b.goal && a.planners == b.planners &&
-                        a.robot == b.robot && a.seed == b.seed;
+  const bool same_run = a.map == b.map && a.start == b.start && a.goal == b.goal &&
+                        a.planners == b.planners && a.robot == b.robot && a.seed == b.seed;
   if (!same_run) return std::nullopt;
-  const auto parted = std::mismatch(a.surprises.begin(), a.surprises.end(), b.surprises.begin(), b.surprises.end());
+  const auto parted =
+      std::mismatch(a.surprises.begin(), a.surprises.end(), b.surprises.begin(), b.surprises.end());
   return static_cast<std::size_t>(parted.first - a.surprises.begin());
 }
 
@@ -52,7 +54,8 @@ std::string count_text(std::size_t count, const char* what) {
 }  // namespace
 
 const char* command_text(const Command& command) {
-  static constexpr const char* kTexts[] = {"",
+  static constexpr const char* kTexts[] = {
+      "",
 #define REPLAN_COMMAND(NAME, TEXT) TEXT,
 #include "core/session/commands.def"
 #undef REPLAN_COMMAND
@@ -65,8 +68,12 @@ Session::Session(Scenario scenario, std::string file)
   restart_runs();
 }
 
-std::string Session::undo_text() const { return undo_.empty() ? "" : undo_.back().label; }
-std::string Session::redo_text() const { return redo_.empty() ? "" : redo_.back().label; }
+std::string Session::undo_text() const {
+  return undo_.empty() ? "" : undo_.back().label;
+}
+std::string Session::redo_text() const {
+  return redo_.empty() ? "" : redo_.back().label;
+}
 
 Result<void> Session::apply(const Command& command) {
   Result<void> done = std::visit([this](const auto& each) { return run_command(each); }, command);
@@ -95,8 +102,10 @@ void Session::rebase_runs(const std::shared_ptr<const Scenario>& scenario, std::
 void Session::replace(std::shared_ptr<const Scenario> scenario) {
   const auto common = common_surprises(*scenario_, *scenario);
   scenario_ = std::move(scenario);
-  if (common) rebase_runs(scenario_, *common);
-  else restart_runs();
+  if (common)
+    rebase_runs(scenario_, *common);
+  else
+    restart_runs();
 }
 
 void Session::commit(std::string label, std::uint64_t stroke, Scenario changed) {
@@ -121,7 +130,8 @@ void Session::commit(std::string label, std::uint64_t stroke, Scenario changed) 
   replace(std::make_shared<const Scenario>(std::move(changed)));
 }
 
-std::shared_ptr<const Scenario> Session::patched(const std::vector<CellChange>& cells, const Scenario& rest) const {
+std::shared_ptr<const Scenario> Session::patched(const std::vector<CellChange>& cells,
+                                                 const Scenario& rest) const {
   auto scenario = std::make_shared<Scenario>(rest);
   scenario->map = scenario_->map;
   for (const CellChange& change : cells) scenario->map.set(change.cell, change.blocked);
@@ -150,7 +160,9 @@ Result<void> Session::run_command(const Redo&) {
   return {};
 }
 
-Result<void> Session::run_command(const PaintCells& command) { return edit_cells(command.cells, true, command.stroke); }
+Result<void> Session::run_command(const PaintCells& command) {
+  return edit_cells(command.cells, true, command.stroke);
+}
 Result<void> Session::run_command(const DropSurprise& command) {
   return edit_cells(command.cells, false, command.stroke);
 }
@@ -185,7 +197,8 @@ Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool anno
   if (mark == nullptr)
     for (const CellChange& change : real) changed.map.set(change.cell, change.blocked);
   else
-    changed.surprises.push_back({.at = {.move = mark->clock, .near = {}, .within = 0}, .cells = real, .announced = announced});
+    changed.surprises.push_back(
+        {.at = {.move = mark->clock, .near = {}, .within = 0}, .cells = real, .announced = announced});
   commit(label, stroke, std::move(changed));
   return {};
 }
@@ -236,7 +249,8 @@ Result<void> Session::run_command(const SetParameter& command) {
   if (!value) return Error{value.error()};
   choice.settings.set(command.key, *value);
   if (*value == parameter->initial) choice.settings.reset(command.key);
-  commit("set " + std::string(parameter->label) + " to " + format_value(*parameter, *value), 0, std::move(changed));
+  commit("set " + std::string(parameter->label) + " to " + format_value(*parameter, *value), 0,
+         std::move(changed));
   return {};
 }
 
@@ -270,8 +284,10 @@ Result<void> Session::run_command(const ReplaceScenario& command) {
 
 Result<void> Session::run_command(const Restart&) {
   Scenario changed = to_save();
-  if (changed == *scenario_) restart_runs();
-  else commit("plan from scratch", 0, std::move(changed));
+  if (changed == *scenario_)
+    restart_runs();
+  else
+    commit("plan from scratch", 0, std::move(changed));
   return {};
 }
 
@@ -295,7 +311,8 @@ Result<void> Session::run_command(const Step& command) {
     const std::size_t cursor = run.timeline().cursor();
     if (command.count > 0 && cursor == run.timeline().size() && !run.busy()) {
       const Mark* mark = run.mark_at(cursor);
-      run.finish(command.unit == StepUnit::replan ? Target::end() : Target::clock_at(mark == nullptr ? 0 : mark->clock + 1));
+      run.finish(command.unit == StepUnit::replan ? Target::end()
+                                                  : Target::clock_at(mark == nullptr ? 0 : mark->clock + 1));
     }
     seek(command.count > 0 ? next_stop(run, cursor, command.unit) : previous_stop(run, cursor, command.unit));
   }
@@ -371,7 +388,8 @@ bool Session::play(double seconds) {
   const bool can_go_on = last != nullptr && last->state == MissionState::driving;
   if (playback_.direction > 0 && can_go_on && run.timeline().size() - cursor < 64 && !run.busy())
     for (const auto& each : runs_) each->go(Target::clock_at(last->clock + 4));
-  const bool finished = playback_.direction > 0 ? cursor >= run.timeline().size() && !can_go_on && !run.busy() : cursor == 0;
+  const bool finished =
+      playback_.direction > 0 ? cursor >= run.timeline().size() && !can_go_on && !run.busy() : cursor == 0;
   if (finished) playback_.direction = 0;
   return cursor != begin || finished;
 }

@@ -13,18 +13,18 @@ namespace replan {
 
 /// How the cursor moves by itself.
 struct Playback {
-  int direction = 0;                   ///< 1 forwards, -1 backwards, 0 standing still
+  int direction = 0;  ///< 1 forwards, -1 backwards, 0 standing still
   double expansions_per_second = 240;
 };
 
 /// Owns the document and its runs. Panels read it; only apply() and update() change it.
 ///
-/// An edit while a plan stands is an announced surprise at the robot's present step: the planner repairs its plan, and
-/// the whole run stays a function of the scenario. What lies after the cursor then is forgotten. An edit before the
-/// first plan stands changes the map and starts afresh.
+/// An edit while a plan stands is an announced surprise at the robot's present step: the planner repairs its
+/// plan, and the whole run stays a function of the scenario. What lies after the cursor then is forgotten. An
+/// edit before the first plan stands changes the map and starts afresh.
 class Session {
  public:
-  static constexpr double kFullSpeed = 1e6;   ///< from here on a frame shows as much as it can
+  static constexpr double kFullSpeed = 1e6;      ///< from here on a frame shows as much as it can
   static constexpr double kMovesPerSecond = 15;  ///< the robot's pace while playing, if the speed allows
 
   /// Starts planning in the background.
@@ -81,15 +81,17 @@ class Session {
                                                         const Scenario& rest) const;
   void seek(std::size_t position);
   bool play(double seconds);
-  void say(std::string line) { log_.push_back(std::move(line)); }
+  void say(std::string line) {
+    log_.push_back(std::move(line));
+  }
 
   std::shared_ptr<const Scenario> scenario_;
   std::vector<std::unique_ptr<Run>> runs_;
   std::vector<Edit> undo_, redo_;
   std::string file_;
   Playback playback_;
-  double owed_ = 0;        // seconds of play not yet shown
-  bool follow_ = true;     // the cursor stays at the end of the log
+  double owed_ = 0;     // seconds of play not yet shown
+  bool follow_ = true;  // the cursor stays at the end of the log
   std::int64_t edits_done_ = 0, saved_at_ = 0;
   std::uint64_t revision_ = 1;
   std::vector<std::string> log_;

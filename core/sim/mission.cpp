@@ -13,7 +13,9 @@ namespace {
 class Stopwatch {
  public:
   explicit Stopwatch(double& milliseconds) : total_(milliseconds) {}
-  ~Stopwatch() { total_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_).count(); }
+  ~Stopwatch() {
+    total_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_).count();
+  }
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;
 
@@ -23,25 +25,33 @@ class Stopwatch {
 };
 
 Counters operator-(const Counters& a, const Counters& b) {
-  return {a.expansions - b.expansions, a.queue_operations - b.queue_operations, a.sight_checks - b.sight_checks};
+  return {a.expansions - b.expansions, a.queue_operations - b.queue_operations,
+          a.sight_checks - b.sight_checks};
 }
 
 }  // namespace
 
 const char* mission_state_name(MissionState state) {
   switch (state) {
-    case MissionState::planning: return "planning";
-    case MissionState::driving: return "driving";
-    case MissionState::arrived: return "arrived";
-    case MissionState::no_path: return "no-path";
-    case MissionState::collision: return "collision";
-    case MissionState::loop: return "loop";
+    case MissionState::planning:
+      return "planning";
+    case MissionState::driving:
+      return "driving";
+    case MissionState::arrived:
+      return "arrived";
+    case MissionState::no_path:
+      return "no-path";
+    case MissionState::collision:
+      return "collision";
+    case MissionState::loop:
+      return "loop";
   }
   return "";
 }
 
 std::vector<std::uint8_t> initial_knowledge(const Scenario& scenario) {
-  if (scenario.robot.knowledge == Knowledge::nothing) return std::vector<std::uint8_t>(scenario.map.blocked.size());
+  if (scenario.robot.knowledge == Knowledge::nothing)
+    return std::vector<std::uint8_t>(scenario.map.blocked.size());
   return scenario.map.blocked;
 }
 
@@ -53,7 +63,8 @@ Mission<T>::Mission(const Scenario& scenario, const PlannerChoice& choice, T& tr
       sight_rule_(static_cast<SightRule>(static_cast<int>(choice.settings.get(parameters::kSight)))),
       robot_setup_(scenario.robot),
       surprises_(scenario.surprises),
-      known_({scenario.map.width, scenario.map.height}, initial_knowledge(scenario), move_rules(choice.settings)),
+      known_({scenario.map.width, scenario.map.height}, initial_knowledge(scenario),
+             move_rules(choice.settings)),
       truth_(scenario.map.blocked),
       planner_(make_planner(*info_, known_, settings_, tr_)),
       start_(known_.node(scenario.start)),
@@ -78,8 +89,10 @@ template <class T>
 bool Mission<T>::advance(std::int64_t iterations) {
   if (ended()) return false;
   if (!begun_) begin();
-  if (now_.state == MissionState::planning) search(iterations);
-  else decide();
+  if (now_.state == MissionState::planning)
+    search(iterations);
+  else
+    decide();
   return !ended();
 }
 
@@ -228,7 +241,8 @@ void Mission<T>::wait_for_change() {
 
 template <class T>
 void Mission<T>::advance_clock() {
-  tr_.change(Scalar::moves, static_cast<std::uint64_t>(now_.clock), static_cast<std::uint64_t>(now_.clock + 1));
+  tr_.change(Scalar::moves, static_cast<std::uint64_t>(now_.clock),
+             static_cast<std::uint64_t>(now_.clock + 1));
   ++now_.clock;
 }
 

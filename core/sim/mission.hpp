@@ -1,5 +1,5 @@
-// A robot on its way: sense, tell the planner what changed, replan, move. Cell by cell, in fixed steps, so that the
-// same scenario always gives the same events.
+// A robot on its way: sense, tell the planner what changed, replan, move. Cell by cell, in fixed steps, so
+// that the same scenario always gives the same events.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@ namespace replan {
 
 /// How a mission stands.
 enum class MissionState : std::uint8_t {
-  planning,   ///< the planner is at work
-  driving,    ///< the plan stands, the robot can take its next step
+  planning,  ///< the planner is at work
+  driving,   ///< the plan stands, the robot can take its next step
   arrived,
   no_path,    ///< no path, and nothing that is scripted can open one: the robot waits for a change by hand
   collision,  ///< the plan leads into an obstacle (only with `remote_parents=printed`)
@@ -39,13 +39,13 @@ struct MissionFigures {
 
 /// A moment between two decisions of the robot, from which a mission can be taken up again.
 struct Mark {
-  std::size_t event = 0;   ///< position in the event log
-  std::int64_t clock = 0;  ///< steps of the robot: moves, and waits while there is no path
-  std::vector<bool> fired; ///< which surprises have happened
+  std::size_t event = 0;    ///< position in the event log
+  std::int64_t clock = 0;   ///< steps of the robot: moves, and waits while there is no path
+  std::vector<bool> fired;  ///< which surprises have happened
   MissionState state = MissionState::driving;
   MissionFigures figures;
   std::shared_ptr<const Route> route;
-  std::size_t next = 0;    ///< the route's cell that the robot enters next
+  std::size_t next = 0;  ///< the route's cell that the robot enters next
 };
 
 /// One mission with one planner. T is NoTrace or Recorder.
@@ -55,8 +55,8 @@ class Mission {
   /// `scenario` may go after this. The planner must be in the registry, start and goal on the map.
   Mission(const Scenario& scenario, const PlannerChoice& choice, T& tracer);
 
-  /// Runs at most `iterations` iterations of the planner's main loop, or takes one decision of the robot. False if
-  /// there is nothing more to do.
+  /// Runs at most `iterations` iterations of the planner's main loop, or takes one decision of the robot.
+  /// False if there is nothing more to do.
   bool advance(std::int64_t iterations);
 
   [[nodiscard]] MissionState state() const { return now_.state; }
@@ -70,8 +70,8 @@ class Mission {
   [[nodiscard]] const Planner<Grid2>& planner() const { return *planner_; }
   [[nodiscard]] const Grid2& known() const { return known_; }
 
-  /// Puts another list of surprises in place; those that have happened must be the same. A mission that had ended
-  /// goes on if something is due.
+  /// Puts another list of surprises in place; those that have happened must be the same. A mission that had
+  /// ended goes on if something is due.
   void set_surprises(std::vector<Surprise> surprises);
   /// Goes back to a mark of this scenario's own run, `state` being the log's state there.
   void restore(const Mark& mark, const SearchState& state);

@@ -42,6 +42,8 @@ Route lay_out(const Grid2& lattice, Path path, PlanStatus status, SightRule sigh
       const double projection = ((c.x - a.x) * (b.x - a.x) + (c.y - a.y) * (b.y - a.y)) / length;
       route.cells.push_back(node);
       route.along.push_back(walked + projection);
+      const double share = projection / length;
+      route.points.push_back({a.x + 0.5 + share * (b.x - a.x), a.y + 0.5 + share * (b.y - a.y)});
     }
     walked += length;
   }

@@ -1,7 +1,8 @@
 // What a planner does, as a log of reversible events.
 //
-// An event that changes a value stores before XOR after. Applied to the value it turns before into after and after
-// into before, so one 16-byte record serves both directions, and a state can be walked either way through the log.
+// An event that changes a value stores before XOR after. Applied to the value it turns before into after and
+// after into before, so one 16-byte record serves both directions, and a state can be walked either way
+// through the log.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +11,8 @@
 
 namespace replan {
 
-/// What an event is about. The first group changes a value of a node, the second a value of the whole run, the
-/// third says that something happened.
+/// What an event is about. The first group changes a value of a node, the second a value of the whole run,
+/// the third says that something happened.
 enum class EventKind : std::uint8_t {
   // Values per node, 64 bits wide
   g,      ///< cost to the goal (A*: from the start), raw Cost
@@ -27,35 +28,50 @@ enum class EventKind : std::uint8_t {
   // Values of the run; the node field holds the Scalar
   scalar,
   // What happened; `delta` is a payload
-  line,           ///< a pseudo-code line was passed that changed nothing
-  pop,            ///< taken from the open list; payload: 1 if it goes back with a newer key
-  sight,          ///< line-of-sight check from the node; payload: target | result << 32
-  plan_begin,     ///< a first plan (payload 0) or the n-th replan begins
-  plan_end,       ///< it is done; payload: PlanStatus
-  move,           ///< the robot enters the node
-  sensed,         ///< the robot sees a cell that differs from its map; payload: 1 obstacle, 0 free
-  surprise,       ///< a scripted or hand-made change of the world; payload: its number in the script
-  unchecked,      ///< the robot is sent along a remote parent that nobody checked; payload: target
-  collision,      ///< the robot would have entered an obstacle at the node
-  waiting,        ///< no path: the robot stays
-  arrival,        ///< the robot stands on the goal
-  gave_up,        ///< the mission ends without arrival; payload: MissionEnd
+  line,        ///< a pseudo-code line was passed that changed nothing
+  pop,         ///< taken from the open list; payload: 1 if it goes back with a newer key
+  sight,       ///< line-of-sight check from the node; payload: target | result << 32
+  plan_begin,  ///< a first plan (payload 0) or the n-th replan begins
+  plan_end,    ///< it is done; payload: PlanStatus
+  move,        ///< the robot enters the node
+  sensed,      ///< the robot sees a cell that differs from its map; payload: 1 obstacle, 0 free
+  surprise,    ///< a scripted or hand-made change of the world; payload: its number in the script
+  unchecked,   ///< the robot is sent along a remote parent that nobody checked; payload: target
+  collision,   ///< the robot would have entered an obstacle at the node
+  waiting,     ///< no path: the robot stays
+  arrival,     ///< the robot stands on the goal
+  gave_up,     ///< the mission ends without arrival; payload: MissionEnd
 };
 
-inline constexpr int kWideFields = 7;     ///< EventKind::g .. visit
-inline constexpr int kNarrowFields = 2;   ///< EventKind::known, truth
+inline constexpr int kWideFields = 7;    ///< EventKind::g .. visit
+inline constexpr int kNarrowFields = 2;  ///< EventKind::known, truth
 inline constexpr int kValueKinds = kWideFields + kNarrowFields + 1;
 
 /// Values that belong to the run and not to a node.
-enum class Scalar : std::uint8_t { km, start, last, goal, robot, expansions, moves, replans, phase, script, aim, sum, count };
+enum class Scalar : std::uint8_t {
+  km,
+  start,
+  last,
+  goal,
+  robot,
+  expansions,
+  moves,
+  replans,
+  phase,
+  script,
+  aim,
+  sum,
+  count
+};
 
 /// One record of the log.
 struct Event {
   std::uint64_t delta = 0;  ///< before XOR after, or a payload
   NodeId node = kNoNode;
   EventKind kind = EventKind::line;
-  std::uint8_t line = 0;       ///< pseudo-code line, as numbered in the planner's page
-  std::uint16_t reserved = 0;  ///< zero; keeps the record free of padding, so that logs can be hashed bytewise
+  std::uint8_t line = 0;  ///< pseudo-code line, as numbered in the planner's page
+  std::uint16_t reserved =
+      0;  ///< zero; keeps the record free of padding, so that logs can be hashed bytewise
 
   [[nodiscard]] constexpr bool changes_value() const { return static_cast<int>(kind) < kValueKinds; }
   friend constexpr bool operator==(const Event&, const Event&) = default;

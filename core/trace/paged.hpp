@@ -8,9 +8,9 @@
 
 namespace replan {
 
-/// An array of `size` values that starts out all `initial`. Copying it copies page pointers only; a page is cloned
-/// when it is written to while another copy holds it. Untouched pages take no memory.
-/// Not for concurrent use: copies that share pages belong to one thread.
+/// An array of `size` values that starts out all `initial`. Copying it copies page pointers only; a page is
+/// cloned when it is written to while another copy holds it. Untouched pages take no memory. Not for
+/// concurrent use: copies that share pages belong to one thread.
 template <class T>
 class PagedArray {
  public:
@@ -39,7 +39,8 @@ class PagedArray {
   }
   /// Pages that exist, shared or not: what a reader that wants to skip untouched stretches asks.
   [[nodiscard]] bool touched(std::size_t index) const { return pages_[index / kPage] != nullptr; }
-  /// The page that holds `index`, kPage values from a multiple of kPage on; nullptr if untouched. Valid until written to.
+  /// The page that holds `index`, kPage values from a multiple of kPage on; nullptr if untouched. Valid until
+  /// written to.
   [[nodiscard]] const T* page(std::size_t index) const {
     const auto& held = pages_[index / kPage];
     return held ? held->data() : nullptr;

@@ -12,8 +12,8 @@
 
 namespace replan {
 
-/// Everything that a view shows of a run at one moment, and everything that a planner needs to go on from there.
-/// Copies are cheap (see PagedArray). apply() is its own inverse.
+/// Everything that a view shows of a run at one moment, and everything that a planner needs to go on from
+/// there. Copies are cheap (see PagedArray). apply() is its own inverse.
 class SearchState {
  public:
   SearchState() = default;
@@ -27,10 +27,12 @@ class SearchState {
   /// Takes the state over the event, forwards or backwards alike.
   void apply(const Event& event) {
     const auto kind = static_cast<std::size_t>(event.kind);
-    if (kind < kWideFields) wide_[kind].at(event.node) ^= event.delta;
+    if (kind < kWideFields)
+      wide_[kind].at(event.node) ^= event.delta;
     else if (kind < kWideFields + kNarrowFields)
       narrow_[kind - kWideFields].at(event.node) ^= static_cast<std::uint8_t>(event.delta);
-    else if (event.kind == EventKind::scalar) scalars_[event.node] ^= event.delta;
+    else if (event.kind == EventKind::scalar)
+      scalars_[event.node] ^= event.delta;
   }
 
   [[nodiscard]] Cost g(NodeId n) const { return cost(EventKind::g, n); }
@@ -44,7 +46,9 @@ class SearchState {
   [[nodiscard]] NodeId lp(NodeId n) const { return static_cast<NodeId>(wide(EventKind::lp, n)) - 1u; }
   [[nodiscard]] NodeId rp(NodeId n) const { return static_cast<NodeId>(wide(EventKind::rp, n)) - 1u; }
   /// Number of the latest expansion of the node, from 1; 0 = never expanded.
-  [[nodiscard]] std::uint32_t order(NodeId n) const { return static_cast<std::uint32_t>(wide(EventKind::visit, n)); }
+  [[nodiscard]] std::uint32_t order(NodeId n) const {
+    return static_cast<std::uint32_t>(wide(EventKind::visit, n));
+  }
   [[nodiscard]] std::uint32_t times_expanded(NodeId n) const {
     return static_cast<std::uint32_t>(wide(EventKind::visit, n) >> 32);
   }
@@ -75,8 +79,12 @@ class SearchState {
   [[nodiscard]] std::size_t own_bytes() const;
 
  private:
-  [[nodiscard]] std::uint64_t wide(EventKind kind, NodeId n) const { return wide_[static_cast<std::size_t>(kind)][n]; }
-  [[nodiscard]] Cost cost(EventKind kind, NodeId n) const { return {static_cast<std::int64_t>(wide(kind, n))}; }
+  [[nodiscard]] std::uint64_t wide(EventKind kind, NodeId n) const {
+    return wide_[static_cast<std::size_t>(kind)][n];
+  }
+  [[nodiscard]] Cost cost(EventKind kind, NodeId n) const {
+    return {static_cast<std::int64_t>(wide(kind, n))};
+  }
 
   std::array<PagedArray<std::uint64_t>, kWideFields> wide_;
   std::array<PagedArray<std::uint8_t>, kNarrowFields> narrow_;

@@ -32,7 +32,8 @@ void Timeline::thin_out() {
   frame_interval_ *= 2;
   const std::size_t before = frames_.size();
   std::erase_if(frames_, [this](const auto& frame) { return frame.first % frame_interval_ != 0; });
-  // A frame that goes leaves the pages that it shares with those that stay: the rest of the sum is an estimate.
+  // A frame that goes leaves the pages that it shares with those that stay: the rest of the sum is an
+  // estimate.
   frame_bytes_ = frame_bytes_ * frames_.size() / before;
 }
 
@@ -50,7 +51,9 @@ void Timeline::truncate(std::size_t size) {
 }
 
 void Timeline::seek(std::size_t position) {
-  const auto distance = [position](std::size_t from) { return from > position ? from - position : position - from; };
+  const auto distance = [position](std::size_t from) {
+    return from > position ? from - position : position - from;
+  };
   std::size_t best = distance(cursor_);
   const auto offer = [&](std::size_t at, const SearchState& state) {
     if (distance(at) >= best) return;

@@ -10,8 +10,8 @@
 
 namespace replan {
 
-/// Position n is the state after the first n events. Seeking starts from the nearest of the cursor, the end and the
-/// key frames, and walks from there.
+/// Position n is the state after the first n events. Seeking starts from the nearest of the cursor, the end
+/// and the key frames, and walks from there.
 class Timeline {
  public:
   /// Bytes that key frames may take; beyond it they stand farther apart.
@@ -26,7 +26,9 @@ class Timeline {
   void truncate(std::size_t size);
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] const Event& event(std::size_t index) const { return chunks_[index / kChunk][index % kChunk]; }
+  [[nodiscard]] const Event& event(std::size_t index) const {
+    return chunks_[index / kChunk][index % kChunk];
+  }
   [[nodiscard]] std::size_t cursor() const { return cursor_; }
   /// The state at the cursor.
   [[nodiscard]] const SearchState& state() const { return state_; }

@@ -12,7 +12,8 @@
 namespace replan {
 
 template <class T>
-concept Tracer = requires(T tracer, EventKind kind, NodeId node, std::uint64_t word, Cost cost, int line, Scalar scalar) {
+concept Tracer = requires(T tracer, EventKind kind, NodeId node, std::uint64_t word, Cost cost, int line,
+                          Scalar scalar) {
   { T::kEnabled } -> std::convertible_to<bool>;
   tracer.line(line);
   tracer.pass(line, node);
@@ -62,7 +63,9 @@ class Recorder {
   void clear() { buffer_.clear(); }
 
  private:
-  void push(EventKind kind, NodeId node, std::uint64_t delta) { buffer_.push_back({delta, node, kind, line_, 0}); }
+  void push(EventKind kind, NodeId node, std::uint64_t delta) {
+    buffer_.push_back({delta, node, kind, line_, 0});
+  }
 
   std::vector<Event> buffer_;
   std::uint8_t line_ = 0;

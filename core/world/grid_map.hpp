@@ -25,7 +25,9 @@ struct GridMap {
   GridMap() = default;
   /// An all-free map.
   GridMap(int columns, int rows)
-      : width(columns), height(rows), blocked(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
+      : width(columns),
+        height(rows),
+        blocked(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
 
   [[nodiscard]] bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
   [[nodiscard]] std::size_t index(Cell c) const {

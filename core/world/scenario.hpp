@@ -23,16 +23,17 @@ enum class Knowledge : std::uint8_t {
 /// The robot and its sensor.
 struct RobotSetup {
   Knowledge knowledge = Knowledge::map;
-  double sensor_radius = 6;   ///< cells, centre to centre; the 8 cells around the robot are always felt
+  double sensor_radius = 6;     ///< cells, centre to centre; the 8 cells around the robot are always felt
   bool sensor_blocked = false;  ///< obstacles hide what is behind them
   friend bool operator==(const RobotSetup&, const RobotSetup&) = default;
 };
 
-/// When a scripted change happens. Exactly one of the two is set. Of several changes that are due at once the first
-/// in the list happens first, and the next one once the plan stands again.
+/// When a scripted change happens. Exactly one of the two is set. Of several changes that are due at once the
+/// first in the list happens first, and the next one once the plan stands again.
 struct Trigger {
-  std::optional<std::int64_t> move;  ///< after that many steps of the robot: moves, and waits while there is no path
-  std::optional<Cell> near;          ///< when the robot is within `within` cells (centre to centre) of it
+  std::optional<std::int64_t>
+      move;                  ///< after that many steps of the robot: moves, and waits while there is no path
+  std::optional<Cell> near;  ///< when the robot is within `within` cells (centre to centre) of it
   double within = 0;
   friend bool operator==(const Trigger&, const Trigger&) = default;
 };
@@ -80,12 +81,13 @@ struct Scenario {
   friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 
-/// Reads a scenario (JSON, `"replan": 1`; the schema is assets/scenario.schema.json). A map file is looked for
-/// beside the scenario. Errors name the file, the place in it and the mend; an unknown key is an error that suggests
-/// the nearest known one.
+/// Reads a scenario (JSON, `"replan": 1`; the schema is assets/scenario.schema.json). A map file is looked
+/// for beside the scenario. Errors name the file, the place in it and the mend; an unknown key is an error
+/// that suggests the nearest known one.
 Result<Scenario> read_scenario(const std::string& path);
 /// As read_scenario() from text; `origin` names it in errors, map files are looked for in `folder`.
-Result<Scenario> parse_scenario(const std::string& text, const std::string& origin, const std::string& folder);
+Result<Scenario> parse_scenario(const std::string& text, const std::string& origin,
+                                const std::string& folder);
 /// The scenario as JSON text that parse_scenario() reads back to an equal one.
 std::string scenario_text(const Scenario& scenario);
 /// Writes the scenario (and not its map file) atomically.

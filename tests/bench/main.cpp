@@ -2,13 +2,13 @@
 //   replan_bench [Google Benchmark's options]
 //   replan_bench --events FILE.ev... [--planner ID,...] [--repeats N] [--json]
 
-#include <benchmark/benchmark.h>
-
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <benchmark/benchmark.h>
+#include <nlohmann/json.hpp>
 
 #include "core/plan/registry.hpp"
 #include "workload.hpp"
@@ -39,10 +39,14 @@ Options parse(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string_view argument = argv[i];
     if (argument == "--events") continue;
-    if (argument == "--json") options.json = true;
-    else if (argument == "--planner" && i + 1 < argc) options.planners = split(argv[++i]);
-    else if (argument == "--repeats" && i + 1 < argc) options.repeats = std::max(1, std::atoi(argv[++i]));
-    else options.files.emplace_back(argument);
+    if (argument == "--json")
+      options.json = true;
+    else if (argument == "--planner" && i + 1 < argc)
+      options.planners = split(argv[++i]);
+    else if (argument == "--repeats" && i + 1 < argc)
+      options.repeats = std::max(1, std::atoi(argv[++i]));
+    else
+      options.files.emplace_back(argument);
   }
   // A plan from scratch stands beside every repair.
   if (std::find(options.planners.begin(), options.planners.end(), "astar") == options.planners.end())
@@ -51,10 +55,18 @@ Options parse(int argc, char** argv) {
 }
 
 nlohmann::json to_json(const std::string& file, const ReplayRow& row) {
-  return {{"file", file}, {"planner", row.planner}, {"init_ms", row.init_ms},
-          {"init_expansions", row.init_expansions}, {"replans", row.replans}, {"median_us", row.median_us},
-          {"mean_us", row.mean_us}, {"p95_us", row.p95_us}, {"total_ms", row.total_ms},
-          {"expansions", row.expansions}, {"bytes_per_cell", row.bytes_per_cell}, {"wrong", row.wrong}};
+  return {{"file", file},
+          {"planner", row.planner},
+          {"init_ms", row.init_ms},
+          {"init_expansions", row.init_expansions},
+          {"replans", row.replans},
+          {"median_us", row.median_us},
+          {"mean_us", row.mean_us},
+          {"p95_us", row.p95_us},
+          {"total_ms", row.total_ms},
+          {"expansions", row.expansions},
+          {"bytes_per_cell", row.bytes_per_cell},
+          {"wrong", row.wrong}};
 }
 
 void print_row(const std::string& file, const ReplayRow& row) {
@@ -72,8 +84,8 @@ int run_events(const Options& options) {
       return 2;
     }
   if (!options.json)
-    std::printf("%-22s %-16s %9s %6s %5s %9s %9s %9s %9s %9s %6s %5s\n", "file", "planner", "init ms", "Me/s", "n",
-                "median us", "mean us", "p95 us", "total ms", "expand", "B/cell", "wrong");
+    std::printf("%-22s %-16s %9s %6s %5s %9s %9s %9s %9s %9s %6s %5s\n", "file", "planner", "init ms", "Me/s",
+                "n", "median us", "mean us", "p95 us", "total ms", "expand", "B/cell", "wrong");
   std::size_t wrong = 0;
   nlohmann::json rows = nlohmann::json::array();
   for (const std::string& file : options.files) {
@@ -85,8 +97,10 @@ int run_events(const Options& options) {
     for (const std::string& id : options.planners) {
       const ReplayRow row = replan::bench::replay(*workload, id, options.repeats);
       wrong += row.wrong;
-      if (options.json) rows.push_back(to_json(file, row));
-      else print_row(file, row);
+      if (options.json)
+        rows.push_back(to_json(file, row));
+      else
+        print_row(file, row);
     }
   }
   if (options.json) std::printf("%s\n", rows.dump(1).c_str());

@@ -1,10 +1,10 @@
-// Plans of every registered planner on the DLD* Lite paper's kinds of world, what recording them costs, and how fast
-// a recording is sought through.
-#include <benchmark/benchmark.h>
-
+// Plans of every registered planner on the DLD* Lite paper's kinds of world, what recording them costs, and
+// how fast a recording is sought through.
 #include <array>
 #include <string>
 #include <vector>
+
+#include <benchmark/benchmark.h>
 
 #include "core/base/random.hpp"
 #include "core/plan/registry.hpp"
@@ -21,8 +21,8 @@ struct Worlds {
   std::vector<GridMap> maps;
 };
 
-/// The DLD* Lite paper's kind (ten maps of random rectangles, Fig. 5), and its narrow mazes (Fig. 7), where it names the
-/// sight checks an open problem.
+/// The DLD* Lite paper's kind (ten maps of random rectangles, Fig. 5), and its narrow mazes (Fig. 7), where
+/// it names the sight checks an open problem.
 const std::vector<Worlds>& all_worlds() {
   static const auto worlds = [] {
     Worlds rectangles{"rectangles", {15, 15}, {175, 175}, {}};
@@ -56,8 +56,10 @@ void first_plans(benchmark::State& state, const PlannerInfo& info, const Worlds&
       expansions += planners[i]->counters().expansions;
       if constexpr (T::kEnabled) tracers[i].clear();
     }
-  state.counters["expansions"] = benchmark::Counter(static_cast<double>(expansions), benchmark::Counter::kAvgIterations);
-  state.counters["expansions/s"] = benchmark::Counter(static_cast<double>(expansions), benchmark::Counter::kIsRate);
+  state.counters["expansions"] =
+      benchmark::Counter(static_cast<double>(expansions), benchmark::Counter::kAvgIterations);
+  state.counters["expansions/s"] =
+      benchmark::Counter(static_cast<double>(expansions), benchmark::Counter::kIsRate);
 }
 
 /// Seeks to random places of a long run.
@@ -89,9 +91,9 @@ BENCHMARK(timeline_seek)->Arg(1000000)->Arg(10000000)->Unit(benchmark::kMicrosec
 template <class T>
 void register_first_plans(const PlannerInfo& info, const Worlds& worlds, const char* tracer) {
   const std::string name = "first_plan/" + worlds.name + "/" + std::string(info.id) + "/" + tracer;
-  benchmark::RegisterBenchmark(name.c_str(),
-                               [&info, &worlds](benchmark::State& state) { first_plans<T>(state, info, worlds); })
-      ->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark(name.c_str(), [&info, &worlds](benchmark::State& state) {
+    first_plans<T>(state, info, worlds);
+  })->Unit(benchmark::kMillisecond);
 }
 
 [[maybe_unused]] const bool kRegistered = [] {

@@ -16,7 +16,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double microseconds(Clock::duration elapsed) { return std::chrono::duration<double, std::micro>(elapsed).count(); }
+double microseconds(Clock::duration elapsed) {
+  return std::chrono::duration<double, std::micro>(elapsed).count();
+}
 
 bool read_event(std::istream& in, const GridMap& map, WorkloadEvent& event) {
   std::size_t count = 0;
@@ -31,23 +33,24 @@ bool read_event(std::istream& in, const GridMap& map, WorkloadEvent& event) {
   return static_cast<bool>(in) && map.contains(event.robot);
 }
 
-/// Whether a cost is the optimum of the file; infinite stands for -1, no path. The files hold sums of single-precision
-/// numbers, a little off in the fifth digit; the exact test is the fresh plan.
+/// Whether a cost is the optimum of the file; infinite stands for -1, no path. The files hold sums of
+/// single-precision numbers, a little off in the fifth digit; the exact test is the fresh plan.
 bool is_near_optimum(Cost cost, double optimum) {
   if (optimum < 0) return cost.is_infinite();
   return std::abs(cost.to_double() - optimum) <= 2e-5 * optimum + 1e-6;
 }
 
-/// Whether the plan's cost is exactly that of a fresh plan of the same kind, and near the file's optimum where the
-/// planner is an optimal one.
-bool is_right(const Planner<Grid2>& planner, const PlannerInfo& info, const Grid2& lattice, Cell robot, Cell goal,
-              double optimum) {
+/// Whether the plan's cost is exactly that of a fresh plan of the same kind, and near the file's optimum
+/// where the planner is an optimal one.
+bool is_right(const Planner<Grid2>& planner, const PlannerInfo& info, const Grid2& lattice, Cell robot,
+              Cell goal, double optimum) {
   const Settings settings;
   NoTrace tracer;
   const auto fresh = make_planner(info, lattice, settings, tracer);
   fresh->begin(lattice.node(robot), lattice.node(goal));
   finish(*fresh);
-  return planner.cost() == fresh->cost() && (!info.optimal(settings) || is_near_optimum(planner.cost(), optimum));
+  return planner.cost() == fresh->cost() &&
+         (!info.optimal(settings) || is_near_optimum(planner.cost(), optimum));
 }
 
 struct Pass {
@@ -82,8 +85,8 @@ Pass run_once(const Workload& workload, const PlannerInfo& info, ReplayRow& row,
     row.wrong += wrong(event.robot, event.optimum);
   }
   const double lattice_bytes = static_cast<double>(lattice.node_count()) * 2;
-  row.bytes_per_cell =
-      (lattice_bytes + static_cast<double>(planner->memory_bytes())) / static_cast<double>(lattice.node_count());
+  row.bytes_per_cell = (lattice_bytes + static_cast<double>(planner->memory_bytes())) /
+                       static_cast<double>(lattice.node_count());
   return pass;
 }
 
@@ -104,7 +107,8 @@ Result<Workload> read_workload(const std::string& path) {
   workload.file = path;
   std::string map_name;
   std::size_t count = 0;
-  in >> map_name >> workload.start.x >> workload.start.y >> workload.goal.x >> workload.goal.y >> workload.optimum >> count;
+  in >> map_name >> workload.start.x >> workload.start.y >> workload.goal.x >> workload.goal.y >>
+      workload.optimum >> count;
   if (!in) return Error{path + ":1: expected 'MAP sx sy gx gy optimum events'"};
   Result<GridMap> map = read_movingai_map((std::filesystem::path(path).parent_path() / map_name).string());
   if (!map) return Error{map.error()};
@@ -114,7 +118,8 @@ Result<Workload> read_workload(const std::string& path) {
   for (std::size_t i = 0; i < count; ++i) {
     WorkloadEvent event;
     if (!read_event(in, workload.map, event))
-      return Error{path + ":" + std::to_string(i + 2) + ": expected 'x y optimum k' and k times 'x y v' on the map"};
+      return Error{path + ":" + std::to_string(i + 2) +
+                   ": expected 'x y optimum k' and k times 'x y v' on the map"};
     workload.events.push_back(std::move(event));
   }
   return workload;

@@ -33,13 +33,14 @@ Result<Workload> read_workload(const std::string& path);
 /// What replaying a workload with one planner took.
 struct ReplayRow {
   std::string planner;
-  double init_ms = 0;               ///< first plan; allocation and building of the lattice not counted
+  double init_ms = 0;  ///< first plan; allocation and building of the lattice not counted
   std::int64_t init_expansions = 0;
   std::size_t replans = 0;
-  double median_us = 0, mean_us = 0, p95_us = 0, total_ms = 0;  ///< update of the map and the costs, and the search
-  std::int64_t expansions = 0;      ///< of all replans
-  double bytes_per_cell = 0;        ///< lattice and planner, open list at its peak
-  std::size_t wrong = 0;            ///< plans whose cost is not exactly a fresh plan's, or not the file's optimum
+  double median_us = 0, mean_us = 0, p95_us = 0,
+         total_ms = 0;          ///< update of the map and the costs, and the search
+  std::int64_t expansions = 0;  ///< of all replans
+  double bytes_per_cell = 0;    ///< lattice and planner, open list at its peak
+  std::size_t wrong = 0;        ///< plans whose cost is not exactly a fresh plan's, or not the file's optimum
 };
 
 /// Replays the workload, `repeats` times; times are the medians over the repeats.

@@ -28,7 +28,8 @@ void expect_brute_force(int width, int height, const std::vector<std::uint8_t>& 
           if (cells[static_cast<std::size_t>(j * width + i)] == 0) continue;
           const int dx = std::abs(x - i), dy = std::abs(y - j);
           best = std::min(best, dx * dx + dy * dy);
-          octile = std::min(octile, {std::min(dx, dy) * kStepCost[2].raw + std::abs(dx - dy) * kStepCost[1].raw});
+          octile =
+              std::min(octile, {std::min(dx, dy) * kStepCost[2].raw + std::abs(dx - dy) * kStepCost[1].raw});
         }
       const auto index = static_cast<std::size_t>(y * width + x);
       ASSERT_EQ(squared[index], best) << x << ", " << y << " of " << width << " x " << height;
@@ -62,7 +63,8 @@ TEST(DistanceTransform, OfNothingIsInfinite) {
 TEST(DistanceTransform, GivesThePenaltiesOfTheClearanceField) {
   const auto cells = random_cells(60, 45, 0.08, 5);
   const Grid2 lattice({60, 45}, cells);
-  const ClearanceField<2> field(lattice, {.range = 3, .transform = Transform::chamfer, .border_is_obstacle = false});
+  const ClearanceField<2> field(lattice,
+                                {.range = 3, .transform = Transform::chamfer, .border_is_obstacle = false});
   const auto chamfer = chamfer_distances(60, 45, cells);
   const std::int64_t range = 3 * Cost::kScale;
   for (NodeId n = 0; n < cells.size(); ++n) {

@@ -1,10 +1,10 @@
 // The session: live edits, time travel, undo; and that a run is a function of its scenario.
 #include "core/session/session.hpp"
 
-#include <gtest/gtest.h>
-
 #include <chrono>
 #include <thread>
+
+#include <gtest/gtest.h>
 
 #include "core/base/random.hpp"
 
@@ -37,7 +37,9 @@ void run_to_end(Session& session) {
   session.update(0);
 }
 
-const Mark& last_mark(const Session& session) { return session.run().marks().back(); }
+const Mark& last_mark(const Session& session) {
+  return session.run().marks().back();
+}
 
 class SessionOf : public testing::TestWithParam<const char*> {};
 
@@ -79,9 +81,11 @@ TEST_P(SessionOf, StepsBackBeforeASurpriseAndForwardAgainWithEqualHashes) {
   const std::uint64_t repaired = session.run().timeline().state().hash();
   const std::size_t after = session.run().timeline().cursor();
   EXPECT_NE(planned, repaired);
-  while (session.run().timeline().cursor() > before) ASSERT_TRUE(session.apply(Step{StepUnit::line, -1}).ok());
+  while (session.run().timeline().cursor() > before)
+    ASSERT_TRUE(session.apply(Step{StepUnit::line, -1}).ok());
   EXPECT_EQ(session.run().timeline().state().hash(), planned);
-  while (session.run().timeline().cursor() < after) ASSERT_TRUE(session.apply(Step{StepUnit::expansion, 1}).ok());
+  while (session.run().timeline().cursor() < after)
+    ASSERT_TRUE(session.apply(Step{StepUnit::expansion, 1}).ok());
   EXPECT_EQ(session.run().timeline().state().hash(), repaired);
 }
 
@@ -120,8 +124,8 @@ TEST_P(SessionOf, UndoBringsTheRunBackAndRedoTheRepair) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Planners, SessionOf,
-                         testing::Values("dijkstra", "astar", "dstar-lite", "los-dstar-lite", "dist-dstar-lite",
-                                         "dld-star-lite"),
+                         testing::Values("dijkstra", "astar", "dstar-lite", "los-dstar-lite",
+                                         "dist-dstar-lite", "dld-star-lite"),
                          [](const auto& planner) {
                            std::string name = planner.param;
                            std::erase(name, '-');
@@ -136,14 +140,30 @@ TEST(Session, RandomCommandsGiveARunThatRepeatsFromItsScenario) {
       const int x = random.between(3, 19), y = random.between(0, 12);
       const std::size_t size = session.run().timeline().size();
       switch (random.below(8)) {
-        case 0: (void)session.apply(PaintCells{block(x, y, 2, 3, random.chance(0.6)), 0}); break;
-        case 1: (void)session.apply(DropSurprise{block(x, y, 3, 2, random.chance(0.7)), 0}); break;
-        case 2: (void)session.apply(Step{StepUnit::move, random.between(-4, 6)}); break;
-        case 3: (void)session.apply(Seek{random.below(static_cast<std::uint32_t>(size + 1))}); break;
-        case 4: (void)session.apply(Undo{}); break;
-        case 5: (void)session.apply(Redo{}); break;
-        case 6: (void)session.apply(Step{StepUnit::expansion, random.between(-20, 20)}); break;
-        default: session.settle(); break;
+        case 0:
+          (void)session.apply(PaintCells{block(x, y, 2, 3, random.chance(0.6)), 0});
+          break;
+        case 1:
+          (void)session.apply(DropSurprise{block(x, y, 3, 2, random.chance(0.7)), 0});
+          break;
+        case 2:
+          (void)session.apply(Step{StepUnit::move, random.between(-4, 6)});
+          break;
+        case 3:
+          (void)session.apply(Seek{random.below(static_cast<std::uint32_t>(size + 1))});
+          break;
+        case 4:
+          (void)session.apply(Undo{});
+          break;
+        case 5:
+          (void)session.apply(Redo{});
+          break;
+        case 6:
+          (void)session.apply(Step{StepUnit::expansion, random.between(-20, 20)});
+          break;
+        default:
+          session.settle();
+          break;
       }
     }
     run_to_end(session);
@@ -167,8 +187,10 @@ TEST(Session, NoPathIsAnAnswerAndTheRobotGoesOnWhenTheMapOpens) {
 
 TEST(Session, ARobotUnderASurpriseWaitsUntilItIsFree) {
   Scenario scenario = wall_with_gap("dld-star-lite");
-  scenario.surprises.push_back({.at = {.move = 3, .near = {}, .within = 0}, .cells = block(3, 5, 3, 6), .announced = true});
-  scenario.surprises.push_back({.at = {.move = 8, .near = {}, .within = 0}, .cells = block(3, 5, 3, 6, false), .announced = true});
+  scenario.surprises.push_back(
+      {.at = {.move = 3, .near = {}, .within = 0}, .cells = block(3, 5, 3, 6), .announced = true});
+  scenario.surprises.push_back(
+      {.at = {.move = 8, .near = {}, .within = 0}, .cells = block(3, 5, 3, 6, false), .announced = true});
   Session session(scenario);
   run_to_end(session);
   EXPECT_EQ(last_mark(session).state, MissionState::arrived);
@@ -223,7 +245,8 @@ TEST(Session, PlaysForwardsToTheArrivalAndBackToTheBeginning) {
   ASSERT_TRUE(session.apply(Play{1}).ok());
   int frames = 0;
   for (; frames < 20000 && session.playback().direction != 0; ++frames) {
-    if (session.run().busy()) std::this_thread::sleep_for(std::chrono::milliseconds(1));  // as between two frames
+    if (session.run().busy())
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));  // as between two frames
     session.update(0.05);
   }
   EXPECT_LT(frames, 20000);

@@ -1,9 +1,9 @@
 // The timeline: every moment is the same whichever way it was reached.
 #include "core/trace/timeline.hpp"
 
-#include <gtest/gtest.h>
-
 #include <map>
+
+#include <gtest/gtest.h>
 
 #include "core/base/random.hpp"
 
