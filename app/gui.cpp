@@ -100,6 +100,7 @@ class Program {
   double draw_ms_ = 0;
   std::string title_;
   bool dark_ = true;
+  std::string words_;  // that the fonts were baked for, beside the usual characters
   bool timed_ = false;
 };
 
@@ -148,6 +149,10 @@ void Program::follow() {
   if (shell_->view().dark != dark_) {
     dark_ = shell_->view().dark;
     window_->stage().set_theme(dark_ ? ui::dark() : ui::light());
+  }
+  if (std::string words = ui::Shell::words(session_); words != words_) {
+    words_ = std::move(words);
+    window_->stage().set_language(words_, false);
   }
   std::string title = shell_->title(session_) + " – Replan";
   if (title != title_) window_->set_title(title);

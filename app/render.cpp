@@ -19,17 +19,23 @@ namespace fs = std::filesystem;
 
 constexpr int kMaxSide = 16384;
 
+/// What a run could not do is no picture.
+Result<void> check(const Session& session) {
+  if (std::string failure = session.failure(); !failure.empty()) return Error{std::move(failure)};
+  return {};
+}
+
 /// Goes to the moment of a still.
 Result<void> go_to(Session& session, const RenderRequest& request) {
   const auto* position = std::get_if<std::size_t>(&request.at);
   if (position == nullptr && std::get<Moment>(request.at) == Moment::plan) {
     session.settle();
-    return {};
+    return check(session);
   }
   if (const auto done = session.apply(RunToEnd{}); !done) return done;
   for (const auto& run : session.runs()) run->finish(Target::end());
   session.update(0);
-  if (position == nullptr) return {};
+  if (auto sound = check(session); !sound || position == nullptr) return sound;
   if (const std::size_t size = session.run().timeline().size(); *position > size)
     return Error{"event " + std::to_string(*position) + " lies beyond the run's end; it has " +
                  std::to_string(size) + " events"};
@@ -39,15 +45,19 @@ Result<void> go_to(Session& session, const RenderRequest& request) {
 /// A window, or a canvas alone, in memory.
 class Studio {
  public:
-  static Result<std::unique_ptr<Studio>> open(const RenderRequest& request, ui::ViewState state) {
+  static Result<std::unique_ptr<Studio>> open(const RenderRequest& request, const Session& session,
+                                              ui::ViewState state) {
     auto studio = std::unique_ptr<Studio>(new Studio(request, std::move(state)));
     auto offscreen = Offscreen::create({request.width, request.height, static_cast<float>(request.scale)});
     if (!offscreen) return Error{offscreen.error()};
     studio->offscreen_ = std::move(*offscreen);
     studio->offscreen_->stage().set_theme(studio->state_.dark ? ui::dark() : ui::light());
+    if (std::string words = ui::Shell::words(session); !words.empty())
+      studio->offscreen_->stage().set_language(std::move(words), false);
     return studio;
   }
   ~Studio() {
+    if (!offscreen_) return;
     // Their textures can only be given back while the context is current.
     offscreen_->frame([this] {
       canvas_.reset();
@@ -117,7 +127,7 @@ Result<void> render_frames(const RenderRequest& request, Session& session, const
   if (failed) return Error{"cannot make the folder " + request.output + ": " + failed.message()};
   for (const auto& run : session.runs()) run->finish(Target::end());
   session.update(0);
-  auto studio = Studio::open(request, state);
+  auto studio = Studio::open(request, session, state);
   if (!studio) return Error{studio.error()};
   const std::vector<std::size_t> positions = film_positions(session.run());
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -201,7 +211,7 @@ Result<void> render(const RenderRequest& request) {
     return Error{request.output + ": a picture's name ends in .png or .svg, a folder for frames in /"};
   if (const auto there = go_to(session, request); !there) return there;
   if (extension == ".svg") return render_svg(request, session, *state);
-  auto studio = Studio::open(request, *state);
+  auto studio = Studio::open(request, session, *state);
   if (!studio) return Error{studio.error()};
   return ui::write_png(request.output, (*studio)->shoot(session));
 }

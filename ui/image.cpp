@@ -1,9 +1,7 @@
 #include "ui/image.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -12,10 +10,10 @@
 #include <span>
 #include <string>
 
-#include <fcntl.h>
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
-#include <unistd.h>
+
+#include "core/base/file.hpp"
 
 namespace replan::ui {
 namespace {
@@ -24,21 +22,6 @@ void append(void* context, void* data, int size) {
   auto& bytes = *static_cast<std::vector<std::uint8_t>*>(context);
   const auto* first = static_cast<const std::uint8_t*>(data);
   bytes.insert(bytes.end(), first, first + size);
-}
-
-Error failed(const std::filesystem::path& path) {
-  return Error{"Cannot write " + path.string() + ": " + std::strerror(errno) + "."};
-}
-
-/// Writes all bytes and flushes them to the disk.
-bool write_all(int file, std::span<const std::uint8_t> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(file, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
-  return ::fsync(file) == 0;
 }
 
 }  // namespace
@@ -55,17 +38,7 @@ Result<std::vector<std::uint8_t>> encode_png(const Image& image) {
 Result<void> write_png(const std::filesystem::path& path, const Image& image) {
   const Result<std::vector<std::uint8_t>> bytes = encode_png(image);
   if (!bytes) return Error{bytes.error()};
-  static std::atomic<unsigned> serial = 0;
-  const std::string beside =
-      path.string() + "." + std::to_string(::getpid()) + "-" + std::to_string(++serial);
-  const int file = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (file < 0) return failed(path);
-  const bool written = write_all(file, *bytes);
-  const bool closed = ::close(file) == 0;
-  if (written && closed && ::rename(beside.c_str(), path.c_str()) == 0) return {};
-  const Error error = failed(path);
-  ::unlink(beside.c_str());
-  return error;
+  return write_file_atomically(path.string(), {reinterpret_cast<const char*>(bytes->data()), bytes->size()});
 }
 
 Result<Image> read_image(const std::filesystem::path& path) {

@@ -100,6 +100,7 @@ Result<int> run(const RunArguments& arguments) {
     succeeded &= reports.back().succeeded();
   }
   const bool table_out = arguments.csv == "-";
+  if (table_out && arguments.json) return Error{"--json and '--csv -' both print: give the CSV a file name"};
   if (!arguments.csv.empty() && !table_out)
     if (const auto written = write_file_atomically(arguments.csv, runs_csv(reports)); !written)
       return Error{written.error()};

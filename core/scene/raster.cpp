@@ -1,4 +1,5 @@
 // The lowest layer: a colour per cell, or per pixel where cells are smaller than pixels.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -26,6 +27,10 @@ class CellColours {
     gone_ = mix(palette.free, palette.obstacle, 0.3f);
     for (std::size_t i = 0; i < ramp_.size(); ++i)
       ramp_[i] = mix(palette.free, palette.field[i], palette.field_opacity);
+    for (const Surprise& surprise : context.run.scenario().surprises)
+      for (const CellChange& change : surprise.cells)
+        if (change.blocked && !surprise.announced) surprises_.push_back(context.lattice.node(change.cell));
+    std::sort(surprises_.begin(), surprises_.end());
     if (!context.scene.range) return;
     reader_ = FieldReader::of(*context.scene.field);
     low_ = context.scene.range->low / reader_.unit;
@@ -49,9 +54,13 @@ class CellColours {
     const std::size_t at = node % SearchState::kPage;
     const bool truth = truth_ != nullptr && truth_[at] != 0, known = known_ != nullptr && known_[at] != 0;
     if (!truth && !known) return ground(node);
-    const bool surprising = truth && original_[node] == 0;
-    if (surprising && (known || shows_unknown_)) context_.scene.show(Sign::surprise);
+    // What the robot was told of is a wall like any other; an unseen surprise shows even where the rest of
+    // the unknown world does not.
+    const bool surprising =
+        truth && original_[node] == 0 && std::binary_search(surprises_.begin(), surprises_.end(), node);
+    if (surprising) context_.scene.show(Sign::surprise);
     if (truth && known) return surprising ? context_.palette.surprise : context_.palette.obstacle;
+    if (!shows_unknown_ && surprising) return unknown_surprise_;
     if (!shows_unknown_) return known ? context_.palette.obstacle : ground(node);
     context_.scene.show(truth ? Sign::unknown : Sign::gone);
     if (known) return gone_;
@@ -73,6 +82,7 @@ class CellColours {
 
   SceneContext& context_;
   std::span<const std::uint8_t> original_;
+  std::vector<NodeId> surprises_;  // cells that some surprise blocks without telling the robot, ascending
   bool shows_unknown_;
   Colour unknown_ = 0, unknown_surprise_ = 0, gone_ = 0;
   std::array<Colour, 256> ramp_{};

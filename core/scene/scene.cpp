@@ -22,11 +22,15 @@ void clip(SceneContext& context) {
 
 }  // namespace
 
+/// A fitted world leaves this share of itself free around it, so that what stands at its edge is whole.
+constexpr double kFitMargin = 1.06;
+
 Camera resolve(const Camera& camera, int columns, int rows, Viewport viewport) {
   Camera resolved = camera;
   if (camera.zoom <= 0) {
     resolved = {columns / 2.0, rows / 2.0,
-                std::min(viewport.width / (columns + 2.0), viewport.height / (rows + 2.0))};
+                std::min(viewport.width / std::max(columns + 2.0, columns * kFitMargin),
+                         viewport.height / std::max(rows + 2.0, rows * kFitMargin))};
     // Whole pixels where that costs little: cells of one size, and sharp lines between them.
     if (resolved.zoom >= 8) resolved.zoom = std::floor(resolved.zoom);
     resolved.zoom = std::max(resolved.zoom, 1e-3);

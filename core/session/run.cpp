@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <new>
 
 namespace replan {
 namespace {
@@ -61,10 +62,22 @@ void Run::work(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (wake_.wait(lock, stop, [this] { return working_; })) {
     lock.unlock();
-    Batch batch = slice();
-    const bool done = reached();
+    Batch batch;
+    std::string failure;
+    try {
+      batch = slice();
+    } catch (const std::bad_alloc&) {
+      failure =
+          "the memory does not suffice for this run: choose a smaller world, or a planner that expands less";
+      recorder_.clear();
+    }
+    recorded_ += batch.events.size();
+    if (recorded_ > kMostEvents)
+      failure = "the log of this run has reached its limit of 268 435 456 events: choose a smaller world";
+    const bool done = !failure.empty() || reached();
     lock.lock();
     ready_.push_back(std::move(batch));
+    if (!failure.empty()) failure_ = std::move(failure);
     if (done || cancelled_ || stop.stop_requested()) {
       working_ = false;
       idle_.notify_all();
@@ -95,6 +108,7 @@ bool Run::reached() const {
 
 void Run::go(Target target) {
   cancel();
+  if (!failure().empty()) return;
   if (mission_) {
     target_ = target;
     if (reached()) return;
@@ -104,6 +118,11 @@ void Run::go(Target target) {
   cancelled_ = false;
   working_ = true;
   wake_.notify_all();
+}
+
+std::string Run::failure() const {
+  const std::scoped_lock lock(mutex_);
+  return failure_;
 }
 
 bool Run::busy() const {
@@ -204,22 +223,41 @@ std::size_t Run::position_of(const Progress& progress) const {
   return end;
 }
 
+const Mark* Run::mark_for_new_surprise(std::int64_t clock) const {
+  const auto first = std::lower_bound(marks_.begin(), marks_.end(), clock,
+                                      [](const Mark& mark, std::int64_t c) { return mark.clock < c; });
+  if (first == marks_.end()) return nullptr;
+  const auto after =
+      std::find_if(first, marks_.end(), [&](const Mark& mark) { return mark.clock > first->clock; });
+  const std::vector<bool>& due = std::prev(after)->fired;
+  const auto all_happened = [&](const Mark& mark) {
+    for (std::size_t i = 0; i < due.size(); ++i)
+      if (due[i] && (i >= mark.fired.size() || !mark.fired[i])) return false;
+    return true;
+  };
+  return &*std::find_if(first, after, all_happened);
+}
+
 bool Run::rebase(std::shared_ptr<const Scenario> scenario, std::size_t common) {
   cancel();
-  const auto holds = [&](const Mark& mark) {
-    for (std::size_t i = common; i < mark.fired.size(); ++i)
-      if (mark.fired[i]) return false;
-    for (std::size_t i = common; i < scenario->surprises.size(); ++i) {
-      const Trigger& at = scenario->surprises[i].at;
-      if (!at.move || mark.clock > *at.move) return false;
-    }
-    return mark.state != MissionState::collision && mark.state != MissionState::loop;
+  if (!mission_) return false;
+  const auto happened = [&](const Mark& mark) {
+    return std::find(mark.fired.begin() + static_cast<std::ptrdiff_t>(std::min(common, mark.fired.size())),
+                     mark.fired.end(), true) != mark.fired.end();
   };
-  std::size_t count = marks_.size();
-  while (count > 0 && !holds(marks_[count - 1])) --count;
+  const auto kept = std::find_if(marks_.begin(), marks_.end(), happened);
+  std::size_t count = static_cast<std::size_t>(kept - marks_.begin());
+  const bool partial = count < marks_.size();
+  marks_.resize(count);
+  for (std::size_t i = common; i < scenario->surprises.size(); ++i) {
+    const auto& move = scenario->surprises[i].at.move;
+    if (!move) return false;
+    if (const Mark* mark = mark_for_new_surprise(*move))
+      count = std::min(count, static_cast<std::size_t>(mark - marks_.data()) + 1);
+  }
   if (count == 0) return false;
   scenario_ = std::move(scenario);
-  if (count < marks_.size() || !mission_->standing()) cut(count);
+  if (partial || count < marks_.size() || !mission_->standing()) cut(count);
   mission_->set_surprises(scenario_->surprises);
   return true;
 }
@@ -235,6 +273,7 @@ void Run::cut(std::size_t mark_count) {
   for (std::size_t i = curve_.size() * kCurveChunk; i < size; ++i)
     expansions += timeline_.event(i).kind == EventKind::visit;
   curve_.push_back(expansions);
+  recorded_ = size;
   mission_->restore(marks_.back(), timeline_.head());
 }
 

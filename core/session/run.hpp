@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <span>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -59,6 +60,9 @@ class Run {
   [[nodiscard]] std::uint64_t log_id() const { return log_id_; }
   /// The last mark at or before a position, or nullptr before the first plan stands.
   [[nodiscard]] const Mark* mark_at(std::size_t position) const;
+  /// Where a surprise that is added at the end of the list, due at `clock`, would happen: the first decision
+  /// of the robot at that step after all others that are due then. nullptr if the run has not come that far.
+  [[nodiscard]] const Mark* mark_for_new_surprise(std::int64_t clock) const;
   /// How far a position is: the robot's clock (-1 before the first plan stands), and the expansions since the
   /// clock came to that.
   struct Progress {
@@ -78,14 +82,17 @@ class Run {
   bool pump();
   /// True while the background works towards the target.
   [[nodiscard]] bool busy() const;
+  /// Why the background could not go on (out of memory, log too long), as a sentence; empty if nothing went
+  /// wrong.
+  [[nodiscard]] std::string failure() const;
   /// Stops the background after its current slice and takes over what was done.
   void cancel();
   /// go() and wait, for programs without a window.
   void finish(Target target);
 
   /// Puts in a scenario that differs only in surprises from index `common` on. The log is cut where that
-  /// first makes a difference; false if there is no such place after the first plan (the run has to start
-  /// afresh).
+  /// first makes a difference, so that what follows is the run of that scenario; false if there is no such
+  /// place after the first plan (the run has to start afresh).
   bool rebase(std::shared_ptr<const Scenario> scenario, std::size_t common);
 
  private:
@@ -93,6 +100,9 @@ class Run {
     std::vector<Event> events;
     std::vector<Mark> marks;  // their `event` counts from the batch's first
   };
+
+  /// Events of one run: 4 GiB of log.
+  static constexpr std::size_t kMostEvents = std::size_t{1} << 28;
 
   void work(const std::stop_token& stop);
   [[nodiscard]] Batch slice();
@@ -114,6 +124,7 @@ class Run {
 
   // The thread's own while working_, the owner's while not.
   Recorder recorder_;
+  std::size_t recorded_ = 0;  // events handed over
   std::unique_ptr<Mission<Recorder>> mission_;
 
   mutable std::mutex mutex_;  // guards what follows
@@ -122,6 +133,7 @@ class Run {
   Target target_;
   bool working_ = false;
   bool cancelled_ = false;
+  std::string failure_;
   std::jthread thread_;  // last: it ends before what it uses
 };
 

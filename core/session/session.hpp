@@ -20,7 +20,8 @@ struct Playback {
 /// Owns the document and its runs. Panels read it; only apply() and update() change it.
 ///
 /// An edit while a plan stands is an announced surprise at the robot's present step: the planner repairs its
-/// plan, and the whole run stays a function of the scenario. What lies after the cursor then is forgotten. An
+/// plan, and the whole run stays a function of the scenario. The run after the cursor is forgotten and goes
+/// another way; what is scripted for later steps, by file or by hand, still happens. An
 /// edit before the first plan stands changes the map and starts afresh.
 class Session {
  public:
@@ -37,7 +38,7 @@ class Session {
   [[nodiscard]] const Playback& playback() const { return playback_; }
   [[nodiscard]] const std::string& file() const { return file_; }
   /// True if there are edits that were not saved.
-  [[nodiscard]] bool modified() const { return edits_done_ != saved_at_; }
+  [[nodiscard]] bool modified() const { return document_state() != saved_at_; }
   /// Counts every change of what a view could show: equal numbers, equal pictures.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   /// What undo would take back and redo bring back; empty if nothing.
@@ -48,12 +49,15 @@ class Session {
 
   /// Carries out a command. An error leaves everything as it was.
   Result<void> apply(const Command& command);
+  /// Why a run could not go on, as a sentence; empty if all is well.
+  [[nodiscard]] std::string failure() const;
   /// Takes over what the background did and plays on by `seconds`. True if something to be seen changed.
   bool update(double seconds);
   /// Waits until the background stands still: for programs without a window.
   void settle();
 
-  /// The scenario as it would be saved: edits made before the robot first moved are part of the map.
+  /// The scenario as it would be saved: edits made before the robot first moved are part of the map, if
+  /// nothing else that may happen then comes before them, and if the robot knows the map.
   [[nodiscard]] Scenario to_save() const;
   /// Tells that to_save() was written to `file`.
   void saved(const std::string& file);
@@ -63,6 +67,7 @@ class Session {
   struct Edit {
     std::string label;
     std::uint64_t stroke = 0;
+    std::uint64_t serial = 0;  ///< of the document's state after it
     std::vector<CellChange> before, after;
     std::shared_ptr<const Scenario> rest_before, rest_after;  // without the map's cells
   };
@@ -72,6 +77,7 @@ class Session {
 #include "core/session/commands.def"
 #undef REPLAN_COMMAND
 
+  [[nodiscard]] std::vector<CellChange> real_changes(const std::vector<CellChange>& cells, const Mark* mark);
   Result<void> edit_cells(const std::vector<CellChange>& cells, bool announced, std::uint64_t stroke);
   void commit(std::string label, std::uint64_t stroke, Scenario changed);
   void replace(std::shared_ptr<const Scenario> scenario);
@@ -79,6 +85,9 @@ class Session {
   void rebase_runs(const std::shared_ptr<const Scenario>& scenario, std::size_t common);
   [[nodiscard]] std::shared_ptr<const Scenario> patched(const std::vector<CellChange>& cells,
                                                         const Scenario& rest) const;
+  [[nodiscard]] std::uint64_t document_state() const {
+    return undo_.empty() ? 0 : undo_.back().serial;
+  }
   void seek(std::size_t position);
   bool play(double seconds);
   void say(std::string line) {
@@ -92,7 +101,8 @@ class Session {
   Playback playback_;
   double owed_ = 0;     // seconds of play not yet shown
   bool follow_ = true;  // the cursor stays at the end of the log
-  std::int64_t edits_done_ = 0, saved_at_ = 0;
+  std::uint64_t serials_ = 0, saved_at_ = 0;
+  std::size_t scripted_ = 0;  // surprises that came with the scenario
   std::uint64_t revision_ = 1;
   std::vector<std::string> log_;
 };

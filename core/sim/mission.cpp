@@ -138,6 +138,7 @@ void Mission<T>::decide() {
     learn(std::move(seen));
     return;
   }
+  tr_.line(105);
   if (robot_ == goal_ && now_.route->status == PlanStatus::found) {
     now_.state = MissionState::arrived;
     tr_.note(EventKind::arrival, robot_);
@@ -159,13 +160,6 @@ std::size_t Mission<T>::due_surprise() const {
     if (std::hypot(at.near->x - robot.x, at.near->y - robot.y) <= at.within) return i;
   }
   return surprises_.size();
-}
-
-template <class T>
-bool Mission<T>::surprise_can_come() const {
-  for (std::size_t i = 0; i < surprises_.size(); ++i)
-    if (!now_.fired[i] && surprises_[i].at.move) return true;
-  return false;
 }
 
 template <class T>
@@ -228,29 +222,37 @@ void Mission<T>::learn(std::vector<CellEdit> edits) {
   now_.state = MissionState::planning;
 }
 
+// Nothing can change before the next scripted step, so the robot waits until then at once.
 template <class T>
 void Mission<T>::wait_for_change() {
-  if (now_.route->path.loops || !surprise_can_come()) {
-    now_.state = now_.route->path.loops ? MissionState::loop : MissionState::no_path;
-    tr_.note(EventKind::gave_up, robot_, static_cast<std::uint64_t>(now_.state));
+  std::int64_t next = -1;
+  for (std::size_t i = 0; i < surprises_.size(); ++i)
+    if (const auto& at = surprises_[i].at.move; at && !now_.fired[i] && (next < 0 || *at < next)) next = *at;
+  if (next < 0) {
+    give_up(MissionState::no_path);
     return;
   }
-  tr_.note(EventKind::waiting, robot_);
-  advance_clock();
+  tr_.note(EventKind::waiting, robot_, static_cast<std::uint64_t>(next - now_.clock));
+  advance_clock(next - now_.clock);
 }
 
 template <class T>
-void Mission<T>::advance_clock() {
+void Mission<T>::give_up(MissionState state) {
+  now_.state = state;
+  tr_.note(EventKind::gave_up, robot_, static_cast<std::uint64_t>(state));
+}
+
+template <class T>
+void Mission<T>::advance_clock(std::int64_t steps) {
   tr_.change(Scalar::moves, static_cast<std::uint64_t>(now_.clock),
-             static_cast<std::uint64_t>(now_.clock + 1));
-  ++now_.clock;
+             static_cast<std::uint64_t>(now_.clock + steps));
+  now_.clock += steps;
 }
 
 template <class T>
 void Mission<T>::drive() {
   if (now_.next >= now_.route->cells.size()) {  // a circle has been driven to its end
-    now_.state = MissionState::loop;
-    tr_.note(EventKind::gave_up, robot_, static_cast<std::uint64_t>(now_.state));
+    give_up(MissionState::loop);
     return;
   }
   enter(now_.route->cells[now_.next]);
@@ -273,7 +275,7 @@ void Mission<T>::enter(NodeId cell) {
   ++now_.figures.moves;
   ++now_.next;
   robot_ = cell;
-  advance_clock();
+  advance_clock(1);
 }
 
 template <class T>

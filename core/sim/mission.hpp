@@ -83,13 +83,13 @@ class Mission {
   void decide();
   [[nodiscard]] bool ended() const;
   [[nodiscard]] std::size_t due_surprise() const;
-  [[nodiscard]] bool surprise_can_come() const;
   void happen(std::size_t index);
   [[nodiscard]] std::vector<CellEdit> sense() const;
   void learn(std::vector<CellEdit> edits);
   void wait_for_change();
   void drive();
-  void advance_clock();
+  void give_up(MissionState state);
+  void advance_clock(std::int64_t steps);
   void enter(NodeId cell);
 
   T& tr_;

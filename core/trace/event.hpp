@@ -40,7 +40,7 @@ enum class EventKind : std::uint8_t {
   collision,   ///< the robot would have entered an obstacle at the node
   waiting,     ///< no path: the robot stays
   arrival,     ///< the robot stands on the goal
-  gave_up,     ///< the mission ends without arrival; payload: MissionEnd
+  gave_up,     ///< the mission ends without arrival; payload: MissionState
 };
 
 inline constexpr int kWideFields = 7;    ///< EventKind::g .. visit
@@ -49,18 +49,13 @@ inline constexpr int kValueKinds = kWideFields + kNarrowFields + 1;
 
 /// Values that belong to the run and not to a node.
 enum class Scalar : std::uint8_t {
-  km,
-  start,
-  last,
-  goal,
-  robot,
-  expansions,
-  moves,
+  km,     ///< raw Cost
+  start,  ///< the search's start, node + 1
+  last,   ///< s_last, node + 1
+  goal,   ///< node + 1
+  robot,  ///< node + 1
+  moves,  ///< the robot's clock: steps and waits
   replans,
-  phase,
-  script,
-  aim,
-  sum,
   count
 };
 

@@ -44,7 +44,9 @@ void Timeline::truncate(std::size_t size) {
   seek(size);
   head_ = state_;
   seek(back);
+  const std::size_t before = frames_.size();
   frames_.erase(frames_.upper_bound(size), frames_.end());
+  frame_bytes_ = frame_bytes_ * frames_.size() / before;  // an estimate, as in thin_out()
   chunks_.resize((size + kChunk - 1) / kChunk);
   if (size % kChunk != 0) chunks_.back().resize(size % kChunk);
   size_ = size;

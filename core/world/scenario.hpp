@@ -55,7 +55,7 @@ struct PlannerChoice {
 
 /// What a view of the scenario shows when it is opened. Not part of the run.
 struct ViewSetup {
-  std::vector<std::string> overlays;  ///< names as in scene/overlays.hpp
+  std::vector<std::string> overlays;  ///< ids as in core/scene/view.cpp
   std::optional<std::string> theme;   ///< "light" or "dark"
   struct Camera {
     double x = 0, y = 0;  ///< the cell coordinates in the middle of the view

@@ -173,6 +173,100 @@ TEST(Session, RandomCommandsGiveARunThatRepeatsFromItsScenario) {
   }
 }
 
+/// Runs the session to its end and a fresh one on its scenario: the logs must be equal.
+void expect_repeats(Session& session) {
+  run_to_end(session);
+  Session again(session.scenario());
+  run_to_end(again);
+  EXPECT_EQ(again.run().timeline().size(), session.run().timeline().size());
+  EXPECT_EQ(again.run().timeline().log_hash(), session.run().timeline().log_hash());
+}
+
+TEST(Session, TwoHiddenSurprisesAtOneStepRepeatFromTheScenario) {
+  Session session(wall_with_gap("dstar-lite"));
+  session.settle();
+  ASSERT_TRUE(session.apply(Step{StepUnit::move, 2}).ok());
+  ASSERT_TRUE(session.apply(DropSurprise{block(6, 5, 1, 3), 1}).ok());
+  session.settle();  // the robot sees the first before the second comes
+  ASSERT_TRUE(session.apply(DropSurprise{block(5, 9, 1, 3), 2}).ok());
+  expect_repeats(session);
+}
+
+TEST(Session, AnEditOfAnUnknownWorldRepeatsFromTheScenario) {
+  Scenario scenario = wall_with_gap("dld-star-lite");
+  scenario.robot.knowledge = Knowledge::nothing;
+  scenario.map.set({4, 8}, true);
+  Session session(scenario);
+  session.settle();
+  ASSERT_TRUE(session.apply(PaintCells{block(6, 6, 1, 3), 1}).ok());
+  EXPECT_EQ(session.to_save(), session.scenario());  // told of it, not of the map
+  expect_repeats(session);
+}
+
+TEST(Session, EditsAfterTheEndRepeatFromTheScenario) {
+  Session arrived(wall_with_gap("dstar-lite"));
+  run_to_end(arrived);
+  ASSERT_TRUE(arrived.apply(PaintCells{block(20, 6, 1, 3), 1}).ok());
+  expect_repeats(arrived);
+  Scenario closed = wall_with_gap("dstar-lite");
+  closed.map.set({12, 5}, true);
+  Session gave_up(closed);
+  run_to_end(gave_up);
+  ASSERT_TRUE(gave_up.apply(PaintCells{block(12, 9, 1, 2, false), 1}).ok());
+  expect_repeats(gave_up);
+}
+
+TEST(Session, SavingKeepsWhatWasErasedAfterASurprise) {
+  Session session(wall_with_gap("dstar-lite"));
+  session.settle();
+  ASSERT_TRUE(session.apply(DropSurprise{block(6, 5, 1, 1), 1}).ok());
+  ASSERT_TRUE(session.apply(PaintCells{block(6, 5, 1, 1, false), 2}).ok());
+  session.settle();
+  Session reopened(session.to_save());
+  run_to_end(reopened);
+  const auto& run = reopened.run();
+  EXPECT_FALSE(run.timeline().head().truly_blocked(run.lattice().node(Cell{6, 5})));
+}
+
+TEST(Session, KnowsWhetherItsDocumentIsSaved) {
+  Session session(wall_with_gap("dstar-lite"));
+  session.settle();
+  for (int part = 0; part < 3; ++part)
+    ASSERT_TRUE(session.apply(PaintCells{block(6 + part, 4, 1, 1), 7}).ok());
+  EXPECT_TRUE(session.modified());
+  ASSERT_TRUE(session.apply(Undo{}).ok());
+  EXPECT_FALSE(session.modified());  // one stroke, one undo
+  ASSERT_TRUE(session.apply(Redo{}).ok());
+  session.saved("x.json");
+  ASSERT_TRUE(session.apply(Undo{}).ok());
+  ASSERT_TRUE(session.apply(PaintCells{block(15, 4, 1, 1), 8}).ok());
+  EXPECT_TRUE(session.modified());  // as many edits as when saved, but others
+}
+
+TEST(Session, WaitingForAFarStepTakesNoTime) {
+  Scenario scenario = wall_with_gap("dstar-lite");
+  scenario.map.set({12, 5}, true);
+  scenario.surprises.push_back({.at = {.move = 1'000'000'000'000, .near = {}, .within = 0},
+                                .cells = block(12, 5, 1, 1, false),
+                                .announced = true});
+  Session session(scenario);
+  run_to_end(session);
+  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
+  EXPECT_GT(last_mark(session).clock, 1'000'000'000'000);
+}
+
+TEST(Session, PlayTakesUpACancelledPlan) {
+  Session session(wall_with_gap("dstar-lite"));
+  ASSERT_TRUE(session.apply(Cancel{}).ok());
+  ASSERT_TRUE(session.apply(Play{1}).ok());
+  ASSERT_TRUE(session.apply(SetSpeed{1e5}).ok());
+  for (int frame = 0; frame < 20000 && session.playback().direction != 0; ++frame) {
+    if (session.run().busy()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    session.update(0.05);
+  }
+  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
+}
+
 TEST(Session, NoPathIsAnAnswerAndTheRobotGoesOnWhenTheMapOpens) {
   Scenario scenario = wall_with_gap("dstar-lite");
   scenario.map.set({12, 5}, true);

@@ -11,8 +11,7 @@ constexpr const char* kInfinity = "∞";
 
 const char* scalar_name(NodeId scalar) {
   static constexpr std::array<const char*, static_cast<std::size_t>(Scalar::count)> kNames = {
-      "km",    "s_start", "s_last", "s_goal", "the robot", "expansions",
-      "moves", "replans", "phase",  "script", "aim",       "the sum"};
+      "km", "s_start", "s_last", "s_goal", "the robot", "moves", "replans"};
   return scalar < kNames.size() ? kNames[scalar] : "a value";
 }
 

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <imgui_internal.h>
+
 #include "core/scene/scene.hpp"
 #include "ui/icons.hpp"
+#include "ui/keys.hpp"
 #include "ui/shell/panels.hpp"
 
 namespace replan::ui {
@@ -38,6 +41,8 @@ void Shell::draw(const Look& look, Session& session, double) {
   Frame frame{look, session, view_, panels_, commands, wish};
   take_keys(frame);
   draw_parts(frame);
+  if (const std::string failure = session.failure(); !failure.empty() && message_.text.empty())
+    tell(failure, true);
   drawn_ = session.revision();
   const Decision decision = dialogs_.draw(look);
   take_commands(session, commands);
@@ -57,7 +62,11 @@ void Shell::take_keys(Frame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool elsewhere = dialogs_.open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   held_ = !elsewhere && key_is_held(io);
-  if (elsewhere) return;
+  if (elsewhere) {
+    // ImGui closes popups by Escape only together with its own keyboard navigation, which takes our keys.
+    if (!dialogs_.open() && ImGui::IsKeyPressed(key::kEscape, false)) ImGui::ClosePopupToLevel(0, true);
+    return;
+  }
   for (const ActionId id : pressed_actions(io)) perform(frame, id);
 }
 

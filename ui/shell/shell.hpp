@@ -35,6 +35,8 @@ class Shell {
   void show(const ViewSetup& view);
   /// What the window is about: "maze.json", with a mark if there are unsaved edits.
   [[nodiscard]] static std::string title(const Session& session);
+  /// The session's own words if they need characters that the fonts do not hold at first: for Stage::set_language().
+  [[nodiscard]] static std::string words(const Session& session);
   /// Opens a file; asks first if there are unsaved edits.
   void open(Session& session, const std::string& path);
   /// The user wants to close the window. True if it may close now; else the user is asked.

@@ -1,4 +1,6 @@
 // What the shell does with wishes and decisions: opening, saving, asking, and saying how it went.
+#include <algorithm>
+
 #include "core/base/file.hpp"
 #include "ui/shell/documents.hpp"
 #include "ui/shell/format.hpp"
@@ -129,6 +131,13 @@ void Shell::replace(Session& session, Scenario scenario, const std::string& file
   show(scenario.view);
   if (const Result<void> done = session.apply(ReplaceScenario{std::move(scenario), file}); !done)
     tell(done.error(), true);
+}
+
+std::string Shell::words(const Session& session) {
+  std::string words = session.scenario().name + session.scenario().caption + session.file();
+  // Bytes from 0xE3 on begin characters of East Asia and beyond; all below are in the fonts at any time.
+  const auto is_wide = [](char c) { return static_cast<unsigned char>(c) >= 0xE3; };
+  return std::any_of(words.begin(), words.end(), is_wide) ? words : "";
 }
 
 std::string Shell::title(const Session& session) {

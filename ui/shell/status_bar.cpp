@@ -152,7 +152,10 @@ void draw_status_bar(Frame& frame) {
   line.dot(verdict(look.theme, run));
   busy(frame, line);
   const replan::Mark* mark = run.mark_at(run.timeline().cursor());
-  if (mark != nullptr && mark->route->status == PlanStatus::found)
+  if (mark != nullptr && mark->state == MissionState::arrived)
+    line.pair("travelled", fixed(mark->figures.travelled, 1),
+              {"Travelled", "", "The way that the robot has driven, in cells."});
+  else if (mark != nullptr && mark->route->status == PlanStatus::found)
     line.pair(
         "path", fixed(path_length(run.lattice(), mark->route->path.nodes), 1),
         {"Path length", "", "Of the plan that stands, in cells, measured along its straight segments."});

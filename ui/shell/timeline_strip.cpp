@@ -59,6 +59,7 @@ void draw_curve(const Look& look, ImDrawList& list, const Run& run, const Scale&
     const double from = (x - scale.left) / (scale.right - scale.left);
     heights.push_back(column(curve, from, from + step / (scale.right - scale.left)));
   }
+  if (heights.empty()) return;  // no room for a curve
   const float highest = std::max(*std::max_element(heights.begin(), heights.end()), 1.0f);
   for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
     const float x = scale.left + static_cast<float>(i) * step;
