@@ -115,7 +115,10 @@ Result<void> Session::run_command(const Step& command) {
   Run& run = *runs_.front();
   for (int i = 0; i < std::abs(command.count); ++i) {
     const std::size_t cursor = run.timeline().cursor();
-    if (command.count > 0 && cursor == run.timeline().size() && !run.busy()) {
+    run.pump();
+    // A first plan goes on in the background; a repair is waited for.
+    const bool may_wait = !run.busy() || !run.marks().empty();
+    if (command.count > 0 && cursor == run.timeline().size() && may_wait) {
       const Mark* mark = run.mark_at(cursor);
       run.finish(command.unit == StepUnit::replan ? Target::end()
                                                   : Target::clock_at(mark == nullptr ? 0 : mark->clock + 1));

@@ -2,6 +2,7 @@
 #include "core/session/session.hpp"
 
 #include <chrono>
+#include <cstdio>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -131,6 +132,33 @@ INSTANTIATE_TEST_SUITE_P(Planners, SessionOf,
                            std::erase(name, '-');
                            return name;
                          });
+
+TEST(Session, ASurpriseOnTheDemoWorldIsRepairedSteppedBackAndForthWithEqualHashes) {
+  const auto demo = read_scenario(REPLAN_SOURCE_DIR "/maps/demo.json");
+  ASSERT_TRUE(demo.ok()) << demo.error();
+  Session session(*demo);
+  session.settle();
+  const auto& log = session.run().timeline();
+  const std::size_t planned_at = log.cursor();
+  const std::uint64_t planned = log.state().hash();
+  ASSERT_TRUE(
+      session.apply(DropSurprise{block(8, 12, 4, 2), 1}).ok());  // beside the start, on the path ahead
+  for (int moves = 0; last_mark(session).figures.replans == 0 && moves < 20; ++moves)
+    ASSERT_TRUE(session.apply(Step{StepUnit::move, 1}).ok());
+  session.settle();
+  ASSERT_TRUE(session.apply(Seek{log.size()}).ok());
+  EXPECT_GE(last_mark(session).figures.replans, 1);  // the sensor may see it piece by piece
+  const std::size_t repaired_at = log.cursor();
+  const std::uint64_t repaired = log.state().hash();
+  while (log.cursor() > planned_at) ASSERT_TRUE(session.apply(Step{StepUnit::expansion, -1}).ok());
+  std::printf("planned %016llx, back before the surprise %016llx; ", static_cast<unsigned long long>(planned),
+              static_cast<unsigned long long>(log.state().hash()));
+  EXPECT_EQ(log.state().hash(), planned);
+  while (log.cursor() < repaired_at) ASSERT_TRUE(session.apply(Step{StepUnit::line, 1}).ok());
+  std::printf("repaired %016llx, forward again %016llx\n", static_cast<unsigned long long>(repaired),
+              static_cast<unsigned long long>(log.state().hash()));
+  EXPECT_EQ(log.state().hash(), repaired);
+}
 
 TEST(Session, RandomCommandsGiveARunThatRepeatsFromItsScenario) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
