@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 // Loops over whole rows gain most from wide registers: the loader picks the best version that the machine
 // has.
@@ -94,15 +95,6 @@ void row_pass(const std::int32_t* parabola, std::int32_t* row, int width, Envelo
   if (largest(row, width) > (kScan + 1) * (kScan + 1)) envelope.run(parabola, row, width);
 }
 
-/// Lets a row see the three neighbours of each cell in the row beside it.
-REPLAN_WIDE void take_from_row(const Cost* beside, Cost* row, int width) {
-  constexpr std::int64_t straight = kStepCost[1].raw, diagonal = kStepCost[2].raw;
-  const auto better = [&](int x, std::int64_t offered) { row[x].raw = std::min(row[x].raw, offered); };
-  for (int x = 0; x < width; ++x) better(x, beside[x].raw + straight);
-  for (int x = 1; x < width; ++x) better(x, beside[x - 1].raw + diagonal);
-  for (int x = 0; x + 1 < width; ++x) better(x, beside[x + 1].raw + diagonal);
-}
-
 }  // namespace
 
 std::vector<std::int32_t> squared_distances(int width, int height, std::span<const std::uint8_t> blocked) {
@@ -126,20 +118,27 @@ std::vector<std::int32_t> squared_distances(int width, int height, std::span<con
 
 std::vector<Cost> chamfer_distances(int width, int height, std::span<const std::uint8_t> blocked) {
   const auto w = static_cast<std::size_t>(width), h = static_cast<std::size_t>(height);
-  std::vector<Cost> field(w * h, Cost::infinity());
-  for (std::size_t i = 0; i < field.size(); ++i)
-    if (blocked[i] != 0) field[i] = Cost::zero();
-  for (std::size_t y = 0; y < h; ++y) {
-    Cost* row = &field[y * w];
-    if (y > 0) take_from_row(row - w, row, width);
-    for (std::size_t x = 1; x < w; ++x) row[x] = std::min(row[x], row[x - 1] + kStepCost[1]);
-  }
-  for (std::size_t y = h; y-- > 0;) {
-    Cost* row = &field[y * w];
-    if (y + 1 < h) take_from_row(row + w, row, width);
-    for (std::size_t x = w - 1; x-- > 0;) row[x] = std::min(row[x], row[x + 1] + kStepCost[1]);
-  }
-  return field;
+  constexpr std::int64_t straight = kStepCost[1].raw, diagonal = kStepCost[2].raw;
+  std::vector<Cost> result(w * h);
+  // The row at hand and the one beside it, each with an infinitely far cell at both ends, so that the passes
+  // need not ask where the map ends.
+  std::vector<std::int64_t> first(w + 2, Cost::kInfinityRaw), second(first);
+  std::int64_t *row = first.data() + 1, *beside = second.data() + 1;
+  const auto from_beside = [&beside](std::size_t x) {
+    return std::min(beside[x] + straight, std::min(beside[x - 1], beside[x + 1]) + diagonal);
+  };
+  for (std::size_t y = 0; y < h; ++y, std::swap(row, beside))
+    for (std::size_t x = 0; x < w; ++x) {
+      row[x] = blocked[y * w + x] != 0 ? 0 : std::min(from_beside(x), row[x - 1] + straight);
+      result[y * w + x] = {row[x]};
+    }
+  std::fill(beside, beside + w, Cost::kInfinityRaw);
+  for (std::size_t y = h; y-- > 0; std::swap(row, beside))
+    for (std::size_t x = w; x-- > 0;) {
+      row[x] = std::min(result[y * w + x].raw, std::min(from_beside(x), row[x + 1] + straight));
+      result[y * w + x] = {std::min(row[x], Cost::kInfinityRaw)};
+    }
+  return result;
 }
 
 }  // namespace replan
