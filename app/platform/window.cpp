@@ -161,6 +161,24 @@ Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
   return window;
 }
 
+namespace {
+
+/// The size to open with, in screen coordinates: what the settings ask for at that scale, no larger than the
+/// display.
+std::pair<int, int> first_size(const WindowSettings& settings, float scale) {
+  int width = static_cast<int>(std::lround(static_cast<float>(settings.width) * scale));
+  int height = static_cast<int>(std::lround(static_cast<float>(settings.height) * scale));
+  if (GLFWmonitor* display = glfwGetPrimaryMonitor(); display != nullptr) {
+    int x = 0, y = 0, most_width = 0, most_height = 0;
+    glfwGetMonitorWorkarea(display, &x, &y, &most_width, &most_height);
+    if (most_width > 0) width = std::min(width, most_width);
+    if (most_height > 0) height = std::min(height, most_height);
+  }
+  return {width, height};
+}
+
+}  // namespace
+
 Result<void> Window::start(const WindowSettings& settings) {
   settings_ = settings;
   request_context();
@@ -168,7 +186,8 @@ Result<void> Window::start(const WindowSettings& settings) {
   const float wanted = settings.scale > 0 ? settings.scale : scale_from_environment();
   follow_display_scale_ = !(wanted > 0);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, follow_display_scale_ ? GLFW_TRUE : GLFW_FALSE);
-  window_ = glfwCreateWindow(settings.width, settings.height, settings.title.c_str(), nullptr, nullptr);
+  const auto [width, height] = first_size(settings, follow_display_scale_ ? 1 : wanted);
+  window_ = glfwCreateWindow(width, height, settings.title.c_str(), nullptr, nullptr);
   if (window_ == nullptr) return no_window();
   glfwSetWindowUserPointer(window_, this);
   glfwMakeContextCurrent(window_);
@@ -261,7 +280,11 @@ void Window::set_title(const std::string& title) {
 WindowSettings Window::state() const {
   WindowSettings now = settings_;
   now.maximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
-  if (!now.maximized) glfwGetWindowSize(window_, &now.width, &now.height);
+  if (now.maximized) return now;
+  glfwGetWindowSize(window_, &now.width, &now.height);
+  const float shrunk = pixel_ratio() / stage_->look().px.scale;
+  now.width = static_cast<int>(std::lround(static_cast<float>(now.width) * shrunk));
+  now.height = static_cast<int>(std::lround(static_cast<float>(now.height) * shrunk));
   return now;
 }
 
