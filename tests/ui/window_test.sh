@@ -44,6 +44,7 @@ JSON
 
 start_program() {
   rm -f "$scratch/state.json"
+  : >"$scratch/output"  # or the last program's first frame is taken for this one's
   REPLAN_TIMING=1 "$program" "$@" >"$scratch/output" 2>&1 &
   window=$!
   # The first frame is reported; a window without a manager needs the focus given to it.
