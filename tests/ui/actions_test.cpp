@@ -94,7 +94,7 @@ TEST_F(Keyboard, AKeyIsItsAction) {
 TEST_F(Keyboard, ModifiersMustMatchExactly) {
   ImGui::GetIO().KeyCtrl = true;
   EXPECT_EQ(press('S'), std::vector{ActionId::save});
-  ImGui::GetIO().KeysDown['S'] = false;
+  ImGui::GetIO().KeysDown[static_cast<int>('S')] = false;
   frame();
   ImGui::GetIO().KeyCtrl = false;
   EXPECT_EQ(press('S'), std::vector{ActionId::line_forward});
