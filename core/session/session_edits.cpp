@@ -13,6 +13,7 @@ std::shared_ptr<const Scenario> rest_of(const Scenario& scenario) {
   rest->map.width = scenario.map.width;
   rest->map.height = scenario.map.height;
   rest->map.resolution = scenario.map.resolution;
+  rest->map.origin = scenario.map.origin;
   rest->name = scenario.name;
   rest->caption = scenario.caption;
   rest->map_file = scenario.map_file;

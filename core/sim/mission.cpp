@@ -50,9 +50,12 @@ const char* mission_state_name(MissionState state) {
 }
 
 std::vector<std::uint8_t> initial_knowledge(const Scenario& scenario) {
-  if (scenario.robot.knowledge == Knowledge::nothing)
-    return std::vector<std::uint8_t>(scenario.map.blocked.size());
-  return scenario.map.blocked;
+  std::vector<std::uint8_t> known(scenario.map.blocked.size());
+  if (scenario.robot.knowledge == Knowledge::nothing) return known;
+  const bool all = scenario.robot.knowledge == Knowledge::all;
+  std::transform(scenario.map.blocked.begin(), scenario.map.blocked.end(), known.begin(),
+                 [all](std::uint8_t cell) { return cell == kObstacle || (all && cell == kUnmapped); });
+  return known;
 }
 
 template <class T>

@@ -1,6 +1,7 @@
 // A map of cells as read from a file, drawn or generated: the plain data that every reader and writer shares.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -15,12 +16,21 @@ struct CellChange {
   friend constexpr auto operator<=>(const CellChange&, const CellChange&) = default;
 };
 
-/// A rectangle of cells, row-major; nonzero = obstacle.
+/// What stands in a cell of a GridMap; whatever is not kFree is an obstacle in the world.
+inline constexpr std::uint8_t kFree = 0;
+inline constexpr std::uint8_t kObstacle = 1;
+/// An obstacle that nobody has mapped: the robot takes the cell for free until it senses it.
+inline constexpr std::uint8_t kUnmapped = 2;
+
+/// A rectangle of cells, row-major.
 struct GridMap {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> blocked;
+  std::vector<std::uint8_t> blocked;  ///< kFree, kObstacle or kUnmapped
   double resolution = 1;  ///< length of a cell's side; metres in ROS maps, 1 where the source says nothing
+  /// Pose of the lower left corner in the source's own frame (ROS): x and y in the resolution's unit, yaw in
+  /// radians.
+  std::array<double, 3> origin{};
 
   GridMap() = default;
   /// An all-free map.
@@ -34,7 +44,7 @@ struct GridMap {
     return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c.x);
   }
   [[nodiscard]] bool at(Cell c) const { return blocked[index(c)] != 0; }
-  void set(Cell c, bool value) { blocked[index(c)] = value ? 1 : 0; }
+  void set(Cell c, bool value) { blocked[index(c)] = value ? kObstacle : kFree; }
   friend bool operator==(const GridMap&, const GridMap&) = default;
 };
 

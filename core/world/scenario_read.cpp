@@ -22,6 +22,7 @@ constexpr double kMaxReach = 10'000;                   // cells
 constexpr double kMaxCamera = 1e9;                     // cells
 constexpr double kMinZoom = 0.001, kMaxZoom = 10'000;  // pixels per cell
 constexpr double kMinResolution = 1e-6, kMaxResolution = 1e6;
+constexpr double kMaxOrigin = 1e9;
 
 std::string shown(Cell cell) {
   return "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
@@ -63,18 +64,27 @@ class ScenarioReader {
   }
 
   void read_map_of(const JsonNode& node) {
-    if (!node.expect_object({"file", "rows", "resolution"})) return;
-    const auto file = node.find("file"), rows = node.find("rows"), resolution = node.find("resolution");
+    if (!node.expect_object({"file", "rows", "resolution", "origin"})) return;
+    const auto file = node.find("file"), rows = node.find("rows");
+    const auto resolution = node.find("resolution"), origin = node.find("origin");
     if (file.has_value() == rows.has_value()) return node.fail("needs either 'file' or 'rows'");
     if (rows) read_rows(*rows);
     if (rows && resolution) scenario_.map.resolution = resolution->number(kMinResolution, kMaxResolution);
+    if (rows && origin) read_origin(*origin);
     if (rows) return;
     if (resolution) return resolution->fail("goes with 'rows'; a map file has its own");
+    if (origin) return origin->fail("goes with 'rows'; a map file has its own");
     scenario_.map_file = file->text();
     if (scenario_.map_file.empty()) return file->fail("must name a file");
     Result<GridMap> map = replan::read_map((std::filesystem::path(folder_) / scenario_.map_file).string());
     if (!map) return file->fail(map.error());
     scenario_.map = std::move(map.value());
+  }
+
+  void read_origin(const JsonNode& node) {
+    const auto parts = node.items(3, 3, "a pose [x, y, yaw]");
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      scenario_.map.origin[i] = parts[i].number(-kMaxOrigin, kMaxOrigin);
   }
 
   void read_rows(const JsonNode& node) {
@@ -93,10 +103,12 @@ class ScenarioReader {
                             std::to_string(width));
       for (std::size_t x = 0; x < row.size(); ++x) {
         const MapLetter letter = map_letter(row[x]);
-        if (letter == MapLetter::unknown)
+        if (letter == MapLetter::unknown && row[x] != '?')
           return rows[y].fail("column " + std::to_string(x + 1) +
-                              ": unknown cell letter; known are . G S (free) and @ O T W (obstacle)");
-        map.set({static_cast<int>(x), static_cast<int>(y)}, letter == MapLetter::blocked);
+                              ": unknown cell letter; known are . G S (free), @ O T W (obstacle) and ? (an "
+                              "obstacle that is on nobody's map)");
+        const std::size_t cell = map.index({static_cast<int>(x), static_cast<int>(y)});
+        map.blocked[cell] = row[x] == '?' ? kUnmapped : letter == MapLetter::blocked ? kObstacle : kFree;
       }
     }
     scenario_.map = std::move(map);

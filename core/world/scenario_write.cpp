@@ -21,10 +21,13 @@ Json map_json(const Scenario& scenario) {
   Json& rows = map["rows"] = Json::array();
   for (int y = 0; y < scenario.map.height; ++y) {
     std::string row;
-    for (int x = 0; x < scenario.map.width; ++x) row += scenario.map.at({x, y}) ? '@' : '.';
+    for (int x = 0; x < scenario.map.width; ++x)
+      row += ".@?"[scenario.map.blocked[scenario.map.index({x, y})]];
     rows.push_back(std::move(row));
   }
   if (scenario.map.resolution != 1) map["resolution"] = plain_number(scenario.map.resolution);
+  if (scenario.map.origin != std::array<double, 3>{})
+    for (const double part : scenario.map.origin) map["origin"].push_back(plain_number(part));
   return map;
 }
 

@@ -194,7 +194,8 @@ TEST(Scenario, ErrorsNameLinePlaceAndMend) {
             "planners[0].settings.border: must be true or false, not \"yes\"");
   EXPECT_EQ(replaced(".@..", ".@"), "map.rows[1]: has 2 cells, the first row has 4");
   EXPECT_EQ(replaced(".@..", ".x.."),
-            "map.rows[1]: column 2: unknown cell letter; known are . G S (free) and @ O T W (obstacle)");
+            "map.rows[1]: column 2: unknown cell letter; known are . G S (free), @ O T W (obstacle) and ? (an "
+            "obstacle that is on nobody's map)");
 }
 
 TEST(Scenario, RefusesWhatIsOutOfPlace) {
