@@ -23,9 +23,27 @@ struct SetStart {
   Cell cell;
   std::uint64_t stroke = 0;
 };
+/// Once the robot has set out, the goal moves at its present step and the planner plans afresh from there.
 struct SetGoal {
   Cell cell;
   std::uint64_t stroke = 0;
+};
+/// Before the robot has set out this moves the start.
+struct PutRobot {
+  Cell cell;
+  std::uint64_t stroke = 0;
+};
+/// It appears at the robot's present step. The runs start afresh and go to where the robot was.
+struct AddMover {
+  MovingObstacle mover;
+};
+struct ChangeMover {
+  std::size_t index = 0;
+  MovingObstacle mover;
+  std::uint64_t stroke = 0;
+};
+struct RemoveMover {
+  std::size_t index = 0;
 };
 struct ChoosePlanner {
   std::size_t pane = 0;

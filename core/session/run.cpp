@@ -24,6 +24,8 @@ bool is_marker(EventKind kind) {
     case EventKind::waiting:
     case EventKind::arrival:
     case EventKind::gave_up:
+    case EventKind::new_goal:
+    case EventKind::put_down:
       return true;
     default:
       return false;
@@ -36,7 +38,7 @@ std::uint64_t next_log_id() {
 }
 
 SearchState initial_state(const Scenario& scenario) {
-  return SearchState(initial_knowledge(scenario), scenario.map.blocked);
+  return SearchState(initial_knowledge(scenario), initial_truth(scenario));
 }
 
 }  // namespace

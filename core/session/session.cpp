@@ -9,7 +9,8 @@ namespace {
 /// How many surprises two scenarios begin with in common, or nothing if a run cannot be carried over at all.
 std::optional<std::size_t> common_surprises(const Scenario& a, const Scenario& b) {
   const bool same_run = a.map == b.map && a.start == b.start && a.goal == b.goal &&
-                        a.planners == b.planners && a.robot == b.robot && a.seed == b.seed;
+                        a.planners == b.planners && a.robot == b.robot && a.movers == b.movers &&
+                        a.seed == b.seed;
   if (!same_run) return std::nullopt;
   const auto parted =
       std::mismatch(a.surprises.begin(), a.surprises.end(), b.surprises.begin(), b.surprises.end());

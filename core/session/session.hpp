@@ -63,12 +63,19 @@ class Session {
   void saved(const std::string& file);
 
  private:
-  /// An undoable change. The map is kept as its changed cells, the rest of the scenario whole.
+  /// A cell of the map, by its index, and what stands there (kFree, kObstacle, kUnmapped).
+  struct CellValue {
+    std::size_t cell;
+    std::uint8_t before, after;
+  };
+  /// An undoable change. The map is kept as its changed cells, or whole if its size changed; the rest of the
+  /// scenario whole.
   struct Edit {
     std::string label;
     std::uint64_t stroke = 0;
     std::uint64_t serial = 0;  ///< of the document's state after it
-    std::vector<CellChange> before, after;
+    std::vector<CellValue> cells;
+    std::vector<std::uint8_t> map_before, map_after;          // empty if the size stayed
     std::shared_ptr<const Scenario> rest_before, rest_after;  // without the map's cells
   };
 
@@ -83,8 +90,11 @@ class Session {
   void replace(std::shared_ptr<const Scenario> scenario);
   void restart_runs();
   void rebase_runs(const std::shared_ptr<const Scenario>& scenario, std::size_t common);
-  [[nodiscard]] std::shared_ptr<const Scenario> patched(const std::vector<CellChange>& cells,
-                                                        const Scenario& rest) const;
+  [[nodiscard]] std::shared_ptr<const Scenario> with_edit(const Edit& edit) const;
+  [[nodiscard]] std::shared_ptr<const Scenario> without_edit(const Edit& edit) const;
+  void commit_movers(std::string label, std::uint64_t stroke, std::vector<MovingObstacle> movers);
+  [[nodiscard]] bool under_way() const;
+  Result<void> edit_script(std::string label, std::uint64_t stroke, Surprise surprise);
   [[nodiscard]] std::uint64_t document_state() const {
     return undo_.empty() ? 0 : undo_.back().serial;
   }

@@ -9,34 +9,20 @@ namespace {
 
 /// The scenario without the cells of its map.
 std::shared_ptr<const Scenario> rest_of(const Scenario& scenario) {
-  auto rest = std::make_shared<Scenario>();
-  rest->map.width = scenario.map.width;
-  rest->map.height = scenario.map.height;
-  rest->map.resolution = scenario.map.resolution;
-  rest->map.origin = scenario.map.origin;
-  rest->name = scenario.name;
-  rest->caption = scenario.caption;
-  rest->map_file = scenario.map_file;
-  rest->start = scenario.start;
-  rest->goal = scenario.goal;
-  rest->planners = scenario.planners;
-  rest->robot = scenario.robot;
-  rest->surprises = scenario.surprises;
-  rest->view = scenario.view;
-  rest->seed = scenario.seed;
+  auto rest = std::make_shared<Scenario>(scenario);
+  rest->map.blocked = {};
   return rest;
 }
 
-/// Cells in which two maps of one size differ, as they are in `a` and as they are in `b`.
-void differences(const GridMap& a, const GridMap& b, std::vector<CellChange>& in_a,
-                 std::vector<CellChange>& in_b) {
-  for (int y = 0; y < a.height; ++y)
-    for (int x = 0; x < a.width; ++x) {
-      const Cell cell{x, y};
-      if (a.at(cell) == b.at(cell)) continue;
-      in_a.push_back({cell, a.at(cell)});
-      in_b.push_back({cell, b.at(cell)});
-    }
+Result<void> check_mover(const MovingObstacle& mover, const GridMap& map) {
+  if (mover.way.empty()) return Error{"a moving obstacle needs a way: draw at least one cell of it"};
+  for (const Cell corner : mover.way)
+    if (!map.contains(corner)) return Error{"the way of a moving obstacle must lie on the map"};
+  if (mover.width < 1 || mover.height < 1 || mover.width > kMaxMoverSide || mover.height > kMaxMoverSide)
+    return Error{"a moving obstacle has from 1 to " + std::to_string(kMaxMoverSide) + " cells each way"};
+  if (!(mover.speed >= kMinSpeed && mover.speed <= kMaxSpeed))
+    return Error{"a moving obstacle's speed lies between 0.01 and 1000 cells per second"};
+  return {};
 }
 
 std::string count_text(std::size_t count, const char* what) {
@@ -47,20 +33,25 @@ std::string count_text(std::size_t count, const char* what) {
 
 void Session::commit(std::string label, std::uint64_t stroke, Scenario changed) {
   Edit edit;
-  if (changed.map.width == scenario_->map.width && changed.map.height == scenario_->map.height)
-    differences(scenario_->map, changed.map, edit.before, edit.after);
+  const std::vector<std::uint8_t>&before = scenario_->map.blocked, &after = changed.map.blocked;
+  if (changed.map.width != scenario_->map.width || changed.map.height != scenario_->map.height) {
+    edit.map_before = before;
+    edit.map_after = after;
+  } else {
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (before[i] != after[i]) edit.cells.push_back({i, before[i], after[i]});
+  }
   edit.label = std::move(label);
   edit.stroke = stroke;
   edit.rest_before = rest_of(*scenario_);
   edit.rest_after = rest_of(changed);
   edit.serial = ++serials_;
   redo_.clear();
-  if (stroke != 0 && !undo_.empty() && undo_.back().stroke == stroke) {
+  if (stroke != 0 && !undo_.empty() && undo_.back().stroke == stroke && edit.map_before.empty()) {
     Edit& whole = undo_.back();
     whole.serial = edit.serial;
     whole.rest_after = edit.rest_after;
-    whole.before.insert(whole.before.begin(), edit.before.rbegin(), edit.before.rend());
-    whole.after.insert(whole.after.end(), edit.after.begin(), edit.after.end());
+    whole.cells.insert(whole.cells.end(), edit.cells.begin(), edit.cells.end());
   } else {
     say(edit.label);
     undo_.push_back(std::move(edit));
@@ -68,11 +59,19 @@ void Session::commit(std::string label, std::uint64_t stroke, Scenario changed) 
   replace(std::make_shared<const Scenario>(std::move(changed)));
 }
 
-std::shared_ptr<const Scenario> Session::patched(const std::vector<CellChange>& cells,
-                                                 const Scenario& rest) const {
-  auto scenario = std::make_shared<Scenario>(rest);
-  scenario->map = scenario_->map;
-  for (const CellChange& change : cells) scenario->map.set(change.cell, change.blocked);
+std::shared_ptr<const Scenario> Session::with_edit(const Edit& edit) const {
+  auto scenario = std::make_shared<Scenario>(*edit.rest_after);
+  scenario->map.blocked = edit.map_after.empty() ? scenario_->map.blocked : edit.map_after;
+  for (const CellValue& each : edit.cells) scenario->map.blocked[each.cell] = each.after;
+  return scenario;
+}
+
+std::shared_ptr<const Scenario> Session::without_edit(const Edit& edit) const {
+  auto scenario = std::make_shared<Scenario>(*edit.rest_before);
+  scenario->map.blocked = edit.map_before.empty() ? scenario_->map.blocked : edit.map_before;
+  // Backwards: a cell may have been written several times in one stroke.
+  for (auto each = edit.cells.rbegin(); each != edit.cells.rend(); ++each)
+    scenario->map.blocked[each->cell] = each->before;
   return scenario;
 }
 
@@ -81,7 +80,7 @@ Result<void> Session::run_command(const Undo&) {
   Edit edit = std::move(undo_.back());
   undo_.pop_back();
   say("undo: " + edit.label);
-  replace(patched(edit.before, *edit.rest_before));
+  replace(without_edit(edit));
   redo_.push_back(std::move(edit));
   return {};
 }
@@ -91,7 +90,7 @@ Result<void> Session::run_command(const Redo&) {
   Edit edit = std::move(redo_.back());
   redo_.pop_back();
   say("redo: " + edit.label);
-  replace(patched(edit.after, *edit.rest_after));
+  replace(with_edit(edit));
   undo_.push_back(std::move(edit));
   return {};
 }
@@ -112,7 +111,7 @@ std::vector<CellChange> Session::real_changes(const std::vector<CellChange>& cel
   std::vector<CellChange> real;
   for (const CellChange& change : cells) {
     const bool now = mark == nullptr ? scenario_->map.at(change.cell)
-                                     : run.timeline().state().truly_blocked(run.lattice().node(change.cell));
+                                     : run.timeline().state().wall(run.lattice().node(change.cell));
     if (now != change.blocked) real.push_back(change);
   }
   run.timeline().seek(cursor);
@@ -139,13 +138,40 @@ Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool anno
   Scenario changed = *scenario_;
   const std::string label = (announced ? real.front().blocked ? "paint " : "erase " : "surprise of ") +
                             count_text(real.size(), "cell");
-  if (mark == nullptr)
+  if (mark == nullptr) {
     for (const CellChange& change : real) changed.map.set(change.cell, change.blocked);
-  else
-    changed.surprises.push_back(
-        {.at = {.move = mark->clock, .near = {}, .within = 0}, .cells = real, .announced = announced});
+  } else {
+    Surprise& edit = changed.surprises.emplace_back();
+    edit.at.move = mark->clock;
+    edit.cells = real;
+    edit.announced = announced;
+  }
   commit(label, stroke, std::move(changed));
   return {};
+}
+
+/// Something that happens to the robot or its goal at its present step. Of a drag only the end counts.
+Result<void> Session::edit_script(std::string label, std::uint64_t stroke, Surprise surprise) {
+  Run& run = *runs_.front();
+  run.finish(Target::plan());
+  update(0);
+  Scenario changed = *scenario_;
+  const bool same_drag = stroke != 0 && !undo_.empty() && undo_.back().stroke == stroke;
+  if (same_drag && !changed.surprises.empty()) {
+    surprise.at.move = changed.surprises.back().at.move;
+    changed.surprises.pop_back();
+  } else {
+    surprise.at.move = run.mark_at(run.timeline().cursor())->clock;
+  }
+  changed.surprises.push_back(std::move(surprise));
+  commit(std::move(label), stroke, std::move(changed));
+  return {};
+}
+
+/// Whether the robot has set out at the cursor: what is moved now is moved on the way.
+bool Session::under_way() const {
+  const Mark* mark = run().mark_at(run().timeline().cursor());
+  return mark != nullptr && mark->clock > 0;
 }
 
 Result<void> Session::run_command(const SetStart& command) {
@@ -159,10 +185,67 @@ Result<void> Session::run_command(const SetStart& command) {
 
 Result<void> Session::run_command(const SetGoal& command) {
   if (!scenario_->map.contains(command.cell)) return Error{"the goal must lie on the map"};
+  if (under_way()) {
+    Surprise surprise;
+    surprise.goal = command.cell;
+    if (run().timeline().state().node(Scalar::goal) == run().lattice().node(command.cell)) return {};
+    return edit_script("move the goal on the way", command.stroke, std::move(surprise));
+  }
   if (command.cell == scenario_->goal) return {};
   Scenario changed = to_save();
   changed.goal = command.cell;
   commit("move the goal", command.stroke, std::move(changed));
+  return {};
+}
+
+Result<void> Session::run_command(const PutRobot& command) {
+  if (!scenario_->map.contains(command.cell)) return Error{"the robot must stand on the map"};
+  if (!under_way()) return run_command(SetStart{command.cell, command.stroke});
+  if (run().timeline().state().node(Scalar::robot) == run().lattice().node(command.cell)) return {};
+  Surprise surprise;
+  surprise.robot = command.cell;
+  return edit_script("put the robot elsewhere", command.stroke, std::move(surprise));
+}
+
+/// Moving obstacles belong to a run from its beginning, so the runs start afresh and go to where the robot
+/// was.
+void Session::commit_movers(std::string label, std::uint64_t stroke, std::vector<MovingObstacle> movers) {
+  const Mark* mark = run().mark_at(run().timeline().cursor());
+  const std::int64_t clock = mark == nullptr ? 0 : mark->clock;
+  Scenario changed = *scenario_;
+  changed.movers = std::move(movers);
+  commit(std::move(label), stroke, std::move(changed));
+  if (clock > 0)
+    for (const auto& each : runs_) each->go(Target::clock_at(clock));
+}
+
+Result<void> Session::run_command(const AddMover& command) {
+  if (const auto good = check_mover(command.mover, scenario_->map); !good) return good;
+  std::vector<MovingObstacle> movers = scenario_->movers;
+  if (movers.size() >= kMaxMovers)
+    return Error{"there are " + std::to_string(kMaxMovers) +
+                 " moving obstacles already, the most there can be"};
+  movers.push_back(command.mover);
+  if (const Mark* mark = run().mark_at(run().timeline().cursor())) movers.back().from = mark->clock;
+  commit_movers("add a moving obstacle", 0, std::move(movers));
+  return {};
+}
+
+Result<void> Session::run_command(const ChangeMover& command) {
+  if (const auto good = check_mover(command.mover, scenario_->map); !good) return good;
+  std::vector<MovingObstacle> movers = scenario_->movers;
+  if (command.index >= movers.size()) return Error{"there is no such moving obstacle"};
+  if (movers[command.index] == command.mover) return {};
+  movers[command.index] = command.mover;
+  commit_movers("change a moving obstacle", command.stroke, std::move(movers));
+  return {};
+}
+
+Result<void> Session::run_command(const RemoveMover& command) {
+  std::vector<MovingObstacle> movers = scenario_->movers;
+  if (command.index >= movers.size()) return Error{"there is no such moving obstacle"};
+  movers.erase(movers.begin() + static_cast<std::ptrdiff_t>(command.index));
+  commit_movers("remove a moving obstacle", 0, std::move(movers));
   return {};
 }
 
@@ -223,7 +306,9 @@ Scenario Session::to_save() const {
   for (std::size_t i = 0; i < folded.surprises.size(); ++i) {
     Surprise& surprise = folded.surprises[i];
     const bool before_start = surprise.at.near || surprise.at.move == 0;
-    if (first_of_all && before_start && surprise.announced && i >= scripted_ && surprise.at.move) {
+    const bool only_cells = !surprise.goal && !surprise.robot;
+    if (first_of_all && before_start && surprise.announced && only_cells && i >= scripted_ &&
+        surprise.at.move) {
       for (const CellChange& change : surprise.cells) folded.map.set(change.cell, change.blocked);
       continue;
     }

@@ -10,6 +10,9 @@
 namespace replan {
 namespace {
 
+/// The longest drive among moving obstacles that may block the way for ever, in simulated time.
+constexpr SimTime kLongestChase = 24 * 3600 * kSecond;
+
 class Stopwatch {
  public:
   explicit Stopwatch(double& milliseconds) : total_(milliseconds) {}
@@ -23,6 +26,11 @@ class Stopwatch {
   double& total_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
+
+Counters operator+(const Counters& a, const Counters& b) {
+  return {a.expansions + b.expansions, a.queue_operations + b.queue_operations,
+          a.sight_checks + b.sight_checks};
+}
 
 Counters operator-(const Counters& a, const Counters& b) {
   return {a.expansions - b.expansions, a.queue_operations - b.queue_operations,
@@ -66,15 +74,18 @@ Mission<T>::Mission(const Scenario& scenario, const PlannerChoice& choice, T& tr
       sight_rule_(static_cast<SightRule>(static_cast<int>(choice.settings.get(parameters::kSight)))),
       robot_setup_(scenario.robot),
       surprises_(scenario.surprises),
+      crowd_(scenario),
       known_({scenario.map.width, scenario.map.height}, initial_knowledge(scenario),
              move_rules(choice.settings)),
-      truth_(scenario.map.blocked),
+      truth_(initial_truth(scenario)),
       planner_(make_planner(*info_, known_, settings_, tr_)),
       start_(known_.node(scenario.start)),
       goal_(known_.node(scenario.goal)) {
   now_.state = MissionState::planning;
   now_.fired.resize(surprises_.size());
   now_.route = std::make_shared<const Route>();
+  now_.movers = crowd_.initial();
+  now_.sightings = std::make_shared<const std::vector<NodeId>>();
 }
 
 template <class T>
@@ -124,8 +135,8 @@ void Mission<T>::plan_stands() {
   const PlanStatus status = planner_->status();
   now_.route = std::make_shared<const Route>(lay_out(known_, planner_->path(), status, sight_rule_));
   now_.next = 0;
-  now_.figures.counters = planner_->counters();
-  now_.figures.last_plan = now_.figures.counters - before_plan_;
+  now_.figures.counters = now_.before_goal + planner_->counters();
+  now_.figures.last_plan = planner_->counters() - before_plan_;
   tr_.note(EventKind::plan_end, robot_, static_cast<std::uint64_t>(status));
   now_.state = MissionState::driving;
 }
@@ -137,12 +148,13 @@ void Mission<T>::decide() {
     happen(index);
     return;
   }
-  if (std::vector<CellEdit> seen = sense(); !seen.empty()) {
-    learn(std::move(seen));
+  if (const std::vector<CellEdit> seen = sense(); !seen.empty()) {
+    learn(seen, EventKind::sensed);
     return;
   }
   tr_.line(105);
   if (robot_ == goal_ && now_.route->status == PlanStatus::found) {
+    if (const auto step = next_scripted_step(true)) return wait_until(*step);
     now_.state = MissionState::arrived;
     tr_.note(EventKind::arrival, robot_);
   } else if (now_.route->path.nodes.empty()) {
@@ -171,16 +183,43 @@ void Mission<T>::happen(std::size_t index) {
   now_.fired[index] = true;
   tr_.line(108);
   tr_.note(EventKind::surprise, robot_, index);
+  const std::vector<CellEdit> told = write_cells(surprise);
+  if (surprise.robot) {
+    tr_.note(EventKind::put_down, known_.node(*surprise.robot));
+    put_robot(known_.node(*surprise.robot));
+  }
+  if (surprise.goal) {
+    goal_ = known_.node(*surprise.goal);
+    tr_.note(EventKind::new_goal, goal_);
+  }
+  if (!told.empty() || surprise.robot || surprise.goal)
+    learn(told, EventKind::sensed, surprise.goal.has_value());
+}
+
+/// Changes the world and returns what of it the robot is told.
+template <class T>
+std::vector<CellEdit> Mission<T>::write_cells(const Surprise& surprise) {
+  const bool is_told = surprise.announced || robot_setup_.knowledge == Knowledge::all;
   std::vector<CellEdit> told;
   for (const CellChange& change : surprise.cells) {
     const NodeId node = known_.node(change.cell);
-    const std::uint8_t value = change.blocked ? 1 : 0;
+    const auto value =
+        static_cast<std::uint8_t>((truth_[node] & ~kWallBit) | (change.blocked ? kWallBit : 0));
     tr_.change(EventKind::truth, node, truth_[node], std::uint64_t{value});
     truth_[node] = value;
-    const bool is_told = surprise.announced || robot_setup_.knowledge == Knowledge::all;
     if (is_told && known_.blocked(node) != change.blocked) told.push_back({node, change.blocked});
   }
-  if (!told.empty()) learn(std::move(told));
+  return told;
+}
+
+template <class T>
+bool Mission<T>::in_sight(NodeId node) const {
+  const Cell at = known_.position(robot_), cell = known_.position(node);
+  const int dx = cell.x - at.x, dy = cell.y - at.y;
+  if (std::abs(dx) <= 1 && std::abs(dy) <= 1) return true;
+  if (dx * dx + dy * dy > robot_setup_.sensor_radius * robot_setup_.sensor_radius) return false;
+  return !robot_setup_.sensor_blocked ||
+         walk_supercover(known_, robot_, node, [&](NodeId n, int) { return n == node || truth_[n] == 0; });
 }
 
 template <class T>
@@ -188,31 +227,24 @@ std::vector<CellEdit> Mission<T>::sense() const {
   std::vector<CellEdit> seen;
   const Cell at = known_.position(robot_);
   const int reach = std::max(1, static_cast<int>(robot_setup_.sensor_radius));
-  const double squared = robot_setup_.sensor_radius * robot_setup_.sensor_radius;
   for (int y = std::max(0, at.y - reach); y <= std::min(known_.height() - 1, at.y + reach); ++y)
     for (int x = std::max(0, at.x - reach); x <= std::min(known_.width() - 1, at.x + reach); ++x) {
       const NodeId node = known_.node(Cell{x, y});
-      const int dx = x - at.x, dy = y - at.y;
-      const bool felt = std::abs(dx) <= 1 && std::abs(dy) <= 1;
-      if (!felt && dx * dx + dy * dy > squared) continue;
       const bool blocked = truth_[node] != 0;
-      if (blocked == known_.blocked(node)) continue;
-      if (!felt && robot_setup_.sensor_blocked &&
-          !walk_supercover(known_, robot_, node, [&](NodeId n, int) { return n == node || truth_[n] == 0; }))
-        continue;
-      seen.push_back({node, blocked});
+      if (blocked != known_.blocked(node) && in_sight(node)) seen.push_back({node, blocked});
     }
   return seen;
 }
 
-// Lines 9-17.
+// Lines 9-17. With `afresh` the planner forgets what it has: the goal has moved.
 template <class T>
-void Mission<T>::learn(std::vector<CellEdit> edits) {
+void Mission<T>::learn(const std::vector<CellEdit>& edits, EventKind how, bool afresh) {
   tr_.line(108);
   for (const CellEdit& edit : edits) {
-    tr_.note(EventKind::sensed, edit.node, edit.blocked ? 1 : 0);
+    tr_.note(how, edit.node, edit.blocked ? 1 : 0);
     tr_.change(EventKind::known, edit.node, std::uint64_t{!edit.blocked}, std::uint64_t{edit.blocked});
   }
+  note_sightings(edits);
   before_plan_ = planner_->counters();
   ++now_.figures.replans;
   tr_.line(109);
@@ -221,22 +253,81 @@ void Mission<T>::learn(std::vector<CellEdit> edits) {
   tr_.note(EventKind::plan_begin, robot_, static_cast<std::uint64_t>(now_.figures.replans));
   const Stopwatch watch(now_.figures.replan_ms);
   const auto moves = known_.apply(edits);
-  planner_->update({.cells = edits, .moves = moves}, robot_);
+  if (afresh) {
+    now_.before_goal = now_.before_goal + planner_->counters();
+    before_plan_ = {};
+    planner_->begin(robot_, goal_);
+  } else {
+    planner_->update({.cells = edits, .moves = moves}, robot_);
+  }
   now_.state = MissionState::planning;
 }
 
-// Nothing can change before the next scripted step, so the robot waits until then at once.
+/// Keeps the list of cells that are taken for obstacles because something moved there.
+template <class T>
+void Mission<T>::note_sightings(const std::vector<CellEdit>& edits) {
+  if (crowd_.empty()) return;
+  auto sightings = std::make_shared<std::vector<NodeId>>(*now_.sightings);
+  for (const CellEdit& edit : edits) {
+    const auto place = std::lower_bound(sightings->begin(), sightings->end(), edit.node);
+    const bool listed = place != sightings->end() && *place == edit.node;
+    const bool moves = edit.blocked && (truth_[edit.node] & kWallBit) == 0;
+    if (moves && !listed) sightings->insert(place, edit.node);
+    if (!moves && listed) sightings->erase(place);
+  }
+  now_.sightings = std::move(sightings);
+}
+
+template <class T>
+std::vector<CellEdit> Mission<T>::lost_sightings() const {
+  std::vector<CellEdit> lost;
+  for (const NodeId node : *now_.sightings)
+    if (known_.blocked(node) && !in_sight(node)) lost.push_back({node, false});
+  return lost;
+}
+
+template <class T>
+std::optional<std::int64_t> Mission<T>::next_scripted_step(bool only_goals) const {
+  std::optional<std::int64_t> next;
+  for (std::size_t i = 0; i < surprises_.size(); ++i)
+    if (const auto& at = surprises_[i].at.move; at && !now_.fired[i] && (surprises_[i].goal || !only_goals))
+      next = std::min(next.value_or(*at), *at);
+  return next;
+}
+
 template <class T>
 void Mission<T>::wait_for_change() {
-  std::int64_t next = -1;
-  for (std::size_t i = 0; i < surprises_.size(); ++i)
-    if (const auto& at = surprises_[i].at.move; at && !now_.fired[i] && (next < 0 || *at < next)) next = *at;
-  if (next < 0) {
+  if (!crowd_.empty()) return wait_for_movers();
+  const auto next = next_scripted_step(false);
+  if (next)
+    wait_until(*next);
+  else
     give_up(MissionState::no_path);
-    return;
+}
+
+template <class T>
+void Mission<T>::wait_for_movers() {
+  if (now_.waited >= now_.forgets_after) {
+    if (const std::vector<CellEdit> lost = lost_sightings(); !lost.empty()) {
+      now_.forgets_after *= 2;
+      learn(lost, EventKind::forgotten);
+      return;
+    }
   }
-  tr_.note(EventKind::waiting, robot_, static_cast<std::uint64_t>(next - now_.clock));
-  advance_clock(next - now_.clock);
+  const auto patience = std::llround(robot_setup_.patience * static_cast<double>(kSecond));
+  const bool too_long = now_.waited >= patience || now_.time > kLongestChase;
+  if (too_long && !next_scripted_step(false)) return give_up(MissionState::no_path);
+  now_.waited += step_time(1);
+  wait_until(now_.clock + 1);
+}
+
+/// Where nothing moves nothing can change before the next scripted step, so the robot waits until then at
+/// once.
+template <class T>
+void Mission<T>::wait_until(std::int64_t clock) {
+  const std::int64_t steps = crowd_.empty() ? clock - now_.clock : 1;
+  tr_.note(EventKind::waiting, robot_, static_cast<std::uint64_t>(steps));
+  advance_clock(steps, steps * step_time(1), robot_);
 }
 
 template <class T>
@@ -246,10 +337,26 @@ void Mission<T>::give_up(MissionState state) {
 }
 
 template <class T>
-void Mission<T>::advance_clock(std::int64_t steps) {
+SimTime Mission<T>::step_time(double way) const {
+  const double length = robot_setup_.motion == Motion::smooth ? way : 1;
+  return std::llround(static_cast<double>(kSecond) * length / robot_setup_.speed);
+}
+
+/// Lets time go by while the robot goes over from the cell `left`.
+template <class T>
+void Mission<T>::advance_clock(std::int64_t steps, SimTime time, NodeId left) {
   tr_.change(Scalar::moves, static_cast<std::uint64_t>(now_.clock),
              static_cast<std::uint64_t>(now_.clock + steps));
   now_.clock += steps;
+  now_.time += time;
+  if (crowd_.empty()) return;
+  const Cell keep_clear[] = {known_.position(robot_), known_.position(left)};
+  for (const Crowd::Change& change : crowd_.advance(now_.movers, now_.time, now_.clock, keep_clear)) {
+    const NodeId node = known_.node(change.cell);
+    const auto value = static_cast<std::uint8_t>(truth_[node] + change.by * kMoverUnit);
+    tr_.change(EventKind::truth, node, truth_[node], std::uint64_t{value});
+    truth_[node] = value;
+  }
 }
 
 template <class T>
@@ -272,13 +379,21 @@ void Mission<T>::enter(NodeId cell) {
     return;
   }
   tr_.note(EventKind::move, cell);
-  tr_.change(Scalar::robot, std::uint64_t{robot_ + 1u}, std::uint64_t{cell + 1u});
+  const NodeId left = robot_;
+  put_robot(cell);
   const double before = now_.next == 0 ? 0 : now_.route->along[now_.next - 1];
-  now_.figures.travelled += now_.route->along[now_.next] - before;
+  const double way = now_.route->along[now_.next] - before;
+  now_.figures.travelled += way;
   ++now_.figures.moves;
   ++now_.next;
+  now_.waited = 0;
+  advance_clock(1, step_time(way), left);
+}
+
+template <class T>
+void Mission<T>::put_robot(NodeId cell) {
+  tr_.change(Scalar::robot, std::uint64_t{robot_ + 1u}, std::uint64_t{cell + 1u});
   robot_ = cell;
-  advance_clock(1);
 }
 
 template <class T>
@@ -294,12 +409,13 @@ void Mission<T>::restore(const Mark& mark, const SearchState& state) {
   std::vector<std::uint8_t> known(truth_.size());
   for (NodeId node = 0; node < truth_.size(); ++node) {
     known[node] = state.known_blocked(node) ? 1 : 0;
-    truth_[node] = state.truly_blocked(node) ? 1 : 0;
+    truth_[node] = static_cast<std::uint8_t>(state.value(EventKind::truth, node));
   }
   known_ = Grid2(known_.size(), std::move(known), known_.rules());
   planner_ = make_planner(*info_, known_, settings_, tr_);
-  planner_->restore(state, mark.figures.counters);
+  planner_->restore(state, mark.figures.counters - mark.before_goal);
   robot_ = state.node(Scalar::robot);
+  goal_ = state.node(Scalar::goal);
   begun_ = true;
 }
 

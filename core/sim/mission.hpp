@@ -3,10 +3,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/lattice/box_lattice.hpp"
 #include "core/plan/registry.hpp"
+#include "core/sim/mover.hpp"
 #include "core/sim/route.hpp"
 #include "core/world/scenario.hpp"
 
@@ -41,14 +43,27 @@ struct MissionFigures {
 struct Mark {
   std::size_t event = 0;    ///< position in the event log
   std::int64_t clock = 0;   ///< steps of the robot: moves, and waits while there is no path
+  SimTime time = 0;         ///< that these took
   std::vector<bool> fired;  ///< which surprises have happened
   MissionState state = MissionState::driving;
   MissionFigures figures;
+  Counters before_goal;  ///< of the figures' counters: the planner's work for earlier goals
   std::shared_ptr<const Route> route;
   std::size_t next = 0;  ///< the route's cell that the robot enters next
+  std::vector<MoverState> movers;
+  /// Cells that the robot holds for obstacles because it saw something moving there; in order.
+  std::shared_ptr<const std::vector<NodeId>> sightings;
+  SimTime waited = 0;               ///< since the robot's last move
+  SimTime forgets_after = kSecond;  ///< so much waiting it forgets the sightings that are out of sight
 };
 
 /// One mission with one planner. T is NoTrace or Recorder.
+///
+/// What moves: obstacles wait for the robot rather than run into it or the cell that it is leaving. The robot
+/// remembers where it saw them. Where that leaves it without a path it waits, looking around after every
+/// step; after a second, then after twice as long each time, it forgets the sightings out of its sight and
+/// plans again; when it has waited as long as its patience lasts and nothing scripted is to come, it gives
+/// up.
 template <class T>
 class Mission {
  public:
@@ -84,12 +99,21 @@ class Mission {
   [[nodiscard]] bool ended() const;
   [[nodiscard]] std::size_t due_surprise() const;
   void happen(std::size_t index);
+  [[nodiscard]] std::vector<CellEdit> write_cells(const Surprise& surprise);
   [[nodiscard]] std::vector<CellEdit> sense() const;
-  void learn(std::vector<CellEdit> edits);
+  [[nodiscard]] bool in_sight(NodeId node) const;
+  void learn(const std::vector<CellEdit>& edits, EventKind how, bool afresh = false);
+  void note_sightings(const std::vector<CellEdit>& edits);
+  [[nodiscard]] std::vector<CellEdit> lost_sightings() const;
+  [[nodiscard]] std::optional<std::int64_t> next_scripted_step(bool only_goals) const;
   void wait_for_change();
+  void wait_for_movers();
+  void wait_until(std::int64_t clock);
   void drive();
   void give_up(MissionState state);
-  void advance_clock(std::int64_t steps);
+  void advance_clock(std::int64_t steps, SimTime time, NodeId left);
+  [[nodiscard]] SimTime step_time(double way) const;
+  void put_robot(NodeId cell);
   void enter(NodeId cell);
 
   T& tr_;
@@ -98,8 +122,9 @@ class Mission {
   SightRule sight_rule_ = SightRule::supercover;
   RobotSetup robot_setup_;
   std::vector<Surprise> surprises_;
+  Crowd crowd_;
   Grid2 known_;
-  std::vector<std::uint8_t> truth_;
+  std::vector<std::uint8_t> truth_;  // as EventKind::truth holds it
   std::unique_ptr<Planner<Grid2>> planner_;
   NodeId start_ = kNoNode, goal_ = kNoNode, robot_ = kNoNode;
   bool begun_ = false;

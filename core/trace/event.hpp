@@ -24,7 +24,7 @@ enum class EventKind : std::uint8_t {
   visit,  ///< low word: number of the latest expansion; high word: times expanded
   // Values per node, 8 bits wide
   known,  ///< obstacle on the robot's map
-  truth,  ///< obstacle in the world
+  truth,  ///< what stands in the world: bit 0 a wall, the rest counts the moving obstacles there
   // Values of the run; the node field holds the Scalar
   scalar,
   // What happened; `delta` is a payload
@@ -41,6 +41,9 @@ enum class EventKind : std::uint8_t {
   waiting,     ///< no path: the robot stays
   arrival,     ///< the robot stands on the goal
   gave_up,     ///< the mission ends without arrival; payload: MissionState
+  new_goal,    ///< the robot has to go to the node from now on
+  put_down,    ///< somebody puts the robot down at the node
+  forgotten,   ///< the robot no longer counts on an obstacle that moved when it last saw it
 };
 
 inline constexpr int kWideFields = 7;    ///< EventKind::g .. visit

@@ -18,7 +18,7 @@ SearchState::SearchState(std::span<const std::uint8_t> known, std::span<const st
     : SearchState(known.size()) {
   for (std::size_t n = 0; n < known.size(); ++n) {
     if (known[n] != 0) narrow_[0].at(n) = 1;
-    if (truth[n] != 0) narrow_[1].at(n) = 1;
+    if (truth[n] != 0) narrow_[1].at(n) = truth[n];
   }
 }
 

@@ -19,7 +19,8 @@ class SearchState {
   SearchState() = default;
   /// The state before the first event of a run over `nodes` nodes: nothing known, all costs infinite.
   explicit SearchState(std::size_t nodes);
-  /// As above, with the robot's map and the world as they are before the run.
+  /// As above, with the robot's map (nonzero = obstacle) and the world (as EventKind::truth holds it) before
+  /// the run.
   SearchState(std::span<const std::uint8_t> known, std::span<const std::uint8_t> truth);
 
   [[nodiscard]] std::size_t node_count() const { return narrow_[0].size(); }
@@ -54,6 +55,9 @@ class SearchState {
   }
   [[nodiscard]] bool known_blocked(NodeId n) const { return narrow_[0][n] != 0; }
   [[nodiscard]] bool truly_blocked(NodeId n) const { return narrow_[1][n] != 0; }
+  /// Whether a wall stands there, whatever moves over it, and whether something that moves is there.
+  [[nodiscard]] bool wall(NodeId n) const { return (narrow_[1][n] & 1) != 0; }
+  [[nodiscard]] bool moving(NodeId n) const { return narrow_[1][n] > 1; }
   [[nodiscard]] std::uint64_t scalar(Scalar which) const { return scalars_[static_cast<std::size_t>(which)]; }
   [[nodiscard]] Cost km() const { return {static_cast<std::int64_t>(scalar(Scalar::km))}; }
   /// Nodes held by scalars (start, goal, robot ...); kNoNode while unset.

@@ -20,12 +20,40 @@ enum class Knowledge : std::uint8_t {
   nothing,  ///< an empty map; every obstacle only when sensed
 };
 
+/// How the robot gets from cell to cell.
+enum class Motion : std::uint8_t {
+  steps,   ///< every step takes 1 / speed seconds, straight or diagonal
+  smooth,  ///< at a steady speed along the plan: a step takes as long as its way
+};
+
 /// The robot and its sensor.
 struct RobotSetup {
   Knowledge knowledge = Knowledge::map;
   double sensor_radius = 6;     ///< cells, centre to centre; the 8 cells around the robot are always felt
   bool sensor_blocked = false;  ///< obstacles hide what is behind them
+  Motion motion = Motion::steps;
+  double speed = 4;      ///< cells per second
+  double patience = 60;  ///< seconds that it waits for obstacles to move out of its way before it gives up
   friend bool operator==(const RobotSetup&, const RobotSetup&) = default;
+};
+
+/// What a moving obstacle does at the end of its way.
+enum class WayEnd : std::uint8_t {
+  back,  ///< goes back the way it came, and so on
+  loop,  ///< goes straight to the way's beginning, and so on
+  stop,  ///< stays there
+};
+
+/// A box of cells that moves along a drawn way. The robot knows of it only what its sensor sees. Walls do not
+/// stop it; for the robot it waits.
+struct MovingObstacle {
+  std::vector<Cell> way;  ///< corners for its upper left cell, which goes in straight lines; at least one
+  int width = 1;          ///< cells; what lies outside the world is not there
+  int height = 1;
+  double speed = 2;  ///< cells per second; a diagonal step takes as long as a straight one
+  WayEnd at_end = WayEnd::back;
+  std::int64_t from = 0;  ///< step of the robot at which it appears
+  friend bool operator==(const MovingObstacle&, const MovingObstacle&) = default;
 };
 
 /// When a scripted change happens. Exactly one of the two is set. Of several changes that are due at once the
@@ -38,11 +66,13 @@ struct Trigger {
   friend bool operator==(const Trigger&, const Trigger&) = default;
 };
 
-/// Cells that appear or disappear while the run goes on.
+/// What happens while the run goes on: cells appear or disappear, the goal or the robot is put elsewhere.
 struct Surprise {
   Trigger at;
   std::vector<CellChange> cells;  ///< row-major, each cell once
-  bool announced = false;         ///< the robot is told at once; else it has to see it
+  bool announced = false;         ///< the robot is told of the cells at once; else it has to see them
+  std::optional<Cell> goal = {};   ///< where it has to go from now on: it plans afresh
+  std::optional<Cell> robot = {};  ///< where somebody puts it down
   friend bool operator==(const Surprise&, const Surprise&) = default;
 };
 
@@ -66,6 +96,12 @@ struct ViewSetup {
   friend bool operator==(const ViewSetup&, const ViewSetup&) = default;
 };
 
+/// The most moving obstacles of a scenario, and the longest side of one.
+inline constexpr std::size_t kMaxMovers = 100;
+inline constexpr int kMaxMoverSide = 64;
+/// Limits of a robot's and a moving obstacle's speed, in cells per second.
+inline constexpr double kMinSpeed = 0.01, kMaxSpeed = 1000;
+
 struct Scenario {
   std::string name;
   std::string caption;
@@ -76,6 +112,7 @@ struct Scenario {
   std::vector<PlannerChoice> planners;  ///< at least one
   RobotSetup robot;
   std::vector<Surprise> surprises;
+  std::vector<MovingObstacle> movers;
   ViewSetup view;
   std::uint64_t seed = 1;
   friend bool operator==(const Scenario&, const Scenario&) = default;

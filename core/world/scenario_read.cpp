@@ -19,6 +19,8 @@ constexpr std::size_t kMaxListed = std::size_t{1} << 22;  // cells in all surpri
 constexpr std::size_t kMaxPlanners = 16;
 constexpr std::int64_t kMaxCount = 1'000'000'000'000;  // steps of the robot
 constexpr double kMaxReach = 10'000;                   // cells
+constexpr double kMaxPatience = 86'400;                // seconds
+constexpr std::size_t kMaxWay = 1000;                  // corners
 constexpr double kMaxCamera = 1e9;                     // cells
 constexpr double kMinZoom = 0.001, kMaxZoom = 10'000;  // pixels per cell
 constexpr double kMinResolution = 1e-6, kMaxResolution = 1e6;
@@ -36,7 +38,7 @@ class ScenarioReader {
   Scenario read() {
     check_version();
     if (!root_.expect_object({"replan", "name", "caption", "map", "start", "goal", "planners", "robot",
-                              "surprises", "view", "seed"}))
+                              "surprises", "movers", "view", "seed"}))
       return {};
     if (const auto node = root_.find("name")) scenario_.name = node->text();
     if (const auto node = root_.find("caption")) scenario_.caption = node->text();
@@ -50,6 +52,9 @@ class ScenarioReader {
     if (const auto node = root_.find("robot")) read_robot(*node);
     if (const auto node = root_.find("surprises"))
       for (const JsonNode& item : node->items(0, kMaxListed, "a list")) read_surprise(item);
+    if (const auto node = root_.find("movers"))
+      for (const JsonNode& item : node->items(0, kMaxMovers, "a list of at most 100 moving obstacles"))
+        read_mover(item);
     if (const auto node = root_.find("view")) read_view(*node);
     if (const auto node = root_.find("seed")) scenario_.seed = seed(*node);
     return std::move(scenario_);
@@ -164,20 +169,48 @@ class ScenarioReader {
   }
 
   void read_robot(const JsonNode& node) {
-    if (!node.expect_object({"knowledge", "sensor_radius", "sensor_blocked"})) return;
+    if (!node.expect_object({"knowledge", "sensor_radius", "sensor_blocked", "motion", "speed", "patience"}))
+      return;
     RobotSetup& robot = scenario_.robot;
     if (const auto item = node.find("knowledge"))
       robot.knowledge = static_cast<Knowledge>(item->one_of({"all", "map", "nothing"}));
     if (const auto item = node.find("sensor_radius")) robot.sensor_radius = item->number(0, kMaxReach);
     if (const auto item = node.find("sensor_blocked")) robot.sensor_blocked = item->toggle();
+    if (const auto item = node.find("motion"))
+      robot.motion = static_cast<Motion>(item->one_of({"steps", "smooth"}));
+    if (const auto item = node.find("speed")) robot.speed = item->number(kMinSpeed, kMaxSpeed);
+    if (const auto item = node.find("patience")) robot.patience = item->number(0, kMaxPatience);
+  }
+
+  void read_mover(const JsonNode& node) {
+    if (!node.expect_object({"way", "size", "speed", "at_end", "from"})) return;
+    MovingObstacle mover;
+    if (const auto way = node.require("way"))
+      for (const JsonNode& item : way->items(1, kMaxWay, "a list of 1 to 1000 cells [x, y]"))
+        mover.way.push_back(cell(item));
+    if (const auto size = node.find("size")) {
+      const auto parts = size->items(2, 2, "a size [width, height]");
+      if (parts.empty()) return;
+      mover.width = static_cast<int>(parts[0].whole(1, kMaxMoverSide));
+      mover.height = static_cast<int>(parts[1].whole(1, kMaxMoverSide));
+    }
+    if (const auto speed = node.find("speed")) mover.speed = speed->number(kMinSpeed, kMaxSpeed);
+    if (const auto at_end = node.find("at_end"))
+      mover.at_end = static_cast<WayEnd>(at_end->one_of({"back", "loop", "stop"}));
+    if (const auto from = node.find("from")) mover.from = from->whole(0, kMaxCount);
+    scenario_.movers.push_back(std::move(mover));
   }
 
   void read_surprise(const JsonNode& node) {
-    if (!node.expect_object({"at", "add", "remove", "announced"})) return;
+    if (!node.expect_object({"at", "add", "remove", "announced", "goal", "robot"})) return;
     Surprise surprise;
     if (const auto at = node.require("at")) surprise.at = trigger(*at);
     const auto add = node.find("add"), removed = node.find("remove");
-    if (!add && !removed) return node.fail("changes nothing: give 'add' or 'remove'");
+    const auto goal = node.find("goal"), robot = node.find("robot");
+    if (!add && !removed && !goal && !robot)
+      return node.fail("changes nothing: give 'add', 'remove', 'goal' or 'robot'");
+    if (goal) surprise.goal = cell(*goal);
+    if (robot) surprise.robot = cell(*robot);
     if (add) read_cells(*add, true, surprise.cells);
     if (removed) read_cells(*removed, false, surprise.cells);
     tidy(node, surprise.cells);

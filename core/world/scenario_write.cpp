@@ -90,17 +90,36 @@ Json surprise_json(const Surprise& surprise) {
   std::vector<Cell> added, removed;
   for (const CellChange& change : surprise.cells) (change.blocked ? added : removed).push_back(change.cell);
   Json result = {{"at", std::move(at)}};
-  if (!added.empty() || removed.empty()) result["add"] = cells_json(std::move(added));
+  const bool nothing_else = removed.empty() && !surprise.goal && !surprise.robot;
+  if (!added.empty() || nothing_else) result["add"] = cells_json(std::move(added));
   if (!removed.empty()) result["remove"] = cells_json(std::move(removed));
   if (surprise.announced) result["announced"] = true;
+  if (surprise.goal) result["goal"] = cell_json(*surprise.goal);
+  if (surprise.robot) result["robot"] = cell_json(*surprise.robot);
+  return result;
+}
+
+Json mover_json(const MovingObstacle& mover) {
+  constexpr const char* kAtEnd[] = {"back", "loop", "stop"};
+  Json result = Json::object();
+  for (const Cell corner : mover.way) result["way"].push_back(cell_json(corner));
+  if (mover.width != 1 || mover.height != 1) result["size"] = {mover.width, mover.height};
+  result["speed"] = plain_number(mover.speed);
+  result["at_end"] = kAtEnd[static_cast<std::size_t>(mover.at_end)];
+  if (mover.from != 0) result["from"] = mover.from;
   return result;
 }
 
 Json robot_json(const RobotSetup& robot) {
   constexpr const char* kKnowledge[] = {"all", "map", "nothing"};
-  return {{"knowledge", kKnowledge[static_cast<std::size_t>(robot.knowledge)]},
-          {"sensor_radius", plain_number(robot.sensor_radius)},
-          {"sensor_blocked", robot.sensor_blocked}};
+  Json result = {{"knowledge", kKnowledge[static_cast<std::size_t>(robot.knowledge)]},
+                 {"sensor_radius", plain_number(robot.sensor_radius)},
+                 {"sensor_blocked", robot.sensor_blocked}};
+  const RobotSetup usual;
+  if (robot.motion != usual.motion) result["motion"] = robot.motion == Motion::smooth ? "smooth" : "steps";
+  if (robot.speed != usual.speed) result["speed"] = plain_number(robot.speed);
+  if (robot.patience != usual.patience) result["patience"] = plain_number(robot.patience);
+  return result;
 }
 
 Json view_json(const ViewSetup& view) {
@@ -128,6 +147,7 @@ std::string scenario_text(const Scenario& scenario) {
   document["robot"] = robot_json(scenario.robot);
   for (const Surprise& surprise : scenario.surprises)
     document["surprises"].push_back(surprise_json(surprise));
+  for (const MovingObstacle& mover : scenario.movers) document["movers"].push_back(mover_json(mover));
   if (scenario.view != ViewSetup{}) document["view"] = view_json(scenario.view);
   document["seed"] = scenario.seed;
   return pretty_json(document);

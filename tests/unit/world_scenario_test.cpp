@@ -22,15 +22,18 @@ const std::string kSource = REPLAN_SOURCE_DIR;
 json full_document() {
   return json::parse(R"({
     "replan": 1, "name": "n", "caption": "c",
-    "map": {"rows": ["....", ".@..", "...."], "resolution": 0.05},
+    "map": {"rows": ["....", ".@..", "...?"], "resolution": 0.05, "origin": [-10, 2.5, 0.1]},
     "start": [0, 0], "goal": [3, 2],
     "planners": [{"id": "dld-star-lite", "settings": {"heuristic": "euclidean", "range": 2.5, "border": true}},
                  {"id": "dstar-lite"}],
-    "robot": {"knowledge": "nothing", "sensor_radius": 4.5, "sensor_blocked": true},
+    "robot": {"knowledge": "nothing", "sensor_radius": 4.5, "sensor_blocked": true,
+              "motion": "smooth", "speed": 2.5, "patience": 10},
     "surprises": [
       {"at": {"move": 12}, "add": {"cells": [[2, 0]], "rectangles": [[2, 1, 2, 2]]}, "announced": true},
       {"at": {"move": 0}, "remove": {"cells": [[1, 1]]}},
-      {"at": {"near": [1, 0], "within": 5}, "add": {"rectangles": []}, "remove": {"rectangles": [[0, 0, 1, 1]]}}],
+      {"at": {"near": [1, 0], "within": 5}, "add": {"rectangles": []}, "remove": {"rectangles": [[0, 0, 1, 1]]}},
+      {"at": {"move": 20}, "goal": [0, 2], "robot": [3, 0]}],
+    "movers": [{"way": [[0, 0], [3, 1]], "size": [2, 1], "speed": 0.5, "at_end": "loop", "from": 3}],
     "view": {"overlays": ["g", "path"], "theme": "light", "camera": {"x": 1.5, "y": 2, "zoom": 14}},
     "seed": 18446744073709551615})");
 }
@@ -66,8 +69,13 @@ TEST(Scenario, ReadsEveryKey) {
   EXPECT_EQ(scenario->planners[0].settings.get("range", 0), 2.5);
   EXPECT_EQ(scenario->planners[0].settings.get("heuristic", 0), 1);
   EXPECT_EQ(scenario->planners[0].settings.get("border", 0), 1);
-  EXPECT_EQ(scenario->robot, (RobotSetup{Knowledge::nothing, 4.5, true}));
-  ASSERT_EQ(scenario->surprises.size(), 3u);
+  EXPECT_EQ(scenario->map.blocked[scenario->map.index({3, 2})], kUnmapped);
+  EXPECT_EQ(scenario->map.origin, (std::array{-10.0, 2.5, 0.1}));
+  EXPECT_EQ(scenario->robot, (RobotSetup{Knowledge::nothing, 4.5, true, Motion::smooth, 2.5, 10}));
+  ASSERT_EQ(scenario->surprises.size(), 4u);
+  EXPECT_EQ(scenario->surprises[3].goal, (Cell{0, 2}));
+  EXPECT_EQ(scenario->surprises[3].robot, (Cell{3, 0}));
+  EXPECT_EQ(scenario->movers, (std::vector<MovingObstacle>{{{{0, 0}, {3, 1}}, 2, 1, 0.5, WayEnd::loop, 3}}));
   EXPECT_EQ(scenario->surprises[0].at.move, 12);
   EXPECT_TRUE(scenario->surprises[0].announced);
   const std::vector<CellChange> cells = {
@@ -90,6 +98,7 @@ TEST(Scenario, TextIsReadBackEqual) {
   bare.planners = {{"astar", {}}};
   Scenario empty_surprise = bare;
   empty_surprise.surprises.emplace_back().at.move = 0;
+  empty_surprise.movers = {{.way = {{1, 1}}}};
   empty_surprise.name = "quotes \" and \\ and \n and \xC3\xA4";
   for (const Scenario& scenario : {*full, bare, empty_surprise}) {
     const std::string text = scenario_text(scenario);
@@ -133,7 +142,7 @@ TEST(Scenario, ReadsMapFilesBesideIt) {
   json document = full_document();
   document["map"] = {{"file", "x.map"}};
   document["goal"] = {2, 0};
-  document["surprises"] = json::array();
+  document["surprises"] = document["movers"] = json::array();
   const std::string path = folder.with("s.json", document.dump());
   const auto scenario = read_scenario(path);
   ASSERT_TRUE(scenario.ok()) << scenario.error();
@@ -193,9 +202,10 @@ TEST(Scenario, ErrorsNameLinePlaceAndMend) {
   EXPECT_EQ(replaced("\"border\": true", "\"border\": \"yes\""),
             "planners[0].settings.border: must be true or false, not \"yes\"");
   EXPECT_EQ(replaced(".@..", ".@"), "map.rows[1]: has 2 cells, the first row has 4");
-  EXPECT_EQ(replaced(".@..", ".x.."),
-            "map.rows[1]: column 2: unknown cell letter; known are . G S (free), @ O T W (obstacle) and ? (an "
-            "obstacle that is on nobody's map)");
+  EXPECT_EQ(
+      replaced(".@..", ".x.."),
+      "map.rows[1]: column 2: unknown cell letter; known are . G S (free), @ O T W (obstacle) and ? (an "
+      "obstacle that is on nobody's map)");
 }
 
 TEST(Scenario, RefusesWhatIsOutOfPlace) {

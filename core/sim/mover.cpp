@@ -1,0 +1,134 @@
+#include "core/sim/mover.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace replan {
+namespace {
+
+/// From `from` to `to` without `from`, each cell next to the one before.
+void append_line(Cell from, Cell to, std::vector<Cell>& cells) {
+  const int dx = to.x - from.x, dy = to.y - from.y;
+  const int steps = std::max(std::abs(dx), std::abs(dy));
+  // In whole numbers: halves are rounded up, whichever machine it is.
+  const auto between = [steps](int start, int whole, int i) {
+    const std::int64_t twice = std::int64_t{2} * whole * i + steps;
+    const std::int64_t floor = twice >= 0 ? twice / (2 * steps) : -((-twice + 2 * steps - 1) / (2 * steps));
+    return start + static_cast<int>(floor);
+  };
+  for (int i = 1; i <= steps; ++i) cells.push_back({between(from.x, dx, i), between(from.y, dy, i)});
+}
+
+}  // namespace
+
+std::vector<Cell> cells_of_way(const std::vector<Cell>& corners) {
+  std::vector<Cell> cells;
+  if (!corners.empty()) cells.push_back(corners.front());
+  for (std::size_t i = 1; i < corners.size(); ++i) append_line(corners[i - 1], corners[i], cells);
+  return cells;
+}
+
+Mover::Mover(const MovingObstacle& setup)
+    : cells_(cells_of_way(setup.way)),
+      width_(setup.width),
+      height_(setup.height),
+      at_end_(setup.at_end),
+      pace_(std::max<SimTime>(1, std::llround(static_cast<double>(kSecond) / setup.speed))),
+      from_(setup.from) {
+  if (at_end_ == WayEnd::loop && cells_.size() > 1) {
+    append_line(setup.way.back(), setup.way.front(), cells_);
+    if (cells_.size() > 1) cells_.pop_back();  // the beginning comes round by itself
+  }
+}
+
+Cell Mover::at(std::int64_t steps) const {
+  const auto count = static_cast<std::int64_t>(cells_.size());
+  std::int64_t index = steps;
+  if (at_end_ == WayEnd::loop) {
+    index = steps % count;
+  } else if (at_end_ == WayEnd::stop || count == 1) {
+    index = std::min(steps, count - 1);
+  } else {
+    const std::int64_t round = 2 * (count - 1), place = steps % round;
+    index = place < count ? place : round - place;
+  }
+  return cells_[static_cast<std::size_t>(index)];
+}
+
+bool Mover::goes_on(std::int64_t steps) const {
+  const auto count = static_cast<std::int64_t>(cells_.size());
+  return count > 1 && (at_end_ != WayEnd::stop || steps + 1 < count);
+}
+
+Crowd::Crowd(const Scenario& scenario) {
+  world_.width = scenario.map.width;
+  world_.height = scenario.map.height;
+  for (const MovingObstacle& setup : scenario.movers) movers_.emplace_back(setup);
+}
+
+std::vector<MoverState> Crowd::initial() const {
+  std::vector<MoverState> states(movers_.size());
+  for (std::size_t i = 0; i < states.size(); ++i)
+    if (movers_[i].from() == 0) states[i] = {.steps = 0, .due = movers_[i].pace()};
+  return states;
+}
+
+std::vector<Crowd::Change> Crowd::advance(std::vector<MoverState>& states, SimTime time, std::int64_t clock,
+                                          std::span<const Cell> keep_clear) const {
+  std::vector<Change> changes;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    if (states[i].steps < 0 && clock >= movers_[i].from()) appear(i, states, time, keep_clear, changes);
+  for (;;) {
+    std::size_t next = states.size();
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const MoverState& each = states[i];
+      const bool due = each.steps >= 0 && each.due <= time && movers_[i].goes_on(each.steps);
+      if (due && (next == states.size() || each.due < states[next].due)) next = i;
+    }
+    if (next == states.size()) return changes;
+    step(next, states, keep_clear, changes);
+  }
+}
+
+void Crowd::appear(std::size_t index, std::vector<MoverState>& states, SimTime time,
+                   std::span<const Cell> keep_clear, std::vector<Change>& changes) const {
+  const Mover& mover = movers_[index];
+  const Cell at = mover.at(0);
+  if (std::any_of(keep_clear.begin(), keep_clear.end(), [&](Cell c) { return mover.covers(at, c); })) return;
+  states[index] = {.steps = 0, .due = time + mover.pace()};
+  mover.each_cell(at, world_, [&](Cell cell) { changes.push_back({cell, 1}); });
+}
+
+void Crowd::step(std::size_t index, std::vector<MoverState>& states, std::span<const Cell> keep_clear,
+                 std::vector<Change>& changes) const {
+  const Mover& mover = movers_[index];
+  MoverState& state = states[index];
+  const Cell from = mover.at(state.steps), to = mover.at(state.steps + 1);
+  state.due += mover.pace();
+  const auto would_enter = [&](Cell c) { return mover.covers(to, c) && !mover.covers(from, c); };
+  if (std::any_of(keep_clear.begin(), keep_clear.end(), would_enter)) return;
+  ++state.steps;
+  mover.each_cell(from, world_, [&](Cell cell) {
+    if (!mover.covers(to, cell)) changes.push_back({cell, -1});
+  });
+  mover.each_cell(to, world_, [&](Cell cell) {
+    if (!mover.covers(from, cell)) changes.push_back({cell, 1});
+  });
+}
+
+std::vector<std::uint8_t> initial_truth(const Scenario& scenario) {
+  std::vector<std::uint8_t> truth(scenario.map.blocked.size());
+  std::transform(scenario.map.blocked.begin(), scenario.map.blocked.end(), truth.begin(),
+                 [](std::uint8_t cell) { return cell == kFree ? std::uint8_t{0} : kWallBit; });
+  for (const MovingObstacle& setup : scenario.movers) {
+    if (setup.from > 0) continue;
+    const Mover mover(setup);
+    mover.each_cell(mover.at(0), scenario.map, [&](Cell cell) {
+      std::uint8_t& at = truth[scenario.map.index(cell)];
+      at = static_cast<std::uint8_t>(at + kMoverUnit);
+    });
+  }
+  return truth;
+}
+
+}  // namespace replan
