@@ -194,6 +194,7 @@ Result<ui::ViewState> requested_view(const RenderRequest& request) {
   state.view.pinned = request.pinned;
   state.view.scale = request.scale;
   state.legend = request.legend;
+  state.live = false;
   return state;
 }
 

@@ -46,6 +46,7 @@ struct Canvas::Parts {
 
   ImGuiRenderer& renderer;
   SceneMemory memory;
+  FreshPlans plans;
   Scene scene;
   std::optional<SceneKey> key;
   ImTextureID texture = nullptr;
@@ -69,7 +70,7 @@ void Canvas::fit() {
 }
 
 bool Canvas::animating() const {
-  return parts_->zooming.active;
+  return parts_->zooming.active || parts_->plans.busy();
 }
 
 void Canvas::Parts::upload() {
@@ -229,7 +230,7 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
                     static_cast<float>(raster.rows) / static_cast<float>(std::max(1, parts.texture_height)));
   draw_scene(list, look, parts.scene, min, {parts.texture, used});
   if (interactive) parts.draw_previews(look, list, state, min);
-  draw_chips(look, list, run, parts.scene, parts.memory, state, min, max);
+  draw_chips(look, list, run, parts.scene, parts.memory, parts.plans, state, min, max);
   list.PopClipRect();
 }
 
