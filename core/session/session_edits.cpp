@@ -17,6 +17,7 @@ std::shared_ptr<const Scenario> rest_of(const Scenario& scenario) {
   rest->name = scenario.name;
   rest->caption = scenario.caption;
   rest->map_file = scenario.map_file;
+  rest->map_reading = scenario.map_reading;
   rest->start = scenario.start;
   rest->goal = scenario.goal;
   rest->planners = scenario.planners;
