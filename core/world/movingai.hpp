@@ -81,6 +81,8 @@ struct ScenFile {
 Result<ScenFile> read_scen(const std::string& path);
 /// As read_scen() from text; `origin` names it in errors.
 Result<ScenFile> parse_scen(std::string_view text, const std::string& origin);
+/// The problems as `.scen` text, fields parted by tabs, lengths as they were printed.
+std::string scen_text(const ScenFile& scen);
 /// The `.map` that a `.scen` names, looked for beside it by its file name. The error says where it was looked
 /// for.
 Result<std::string> map_beside(const std::string& scen_path, const std::string& map_name);

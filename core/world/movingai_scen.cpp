@@ -142,6 +142,18 @@ Result<ScenFile> read_scen(const std::string& path) {
   return parse_scen(*text, path);
 }
 
+std::string scen_text(const ScenFile& scen) {
+  std::string text = "version 1\n";
+  for (const ScenProblem& problem : scen.problems) {
+    text += std::to_string(problem.bucket) + "\t" + scen.map_name + "\t";
+    for (const int number :
+         {problem.width, problem.height, problem.start.x, problem.start.y, problem.goal.x, problem.goal.y})
+      text += std::to_string(number) + "\t";
+    text += problem.printed + "\n";
+  }
+  return text;
+}
+
 Result<std::string> map_beside(const std::string& scen_path, const std::string& map_name) {
   const std::string name = file_name(map_name);
   if (name.empty()) return Error{scen_path + ": names no map: give one with --map"};
