@@ -9,6 +9,7 @@
 #include "core/base/file.hpp"
 #include "core/base/stb.hpp"
 #include "core/world/pnm.hpp"
+#include "core/world/text_lines.hpp"
 
 namespace replan {
 namespace {
@@ -19,7 +20,7 @@ constexpr std::int64_t kMaxPictureBytes = 8 * kMaxCells + 65536;
 Error broken(const std::string& origin) {
   const char* reason = stbi_failure_reason();
   return {origin + ": not a picture that can be read (PNG, BMP, JPEG, TGA, PGM, PPM): " +
-          (reason != nullptr ? reason : "unknown format")};
+          one_line(reason != nullptr ? reason : "unknown format")};
 }
 
 /// The largest block that an honest file of that size can need: its data, grown by doubling, or its rows with

@@ -46,7 +46,8 @@ class RosYamlReader {
  private:
   void fail(const YAML::Node& node, const std::string& key, const std::string& what) {
     if (!error_.empty()) return;
-    error_ = origin_ + ":" + std::to_string(std::max(0, node.Mark().line) + 1) + ": '" + key + "' " + what;
+    error_ = origin_ + ":" + std::to_string(std::max(0, node.Mark().line) + 1) + ": '" + one_line(key) +
+             "' " + what;
   }
 
   /// Each key of map_server at most once; others are noted.
@@ -150,9 +151,9 @@ Result<RosMapInfo> parse_ros_yaml(std::string_view text, const std::string& orig
     return RosYamlReader(YAML::Load(std::string(text)), origin).read();
   } catch (const YAML::Exception& failed) {
     return Error{origin + ":" + std::to_string(std::max(0, failed.mark.line) + 1) +
-                 ": not YAML: " + failed.msg};
+                 ": not YAML: " + one_line(failed.msg)};
   } catch (const std::exception& failed) {
-    return Error{origin + ": not YAML that can be read: " + failed.what()};
+    return Error{origin + ": not YAML that can be read: " + one_line(failed.what())};
   }
 }
 
