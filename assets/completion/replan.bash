@@ -72,7 +72,7 @@ _replan() {
   esac
   case "$command" in
     run | render) _replan_files json ;;
-    batch) _replan_files scen ;;
+    batch) _replan_files scen 3dscen ;;
     convert) _replan_files json 3dmap $maps ;;
     list) COMPREPLY=($(compgen -W "planners maps overlays generators" -- "$cur")) ;;
     *)

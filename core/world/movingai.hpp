@@ -2,6 +2,7 @@
 // lengths). N. R. Sturtevant, "Benchmarks for Grid-Based Pathfinding", 2012, doi 10.1109/TCIAIG.2012.2197681.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,7 +56,15 @@ struct LengthFormat {
   int digits = 6;
 
   /// Finds the format out from all lengths of a file.
-  static LengthFormat of(const std::vector<ScenProblem>& problems);
+  static LengthFormat of(std::span<const std::string_view> printed);
+  /// As above, of all problems of a file: anything with `printed`.
+  template <class Problem>
+  static LengthFormat of(const std::vector<Problem>& problems) {
+    std::vector<std::string_view> printed;
+    printed.reserve(problems.size());
+    for (const Problem& problem : problems) printed.push_back(problem.printed);
+    return of(std::span<const std::string_view>(printed));
+  }
   /// How far the exact length may be from the printed `value`: half a unit of the last place, and the roots'
   /// error.
   [[nodiscard]] double tolerance(double value) const;

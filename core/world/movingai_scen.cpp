@@ -102,13 +102,13 @@ class ScenParser {
 
 }  // namespace
 
-LengthFormat LengthFormat::of(const std::vector<ScenProblem>& problems) {
+LengthFormat LengthFormat::of(std::span<const std::string_view> printed) {
   LengthFormat format;
-  if (problems.empty()) return format;
-  const int decimals = printed_digits(problems.front().printed).decimals;
+  if (printed.empty()) return format;
+  const int decimals = printed_digits(printed.front()).decimals;
   format.fixed = decimals > 0;
-  for (const ScenProblem& problem : problems) {
-    const PrintedDigits digits = printed_digits(problem.printed);
+  for (const std::string_view text : printed) {
+    const PrintedDigits digits = printed_digits(text);
     format.fixed &= digits.decimals == decimals && !digits.exponent;
     format.digits = std::max(format.digits, digits.significant);
   }

@@ -8,7 +8,7 @@ REPLAN_FUZZ_TARGET(ros_map) {
   const std::size_t parting = input.find(kParting);
   if (parting == std::string_view::npos) return;
   const auto info = parse_ros_yaml(input.substr(0, parting), "f.yaml");
-  const auto picture = decode_picture(input.substr(parting + kParting.size()), "f.pgm");
+  const auto picture = decode_picture(input.substr(parting + kParting.size()), "f.pgm", 1 << 16);
   if (!info || !picture) return;
   const RosCounts counts = count_ros_cells(*picture, *info);
   const GridMap map = ros_cells(*picture, *info, UnknownCells::unmapped);
