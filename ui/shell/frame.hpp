@@ -42,6 +42,7 @@ struct QueueCount {
 struct PanelState {
   float side_width = 372;  ///< of the design; the user drags it
   std::size_t pane = 0;    ///< whose planner, cells, code and figures the side shows
+  std::size_t panes = 0;   ///< how many the canvas shows; 0: as many as there is room for
   StepUnit unit = StepUnit::expansion;
   std::map<std::string, double> drafts;  ///< settings while their slider is dragged
   std::vector<FigureCache> figures;
