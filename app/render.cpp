@@ -43,14 +43,6 @@ StudioSettings studio_settings(const RenderRequest& request) {
           1.0 / request.film.fps};
 }
 
-Result<void> render_svg(const RenderRequest& request, Session& session, const ui::ViewState& state) {
-  View view = state.view;
-  view.scale = request.scale;
-  const Palette palette = ui::scene_palette(state.dark ? ui::dark() : ui::light());
-  const Scene scene = build_scene(session.run(), view, {request.width, request.height}, palette);
-  return write_file_atomically(request.output, scene_svg(scene, palette));
-}
-
 Result<void> render_film(const RenderRequest& request, Session& session, const ui::ViewState& state) {
   const auto finish_runs = [&] {
     for (const auto& run : session.runs()) run->finish(Target::end());
@@ -77,6 +69,12 @@ Result<void> render_film(const RenderRequest& request, Session& session, const u
 
 bool is_film(const std::string& output) {
   return is_frame_folder(output) || film_format(output).has_value();
+}
+
+Result<void> write_drawing(const std::string& path, const Run& run, const ui::ViewState& state,
+                           Viewport size) {
+  const Palette palette = ui::scene_palette(state.dark ? ui::dark() : ui::light());
+  return write_file_atomically(path, scene_svg(build_scene(run, state.view, size, palette), palette));
 }
 
 Result<ui::ViewState> requested_view(const RenderRequest& request) {
@@ -115,7 +113,8 @@ Result<void> render(const RenderRequest& request) {
                  ": a picture's name ends in .png or .svg, a film's in .gif, .webp or .mp4, a folder for "
                  "frames in /"};
   if (const auto there = go_to(session, request); !there) return there;
-  if (extension == ".svg") return render_svg(request, session, *state);
+  if (extension == ".svg")
+    return write_drawing(request.output, session.run(), *state, {request.width, request.height});
   auto studio = Studio::open(studio_settings(request), session, *state);
   if (!studio) return Error{studio.error()};
   return ui::write_png(request.output, (*studio)->shoot(session));

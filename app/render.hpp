@@ -7,6 +7,7 @@
 #include <string>
 #include <variant>
 
+#include "core/scene/scene.hpp"
 #include "core/scene/view.hpp"
 #include "core/session/film_plan.hpp"
 #include "core/session/session.hpp"
@@ -45,6 +46,10 @@ bool is_film(const std::string& output);
 
 /// Draws what is asked for. The same request gives the same pixels each time.
 Result<void> render(const RenderRequest& request);
+
+/// Writes what a canvas of that size shows of a run as a vector drawing (.svg).
+Result<void> write_drawing(const std::string& path, const Run& run, const ui::ViewState& state,
+                           Viewport size);
 
 /// The view that a request asks for: overlays, camera and theme of request, scenario or window, in that
 /// order.

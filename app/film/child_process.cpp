@@ -66,7 +66,8 @@ std::string last_lines(std::string_view text, int count) {
   std::vector<std::string_view> lines;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-    if (end > 0) lines.push_back(text.substr(0, end));
+    const std::string_view line = text.substr(0, end);
+    if (!line.empty() && line.find("Last message repeated") == line.npos) lines.push_back(line);
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   std::string joined;

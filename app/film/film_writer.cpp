@@ -5,10 +5,10 @@
 #include <vector>
 
 #include <sys/mman.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "app/film/child_process.hpp"
+#include "app/film/film_check.hpp"
 #include "core/base/file.hpp"
 
 namespace replan::app {
@@ -187,14 +187,20 @@ Result<void> FilmWriter::finish() {
   if (const Result<void> done = encoder_->finish(); !done) return failed(done.error());
   if (format_ == FilmFormat::gif)
     if (Result<void> made = make_gif(); !made) return made;
-  struct stat info {};
-  if (::fstat(file_.descriptor(), &info) != 0 || info.st_size == 0)
-    return failed("ffmpeg said that all went well, but wrote nothing");
+  if (!is_whole_film(file_.descriptor(), format_))
+    return failed("ffmpeg said that all went well, but the film is not whole; is the disk full?");
   return file_.commit();
 }
 
+/// FFmpeg knows its files by number; the user by name.
 Error FilmWriter::failed(const std::string& why) const {
-  return {"cannot make the film '" + settings_.path + "': " + why};
+  const auto put = [](std::string text, const std::string& number, const std::string& name) {
+    for (std::size_t at = 0; (at = text.find(number, at)) != std::string::npos; at += name.size())
+      text.replace(at, number.size(), name);
+    return text;
+  };
+  const std::string words = put(put(why, as_path(kFilm), settings_.path), as_path(kKept), "the frames' file");
+  return {"cannot make the film '" + settings_.path + "': " + words};
 }
 
 }  // namespace replan::app

@@ -36,7 +36,7 @@ struct FilmSpeed {
 
 struct FilmOptions {
   int fps = 30;  ///< frames per second, 1 to kFastestFilm
-  FilmSpeed speed;
+  FilmSpeed speed = {};
   double hold = 1.0 / 3;       ///< seconds that a plan, a surprise or the end of the search stands still
   std::string from = "start";  ///< a moment; see moment_position()
   std::string to = "end";

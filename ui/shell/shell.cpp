@@ -113,6 +113,7 @@ void Shell::fit() {
 
 void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
   const Look& look = frame.look;
+  panels_.canvas = {min, max};
   area("canvas", min, {max.x - min.x, max.y - min.y}, look.theme.background, {0, 0}, [&] {
     const auto room = static_cast<std::size_t>(std::max(1.0f, (max.x - min.x) / look.px(kNarrowestPane)));
     const std::size_t count = std::min(frame.session.runs().size(), panels_.panes > 0 ? panels_.panes : room);
