@@ -7,6 +7,7 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
 #include "app/render.hpp"
+#include "core/base/file.hpp"
 #include "core/world/text_lines.hpp"
 
 namespace replan::cli {
@@ -45,6 +46,9 @@ Result<void> read_size(const std::string& text, app::RenderRequest& request) {
 Result<void> read_moment(const RenderArguments& arguments, app::RenderRequest& request) {
   if (int{!arguments.at.empty()} + int{arguments.at_end} + int{arguments.at_plan} > 1)
     return Error{"give only one of --at, --at-end and --at-plan"};
+  const bool given = !arguments.at.empty() || arguments.at_end || arguments.at_plan;
+  if (given && app::is_film(request.output))
+    return Error{"--at, --at-end and --at-plan are for stills; a film takes --from and --to"};
   if (arguments.at_end) request.at = app::Moment::end;
   if (arguments.at.empty()) return {};
   const auto event = parse_count("--at", arguments.at, 0);
@@ -74,6 +78,8 @@ Result<void> read_panes(const RenderArguments& arguments, app::RenderRequest& re
   const auto count = number_from<int>(arguments.panes);
   if (arguments.panes != "all" && (!count || *count < 1))
     return Error{"--panes cannot be '" + arguments.panes + "': give 1, 2, 4 or all"};
+  if (file_extension(request.output) == ".svg")
+    return Error{"--panes is not for .svg, which draws one planner; take .png"};
   request.panes = count ? static_cast<std::size_t>(*count) : request.scenario.planners.size();
   return {};
 }

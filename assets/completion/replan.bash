@@ -38,7 +38,7 @@ _replan_options() {
     batch) echo "-h --help --map --planner --set --limit --json" ;;
     render)
       echo "-h --help --map --start --goal --planner --set -o --output --size --scale --at --at-end --at-plan" \
-        "--overlay --theme --canvas-only"
+        "--overlay --theme --canvas-only --panes --fps --speed --hold --from --to"
       ;;
     convert) echo "-h --help --start --goal --planner --set" ;;
     list) echo "-h --help --json" ;;
@@ -62,8 +62,11 @@ _replan() {
     --theme) COMPREPLY=($(compgen -W "light dark" -- "$cur")); return ;;
     --map) _replan_files $maps; return ;;
     --csv) _replan_files csv; return ;;
-    -o | --output) _replan_files png svg; return ;;
-    --start | --goal | --size | --scale | --at | --limit) return ;;
+    -o | --output) _replan_files png svg gif webp mp4; return ;;
+    --start | --goal | --size | --scale | --at | --limit | --fps | --hold) return ;;
+    --panes) COMPREPLY=($(compgen -W "1 2 4 all" -- "$cur")); return ;;
+    --speed) COMPREPLY=($(compgen -W "auto expansion move" -- "$cur")); return ;;
+    --from | --to) COMPREPLY=($(compgen -W "start plan end replan: move:" -- "$cur")); return ;;
   esac
   case "$cur" in
     -*) COMPREPLY=($(compgen -W "$(_replan_options "$command")" -- "$cur")); return ;;

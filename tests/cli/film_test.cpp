@@ -246,6 +246,8 @@ TEST_F(Film, badInput) {
   expect_complaint(with("no/such/x.gif", {}), {"no/such/x.gif", "No such file"});
   expect_complaint(with("x.png", {"--fps", "20"}), {"--fps is for films"});
   expect_complaint(with("x.svg", {"--from", "plan"}), {"--from is for films"});
+  expect_complaint(with("x.svg", {"--panes", "2"}), {"--panes is not for .svg"});
+  expect_complaint(with("x.gif", {"--at-end"}), {"--from and --to"});
   fs::create_directory(out_.file("folder.gif"));
   EXPECT_EQ(run_program(with("folder.gif", {"--to", "plan"})).code, 0) << "a folder, whatever its name";
 }
