@@ -53,35 +53,22 @@ Words raw_frames(const FilmSettings& film) {
 
 /// Every player shows it: even sizes, colours at half resolution, and the table of contents in front.
 Words mp4() {
-  return {"-vf",
-          "pad=ceil(iw/2)*2:ceil(ih/2)*2,"
-          "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,format=yuv420p",
-          "-c:v",
-          "libx264",
-          "-preset",
-          "veryfast",
-          "-tune",
-          "animation",
-          "-crf",
-          "18",
-          "-colorspace",
-          "bt709",
-          "-color_primaries",
-          "bt709",
-          "-color_trc",
-          "bt709",
-          "-color_range",
-          "tv",
-          "-movflags",
-          "+faststart",
-          "-f",
-          "mp4"};
+  constexpr const char* kFrames =
+      "pad=ceil(iw/2)*2:ceil(ih/2)*2,"
+      "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,format=yuv420p";
+  Words words = {"-vf", kFrames};
+  words += {"-c:v", "libx264", "-preset", "veryfast", "-tune", "animation", "-crf", "18"};
+  words += {"-colorspace", "bt709", "-color_primaries", "bt709"};
+  words += {"-color_trc", "bt709", "-color_range", "tv"};
+  words += {"-movflags", "+faststart", "-f", "mp4"};
+  return words;
 }
 
 /// Without loss: flat colours and letters stay sharp, and the file is not larger for it.
 Words webp() {
-  return {"-vf", "format=bgra", "-c:v", "libwebp_anim", "-lossless", "1", "-compression_level",
-          "3",   "-loop",       "0",    "-f",           "webp"};
+  Words words = {"-vf", "format=bgra", "-c:v", "libwebp_anim", "-lossless", "1", "-compression_level", "3"};
+  words += {"-loop", "0", "-f", "webp"};
+  return words;
 }
 
 void close_if_open(int& descriptor) {
