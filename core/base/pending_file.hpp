@@ -8,8 +8,8 @@
 namespace replan {
 
 /// Bytes on the disk of `path` that no folder names until commit(). Whatever ends the program before, even a
-/// kill, leaves the old file under the name, or none. File systems that know no unnamed files get one beside
-/// the target, with a further extension; a kill leaves that.
+/// kill, leaves the old file under the name, or none. Where a file system cannot name an unnamed file,
+/// commit() copies it.
 class PendingFile {
  public:
   /// Follows a symbolic link. Refuses what is no plain file or is protected against writing; the error names
@@ -29,17 +29,14 @@ class PendingFile {
 
  private:
   PendingFile() = default;
-  [[nodiscard]] int give_rights_and_flush() const;
-  int take_name();
 
-  std::string path_;       // as asked for, for errors
-  std::string target_;     // where a symbolic link leads
-  std::string temporary_;  // its name until then; empty for an unnamed file
+  std::string path_;    // as asked for, for errors
+  std::string target_;  // where a symbolic link leads
   int file_ = -1;
 };
 
 /// A scratch file without a name, on the disk of `folder`; its descriptor, closed when a program is started.
-/// The caller closes it.
+/// The caller closes it. The error is the system's reason alone.
 Result<int> open_scratch_file(const std::string& folder);
 
 }  // namespace replan
