@@ -24,9 +24,17 @@ void append(void* context, void* data, int size) {
   bytes.insert(bytes.end(), first, first + size);
 }
 
+/// Flat colours and letters compress as well without filters, and in half the time.
+bool choose_fast_png() {
+  stbi_write_force_png_filter = 0;
+  stbi_write_png_compression_level = 5;
+  return true;
+}
+
 }  // namespace
 
 Result<std::vector<std::uint8_t>> encode_png(const Image& image) {
+  [[maybe_unused]] static const bool kChosen = choose_fast_png();  // once, whichever thread comes first
   std::vector<std::uint8_t> bytes;
   if (stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.rgba.data(),
                              image.width * 4) == 0) {

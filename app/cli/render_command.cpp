@@ -77,7 +77,7 @@ Result<void> read_panes(const RenderArguments& arguments, app::RenderRequest& re
   if (arguments.panes.empty()) return {};
   const auto count = number_from<int>(arguments.panes);
   if (arguments.panes != "all" && (!count || *count < 1))
-    return Error{"--panes cannot be '" + arguments.panes + "': give 1, 2, 4 or all"};
+    return Error{"--panes cannot be '" + arguments.panes + "': give a number, or all"};
   if (file_extension(request.output) == ".svg")
     return Error{"--panes is not for .svg, which draws one planner; take .png"};
   request.panes = count ? static_cast<std::size_t>(*count) : request.scenario.planners.size();
