@@ -1,10 +1,12 @@
 #include "core/world/generators.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
 #include "core/base/random.hpp"
+#include "core/world/generator_parts.hpp"
 
 namespace replan {
 namespace {
@@ -12,18 +14,6 @@ namespace {
 /// Of rectangles thrown in a row without covering a new cell: after that many nothing more is to be hoped
 /// for.
 constexpr int kMaxVainThrows = 10'000;
-
-Result<void> check_size(int width, int height) {
-  if (width >= 1 && height >= 1 && std::int64_t{width} * height <= kMaxCells) return {};
-  return Error{"a map cannot have " + std::to_string(width) + " x " + std::to_string(height) +
-               " cells: give sides from 1 and at most " + std::to_string(kMaxCells) + " cells in all"};
-}
-
-Result<void> check_fraction(const char* name, double fraction, double high) {
-  if (fraction >= 0 && fraction <= high) return {};
-  return Error{std::string(name) + " cannot be " + std::to_string(fraction) + ": give a number from 0 to " +
-               std::to_string(high).substr(0, 3)};
-}
 
 struct Rectangle {
   int x, y, width, height;
@@ -52,34 +42,40 @@ class MazeBuilder {
         columns_((width - 1) / (corridor + 1)),
         rows_((height - 1) / (corridor + 1)),
         random_(seed) {
-    std::fill(map_.blocked.begin(), map_.blocked.end(), std::uint8_t{1});
+    std::fill(map_.blocked.begin(), map_.blocked.end(), kObstacle);
   }
 
-  GridMap build(double knock_out) {
-    carve();
+  GridMap build(const MazeShape& shape) {
     for (int row = 0; row < rows_; ++row)
-      for (int column = 0; column < columns_; ++column)
-        for (const Cell step : {Cell{1, 0}, Cell{0, 1}})
-          if (inside({column + step.x, row + step.y}) && wall_stands({column, row}, step) &&
-              random_.chance(knock_out))
-            open({column, row}, step);
+      for (int column = 0; column < columns_; ++column) {
+        const Cell at = corner({column, row});
+        clear({at.x, at.y, corridor_, corridor_});
+      }
+    for (const Passage& passage : random_tree(columns_, rows_, random_)) open(passage.place, passage.step);
+    for_each_place([&](Cell place) {
+      for (const Cell step : {Cell{1, 0}, Cell{0, 1}})
+        if (wall_stands(place, step) && random_.chance(shape.loops)) open(place, step);
+    });
+    if (shape.braid > 0) for_each_place([&](Cell place) { braid(place, shape.braid); });
     return std::move(map_);
   }
 
  private:
-  [[nodiscard]] bool inside(Cell place) const {
-    return place.x >= 0 && place.y >= 0 && place.x < columns_ && place.y < rows_;
+  template <class Visit>
+  void for_each_place(const Visit& visit) {
+    for (int row = 0; row < rows_; ++row)
+      for (int column = 0; column < columns_; ++column) visit(Cell{column, row});
   }
   [[nodiscard]] Cell corner(Cell place) const {
     return {1 + place.x * (corridor_ + 1), 1 + place.y * (corridor_ + 1)};
   }
-  [[nodiscard]] bool carved(Cell place) const { return !map_.at(corner(place)); }
-  /// Whether the wall from a place to the right or down stands.
+  /// Whether there is a neighbour on that side, and a wall in between.
   [[nodiscard]] bool wall_stands(Cell place, Cell step) const {
-    const Cell at = corner(place);
-    return map_.at({at.x + step.x * corridor_, at.y + step.y * corridor_});
+    const Cell there{place.x + step.x, place.y + step.y};
+    if (there.x < 0 || there.y < 0 || there.x >= columns_ || there.y >= rows_) return false;
+    const Cell at = corner({std::max(place.x, there.x), std::max(place.y, there.y)});
+    return map_.at({at.x - std::abs(step.x), at.y - std::abs(step.y)});
   }
-
   void clear(const Rectangle& rectangle) {
     for (int y = rectangle.y; y < rectangle.y + rectangle.height; ++y)
       for (int x = rectangle.x; x < rectangle.x + rectangle.width; ++x) map_.set({x, y}, false);
@@ -92,33 +88,18 @@ class MazeBuilder {
     else
       clear({at.x, at.y + corridor_, corridor_, 1});
   }
-  void carve_place(Cell place) {
-    const Cell at = corner(place);
-    clear({at.x, at.y, corridor_, corridor_});
-  }
-
-  /// A random walk over all places that turns back where it is stuck: long winding corridors, one way
-  /// everywhere.
-  void carve() {
-    std::vector<Cell> way{{0, 0}};
-    carve_place(way.back());
-    while (!way.empty()) {
-      const Cell here = way.back();
-      Cell choices[4];
-      std::uint32_t count = 0;
-      for (const Cell step : {Cell{1, 0}, Cell{0, 1}, Cell{-1, 0}, Cell{0, -1}}) {
-        const Cell there{here.x + step.x, here.y + step.y};
-        if (inside(there) && !carved(there)) choices[count++] = step;
-      }
-      if (count == 0) {
-        way.pop_back();
-        continue;
-      }
-      const Cell step = choices[random_.below(count)];
-      open(here, step);
-      way.push_back({here.x + step.x, here.y + step.y});
-      carve_place(way.back());
+  /// Opens a place that can be left on one side only, with the given probability, on one of its other sides.
+  void braid(Cell place, double probability) {
+    Cell walls[4];
+    std::uint32_t standing = 0;
+    int neighbours = 0;
+    for (const Cell step : {Cell{1, 0}, Cell{0, 1}, Cell{-1, 0}, Cell{0, -1}}) {
+      const Cell there{place.x + step.x, place.y + step.y};
+      neighbours += there.x >= 0 && there.y >= 0 && there.x < columns_ && there.y < rows_ ? 1 : 0;
+      if (wall_stands(place, step)) walls[standing++] = step;
     }
+    const bool dead_end = neighbours - static_cast<int>(standing) == 1;
+    if (dead_end && standing > 0 && random_.chance(probability)) open(place, walls[random_.below(standing)]);
   }
 
   GridMap map_;
@@ -130,8 +111,8 @@ class MazeBuilder {
 
 Result<GridMap> random_rectangles(int width, int height, double fraction, int min_side, int max_side,
                                   std::uint64_t seed, std::span<const Cell> keep_free) {
-  if (auto checked = check_size(width, height); !checked) return Error{checked.error()};
-  if (auto checked = check_fraction("the covered fraction", fraction, 0.9); !checked)
+  if (auto checked = check_map_size(width, height); !checked) return Error{checked.error()};
+  if (auto checked = check_fraction("the covered fraction", fraction, 0, 0.9); !checked)
     return Error{checked.error()};
   if (min_side < 1 || max_side < min_side)
     return Error{"sides cannot go from " + std::to_string(min_side) + " to " + std::to_string(max_side) +
@@ -156,8 +137,8 @@ Result<GridMap> random_rectangles(int width, int height, double fraction, int mi
 
 Result<GridMap> random_cells(int width, int height, double fraction, std::uint64_t seed,
                              std::span<const Cell> keep_free) {
-  if (auto checked = check_size(width, height); !checked) return Error{checked.error()};
-  if (auto checked = check_fraction("the obstacles' fraction", fraction, 1); !checked)
+  if (auto checked = check_map_size(width, height); !checked) return Error{checked.error()};
+  if (auto checked = check_fraction("the obstacles' fraction", fraction, 0, 1); !checked)
     return Error{checked.error()};
   GridMap map(width, height);
   Random random(seed);
@@ -167,14 +148,21 @@ Result<GridMap> random_cells(int width, int height, double fraction, std::uint64
   return map;
 }
 
-Result<GridMap> maze(int width, int height, int corridor, std::uint64_t seed, double knock_out) {
-  if (auto checked = check_size(width, height); !checked) return Error{checked.error()};
-  if (auto checked = check_fraction("the fraction of walls taken out", knock_out, 1); !checked)
+Result<GridMap> maze(int width, int height, const MazeShape& shape, std::uint64_t seed,
+                     std::span<const Cell> keep_free) {
+  if (auto checked = check_map_size(width, height); !checked) return Error{checked.error()};
+  if (auto checked = check_fraction("the fraction of walls taken out", shape.loops, 0, 1); !checked)
     return Error{checked.error()};
-  if (corridor < 1 || corridor > std::min(width, height) - 2)
-    return Error{"corridors cannot be " + std::to_string(corridor) + " cells wide here: give 1 to " +
-                 std::to_string(std::min(width, height) - 2)};
-  return MazeBuilder(width, height, corridor, seed).build(knock_out);
+  if (auto checked = check_fraction("the fraction of dead ends opened", shape.braid, 0, 1); !checked)
+    return Error{checked.error()};
+  const int widest = std::min(width, height) - 2;
+  if (widest < 1) return Error{"a maze needs 3 cells each way"};
+  if (shape.corridor < 1 || shape.corridor > widest)
+    return Error{"corridors cannot be " + std::to_string(shape.corridor) + " cells wide here: give 1 to " +
+                 std::to_string(widest)};
+  GridMap map = MazeBuilder(width, height, shape.corridor, seed).build(shape);
+  dig_to_open(map, keep_free);
+  return map;
 }
 
 }  // namespace replan

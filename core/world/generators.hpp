@@ -21,10 +21,40 @@ Result<GridMap> random_rectangles(int width, int height, double fraction, int mi
 Result<GridMap> random_cells(int width, int height, double fraction, std::uint64_t seed,
                              std::span<const Cell> keep_free = {});
 
-/// A maze of corridors `corridor` cells wide between walls one cell thick, with a wall around: exactly one
-/// way between any two places, and `knock_out` (0 to 1) of the inner walls taken out afterwards, so that
-/// there are more. What is left over at the right and at the bottom is wall. The map must hold at least one
-/// place: corridor + 2 cells each way.
-Result<GridMap> maze(int width, int height, int corridor, std::uint64_t seed, double knock_out = 0);
+/// How a maze is to look.
+struct MazeShape {
+  int corridor = 1;  ///< width of its corridors in cells
+  double braid = 0;  ///< fraction of the dead ends that are opened: 0 a perfect maze, 1 none is left
+  double loops = 0;  ///< fraction of the inner walls that are taken out after all
+};
+/// A maze of corridors between walls one cell thick, with a wall around: exactly one way between any two
+/// places unless `braid` or `loops` add some. What is left over at the right and at the bottom is wall. The
+/// map must hold at least one place: corridor + 2 cells each way. To cells of `keep_free` that lie in a wall
+/// a way is dug.
+Result<GridMap> maze(int width, int height, const MazeShape& shape, std::uint64_t seed,
+                     std::span<const Cell> keep_free = {});
+
+/// How a floor of rooms is to look.
+struct RoomsShape {
+  int min_side = 6;    ///< of a room, in cells
+  int max_side = 14;   ///< the last room of a row or column may be longer
+  int door = 2;        ///< width of the doors, at most min_side
+  double loops = 0.3;  ///< fraction of the walls that have a door beyond those needed to reach every room
+};
+/// Rooms in rows and columns between walls one cell thick, with a wall around and doors at random places of
+/// the walls: from every room there is a way to every other. To cells of `keep_free` in a wall a way is dug.
+Result<GridMap> rooms(int width, int height, const RoomsShape& shape, std::uint64_t seed,
+                      std::span<const Cell> keep_free = {});
+
+/// How caves are to look.
+struct CavesShape {
+  double fraction = 0.45;  ///< of the cells that are rock at first, 0.3 to 0.6
+  int rounds = 5;          ///< of smoothing, 0 to 20: a cell becomes what most of the nine around it are
+};
+/// Caves by a cellular automaton, rock all around. Of all caves the largest is kept, so that all free cells
+/// are joined by straight steps; to cells of `keep_free` in rock a way is dug. That no cave is left is an
+/// error.
+Result<GridMap> caves(int width, int height, const CavesShape& shape, std::uint64_t seed,
+                      std::span<const Cell> keep_free = {});
 
 }  // namespace replan

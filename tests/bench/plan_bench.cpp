@@ -29,8 +29,10 @@ const std::vector<Worlds>& all_worlds() {
     const std::array<Cell, 2> free = {rectangles.start, rectangles.goal};
     for (std::uint64_t seed = 1; seed <= 10; ++seed)
       rectangles.maps.push_back(*random_rectangles(200, 200, 0.17, 5, 15, seed, free));
-    Worlds narrow{"maze_1", {1, 1}, {499, 499}, {*maze(501, 501, 1, 1, 0.1)}};
-    Worlds wide{"maze_7", {4, 4}, {493, 493}, {*maze(497, 497, 7, 1, 0.1)}};
+    Worlds narrow{
+        "maze_1", {1, 1}, {499, 499}, {*maze(501, 501, {.corridor = 1, .braid = 0, .loops = 0.1}, 1)}};
+    Worlds wide{
+        "maze_7", {4, 4}, {493, 493}, {*maze(497, 497, {.corridor = 7, .braid = 0, .loops = 0.1}, 1)}};
     return std::vector<Worlds>{rectangles, narrow, wide};
   }();
   return worlds;

@@ -1,0 +1,30 @@
+// What several generators share.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/base/cell.hpp"
+#include "core/base/random.hpp"
+#include "core/base/result.hpp"
+#include "core/world/grid_map.hpp"
+
+namespace replan {
+
+/// Whether a map can have that size.
+Result<void> check_map_size(int width, int height);
+/// Whether `fraction` lies between `low` and `high`; `name` begins the error.
+Result<void> check_fraction(const char* name, double fraction, double low, double high);
+
+/// A way from a place of a grid of places to the next one, a step to one of the four sides.
+struct Passage {
+  Cell place, step;
+};
+/// Passages that join all columns x rows places by exactly one way between any two: a random walk that turns
+/// back where it is stuck, so the ways are long and winding.
+std::vector<Passage> random_tree(int columns, int rows, Random& random);
+
+/// Sets `cells` free and digs from each to the nearest free cell, straight steps only.
+void dig_to_open(GridMap& map, std::span<const Cell> cells);
+
+}  // namespace replan
