@@ -24,7 +24,7 @@ inline constexpr int kFiguresTab = 3;
 inline constexpr int kLogTab = 4;
 
 /// What an action asks of the shell itself; done after drawing.
-enum class Wish : std::uint8_t { none, new_world, open, save, save_as, quit, fit, keys };
+enum class Wish : std::uint8_t { none, new_world, open, save, save_as, quit, fit, keys, generate, resize };
 
 /// Path figures of one pane, kept until another plan stands.
 struct FigureCache {
@@ -47,11 +47,14 @@ struct PanelState {
   std::vector<FigureCache> figures;
   std::vector<QueueCount> queues;
   std::map<std::string, Result<PlannerPage>, std::less<>> pages;
-  std::size_t log_lines = 0;         ///< how many the Log showed: it follows its end
-  int code_line = 0;                 ///< the line that the Code page scrolled to
-  bool animated = false;             ///< something on it moves by itself
-  double zoom = 0;                   ///< device pixels per cell on the canvas, as fitted or chosen
-  double frame_ms = 0;               ///< CPU time of a frame, smoothed; 0: not measured
+  std::size_t log_lines = 0;  ///< how many the Log showed: it follows its end
+  int code_line = 0;          ///< the line that the Code page scrolled to
+  bool animated = false;      ///< something on it moves by itself
+  double zoom = 0;            ///< device pixels per cell on the canvas, as fitted or chosen
+  double frame_ms = 0;        ///< CPU time of a frame, smoothed; 0: not measured
+  bool history = false;       ///< the Log tab lists the edits
+  std::string said;           ///< a sentence for the user, to be shown over the canvas
+  bool said_bad = false;
   std::vector<std::string> notices;  ///< for the Log: what the platform had to say (missing fonts)
 };
 

@@ -1,10 +1,39 @@
 // The Log tab: what was done and what went wrong, oldest first, and what the platform had to say.
+#include <array>
+
 #include "ui/icons.hpp"
 #include "ui/shell/panels.hpp"
 
 namespace replan::ui {
 
-void draw_log_panel(Frame& frame) {
+namespace {
+
+/// All edits, the latest at the bottom; those that were taken back are dim. A click goes there.
+void draw_history(Frame& frame) {
+  const Look& look = frame.look;
+  const std::vector<std::string> labels = frame.session.history();
+  if (labels.empty()) {
+    empty_state(look, icon::history, "No edits yet",
+                "Each edit is listed here; a click on one goes back to it.");
+    return;
+  }
+  const std::size_t position = frame.session.history_position();
+  static constexpr std::array<Column, 2> kColumns = {{{"", 0.14f}, {"", 0.86f, Align::left}}};
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(labels.size()) + 1, look.px.row);
+  while (clipper.Step())
+    for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
+      const auto at = static_cast<std::size_t>(row);
+      const bool made = at <= position;
+      const std::string number = at == 0 ? "" : std::to_string(at);
+      const std::array<TableCell, 2> cells = {
+          {{number, look.theme.faint},
+           {at == 0 ? "as opened" : labels[at - 1], made ? look.theme.text : look.theme.faint}}};
+      if (table_row(look, row, kColumns, cells, at == position)) frame.commands.push_back(GoToHistory{at});
+    }
+}
+
+void draw_lines(Frame& frame) {
   const Look& look = frame.look;
   const auto log = frame.session.log();
   for (const std::string& notice : frame.panels.notices) {
@@ -28,6 +57,20 @@ void draw_log_panel(Frame& frame) {
     ImGui::SetScrollHereY(1.0f);
     frame.panels.log_lines = log.size();
   }
+}
+
+}  // namespace
+
+void draw_log_panel(Frame& frame) {
+  const Look& look = frame.look;
+  static constexpr std::array<const char*, 2> kParts = {"Events", "History"};
+  int part = frame.panels.history ? 1 : 0;
+  if (segments(look, "part", kParts, part)) frame.panels.history = part == 1;
+  ImGui::Dummy({0, look.px.xs});
+  if (frame.panels.history)
+    draw_history(frame);
+  else
+    draw_lines(frame);
 }
 
 }  // namespace replan::ui

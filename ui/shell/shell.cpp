@@ -45,6 +45,8 @@ void Shell::draw(const Look& look, Session& session, double) {
     tell(failure, true);
   drawn_ = session.revision();
   const Decision decision = dialogs_.draw(look);
+  world_dialogs_.draw(look, session, commands);
+  if (!panels_.said.empty()) tell(std::exchange(panels_.said, {}), panels_.said_bad);
   take_commands(session, commands);
   take_wish(session, wish);
   take_decision(session, decision);
@@ -60,11 +62,13 @@ bool Shell::wants_frames(const Session& session) const {
 
 void Shell::take_keys(Frame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool elsewhere = dialogs_.open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  const bool elsewhere =
+      dialogs_.open() || world_dialogs_.open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   held_ = !elsewhere && key_is_held(io);
   if (elsewhere) {
     // ImGui closes popups by Escape only together with its own keyboard navigation, which takes our keys.
-    if (!dialogs_.open() && ImGui::IsKeyPressed(key::kEscape, false)) ImGui::ClosePopupToLevel(0, true);
+    if (!dialogs_.open() && !world_dialogs_.open() && ImGui::IsKeyPressed(key::kEscape, false))
+      ImGui::ClosePopupToLevel(0, true);
     return;
   }
   for (const ActionId id : pressed_actions(io)) perform(frame, id);
@@ -97,6 +101,7 @@ void Shell::draw_parts(Frame& frame) {
   area("status", {0, bottom}, {size.x, look.px.status}, look.theme.raised, {look.px(14), look.px(5)},
        [&] { draw_status_bar(frame); });
   if (panels) draw_splitter(frame, split, look.px.menu, bottom);
+  draw_tool_options(frame, {left + look.px.m, look.px.menu + look.px(52)});
   draw_message(look, {left, look.px.menu}, {split, under});
 }
 
@@ -127,7 +132,8 @@ void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
     for (std::size_t i = 0; i < count; ++i) {
       const float x = std::floor(min.x + static_cast<float>(i) * (width + gap));
       canvas(first + i).draw(look, frame.session, first + i, view_, {x, min.y},
-                             {std::floor(x + width), max.y}, !dialogs_.open(), frame.commands);
+                             {std::floor(x + width), max.y}, !dialogs_.open() && !world_dialogs_.open(),
+                             frame.commands);
       if (i > 0)
         ImGui::GetWindowDrawList()->AddRectFilled({x - gap, min.y}, {x - gap + look.px.hair, max.y},
                                                   look.theme.line);

@@ -10,6 +10,7 @@
 #include "ui/gl/imgui_renderer.hpp"
 #include "ui/shell/actions.hpp"
 #include "ui/shell/dialogs.hpp"
+#include "ui/shell/dialogs/world_dialogs.hpp"
 #include "ui/shell/frame.hpp"
 
 namespace replan::ui {
@@ -35,7 +36,8 @@ class Shell {
   void show(const ViewSetup& view);
   /// What the window is about: "maze.json", with a mark if there are unsaved edits.
   [[nodiscard]] static std::string title(const Session& session);
-  /// The session's own words if they need characters that the fonts do not hold at first: for Stage::set_language().
+  /// The session's own words if they need characters that the fonts do not hold at first: for
+  /// Stage::set_language().
   [[nodiscard]] static std::string words(const Session& session);
   /// Opens a file; asks first if there are unsaved edits.
   void open(Session& session, const std::string& path);
@@ -80,6 +82,7 @@ class Shell {
   ViewState view_;
   PanelState panels_;
   Dialogs dialogs_;
+  WorldDialogs world_dialogs_;
   Pending pending_;
   Message message_;
   bool quitting_ = false;
