@@ -8,6 +8,31 @@ namespace replan::ui {
 
 namespace {
 
+/// One edit with its number; returns whether it was clicked.
+bool history_row(const Look& look, int number, std::string_view label, bool made, bool current) {
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, look.px.row);
+  ImGui::PushID(number);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  const bool clicked = ImGui::InvisibleButton("edit", size);
+  ImGui::PopStyleVar();
+  ImGui::PopID();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 end(origin.x + size.x, origin.y + size.y);
+  if (current || ImGui::IsItemHovered())
+    list.AddRectFilled(origin, end, current ? look.theme.selected : look.theme.hover, look.px(4));
+  const float y = origin.y + (size.y - look.fonts.ui->FontSize) * 0.5f, indent = look.px(44);
+  const std::string count = number == 0 ? "" : std::to_string(number);
+  draw_text(list, look.fonts.mono, {origin.x + look.px(32) - text_width(look.fonts.mono, count), y},
+            look.theme.faint, count);
+  draw_text(list, look.fonts.ui, {origin.x + indent, y},
+            current ? look.theme.text
+            : made  ? look.theme.dim
+                    : look.theme.faint,
+            elide(look.fonts.ui, label, size.x - indent - look.px.xs));
+  return clicked;
+}
+
 /// All edits, the latest at the bottom; those that were taken back are dim. A click goes there.
 void draw_history(Frame& frame) {
   const Look& look = frame.look;
@@ -18,18 +43,14 @@ void draw_history(Frame& frame) {
     return;
   }
   const std::size_t position = frame.session.history_position();
-  static constexpr std::array<Column, 2> kColumns = {{{"", 0.14f}, {"", 0.86f, Align::left}}};
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(labels.size()) + 1, look.px.row);
   while (clipper.Step())
     for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
       const auto at = static_cast<std::size_t>(row);
-      const bool made = at <= position;
-      const std::string number = at == 0 ? "" : std::to_string(at);
-      const std::array<TableCell, 2> cells = {
-          {{number, look.theme.faint},
-           {at == 0 ? "as opened" : labels[at - 1], made ? look.theme.text : look.theme.faint}}};
-      if (table_row(look, row, kColumns, cells, at == position)) frame.commands.push_back(GoToHistory{at});
+      if (history_row(look, row, at == 0 ? "as opened" : std::string_view(labels[at - 1]), at <= position,
+                      at == position))
+        frame.commands.push_back(GoToHistory{at});
     }
 }
 

@@ -138,7 +138,7 @@ void WorldDialogs::anchors(const Look& look) {
                                                 : look.theme.raised,
                        look.px(4));
   }
-  ImGui::SetCursorScreenPos({origin.x, origin.y + step * 3});
+  ImGui::SetCursorScreenPos({origin.x, origin.y + step * 3 + look.px.s});
 }
 
 void WorldDialogs::resize_preview(const Look& look, const Session& session, ImVec2 size) const {
@@ -255,6 +255,7 @@ void WorldDialogs::generate(const Look& look, std::vector<Command>& commands) {
   make_preview();
   generate_preview(look, {whole - left - look.px(24), height - look.px(44)});
   ImGui::Dummy({0, look.px.xs});
+  ImGui::AlignTextToFramePadding();
   text(look.fonts.ui, look.theme.dim, "Seed");
   ImGui::SameLine(0, look.px.s);
   ImGui::SetNextItemWidth(look.px(110));
