@@ -98,6 +98,7 @@ class Session {
     commit(std::move(label), stroke, std::move(changed), scripted_);
   }
   void commit(std::string label, std::uint64_t stroke, Scenario changed, std::size_t scripted);
+  void relabel(const std::string& label);
   void commit_in_place(std::string label, Scenario changed, std::size_t scripted);
   Result<void> replace_map(std::string label, GridMap map, std::optional<Cell> start,
                            std::optional<Cell> goal);
@@ -127,6 +128,7 @@ class Session {
   bool follow_ = true;  // the cursor stays at the end of the log
   std::uint64_t serials_ = 0, saved_at_ = 0;
   std::size_t scripted_ = 0;  // surprises that came with the scenario
+  std::size_t stroke_cells_ = 0;  // changed so far by the last stroke of a brush
   std::uint64_t revision_ = 1;
   std::vector<std::string> log_;
 };

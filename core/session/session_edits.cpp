@@ -71,6 +71,12 @@ Result<void> Session::run_command(const DropSurprise& command) {
   return edit_cells(command.cells, false, command.stroke);
 }
 
+/// The last edit has grown: it is told by another text, in the log too.
+void Session::relabel(const std::string& label) {
+  if (!log_.empty() && log_.back() == undo_.back().label) log_.back() = label;
+  undo_.back().label = label;
+}
+
 /// Of `cells` those that differ from the world where the edit will happen, row by row.
 std::vector<CellChange> Session::real_changes(const std::vector<CellChange>& cells, const Mark* mark) {
   Run& run = *runs_.front();
@@ -105,9 +111,12 @@ Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool anno
   const std::vector<CellChange> real = real_changes(cells, mark);
   if (real.empty()) return {};
   Scenario changed = *scenario_;
+  const bool goes_on = stroke != 0 && !undo_.empty() && undo_.back().stroke == stroke;
+  stroke_cells_ = real.size() + (goes_on ? stroke_cells_ : 0);
   if (label.empty())
     label = (announced ? real.front().blocked ? "paint " : "erase " : "surprise of ") +
-            count_text(real.size(), "cell");
+            count_text(stroke_cells_, "cell");
+  if (goes_on) relabel(label);
   if (mark == nullptr) {
     for (const CellChange& change : real) changed.map.set(change.cell, change.blocked);
   } else {

@@ -66,8 +66,9 @@ void Session::commit_in_place(std::string label, Scenario changed, std::size_t s
   const std::int64_t clock = mark == nullptr ? 0 : mark->clock;
   commit(std::move(label), 0, std::move(changed), scripted);
   if (!run().marks().empty() && run().timeline().size() >= cursor) {
+    if (follow) return;  // it stood at the end, and still does
     seek(cursor);
-    follow_ = follow;
+    follow_ = false;
   } else if (clock > 0) {
     for (const auto& each : runs_) each->go(Target::clock_at(clock));
   }

@@ -69,6 +69,23 @@ TEST(SessionWorld, SchedulingLeavesTheRobotWhereItIs) {
   EXPECT_TRUE(session.scenario().surprises.empty());
 }
 
+TEST(SessionWorld, SchedulingLeavesEveryPaneWhereItIs) {
+  Scenario scenario = strip();
+  scenario.planners.push_back({"dld-star-lite", {}});
+  Session session(scenario);
+  session.settle();
+  ASSERT_TRUE(session.apply(ScheduleSurprise{wall_at(15, at_step(9))}).ok());
+  for (int i = 0; i < 50; ++i) {
+    session.settle();
+    session.update(0);
+  }
+  for (const auto& run : session.runs()) {
+    const Mark* mark = run->mark_at(run->timeline().cursor());
+    ASSERT_NE(mark, nullptr);
+    EXPECT_EQ(mark->clock, 0);
+  }
+}
+
 TEST(SessionWorld, ASurpriseNearAPlaceBringsTheRobotBackToWhereItWas) {
   Session session(strip());
   session.settle();
@@ -229,6 +246,17 @@ TEST(SessionWorld, TheHistoryGoesToAnyEdit) {
   ASSERT_TRUE(session.apply(GoToHistory{2}).ok());
   ASSERT_TRUE(session.apply(ClearWorld{}).ok());  // another edit from here: the rest is gone
   EXPECT_EQ(session.history().size(), 3u);
+}
+
+TEST(SessionWorld, AStrokeIsOneEditThatCountsItsCells) {
+  Session session(strip());
+  session.settle();
+  for (int x = 5; x < 9; ++x)
+    ASSERT_TRUE(session.apply(PaintCells{{{{x, 1}, true}, {{x, 2}, true}}, 7}).ok());
+  EXPECT_EQ(session.history(), (std::vector<std::string>{"paint 8 cells"}));
+  EXPECT_EQ(session.log().back(), "paint 8 cells");
+  ASSERT_TRUE(session.apply(PaintCells{{{{5, 1}, false}}, 8}).ok());
+  EXPECT_EQ(session.history().back(), "erase 1 cell");
 }
 
 TEST(SessionWorld, TheWorldIsThatAtTheCursor) {

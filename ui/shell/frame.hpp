@@ -52,6 +52,7 @@ struct PanelState {
   bool animated = false;      ///< something on it moves by itself
   double zoom = 0;            ///< device pixels per cell on the canvas, as fitted or chosen
   double frame_ms = 0;        ///< CPU time of a frame, smoothed; 0: not measured
+  float tool_height = 0;      ///< what the tool's choices took in the last frame, in pixels
   bool history = false;       ///< the Log tab lists the edits
   std::string said;           ///< a sentence for the user, to be shown over the canvas
   bool said_bad = false;

@@ -14,8 +14,9 @@ void perform(Frame& frame, ActionId id);
 // Each in the current ImGui window or child.
 void draw_menu_bar(Frame& frame);
 void draw_tool_strip(Frame& frame);
-/// Its own window with its upper left corner there, if the tool or what is selected has something to choose.
-void draw_tool_options(Frame& frame, ImVec2 corner);
+/// Whether the tool, or what is selected, has something to choose.
+bool has_tool_options(const Frame& frame);
+void draw_tool_options(Frame& frame);
 void draw_transport(Frame& frame);
 void draw_timeline(Frame& frame, ImVec2 min, ImVec2 max);
 void draw_status_bar(Frame& frame);

@@ -95,13 +95,17 @@ void Shell::draw_parts(Frame& frame) {
   draw_canvas(frame, {left, look.px.menu}, {split, under});
   area("transport", {0, under}, {split, look.px.transport}, look.theme.panel, {look.px.l, look.px(14)},
        [&] { draw_transport(frame); });
-  if (panels)
-    area("side", {split, look.px.menu}, {side, bottom - look.px.menu}, look.theme.panel, {0, 0},
+  if (panels) {
+    const float tool = has_tool_options(frame) ? panels_.tool_height : 0;
+    area("side", {split, look.px.menu}, {side, bottom - tool - look.px.menu}, look.theme.panel, {0, 0},
          [&] { draw_side(frame); });
+    if (has_tool_options(frame))
+      area("tool options", {split, bottom - tool}, {side, tool}, look.theme.panel, {look.px.l, look.px.m},
+           [&] { draw_tool_options(frame); });
+  }
   area("status", {0, bottom}, {size.x, look.px.status}, look.theme.raised, {look.px(14), look.px(5)},
        [&] { draw_status_bar(frame); });
   if (panels) draw_splitter(frame, split, look.px.menu, bottom);
-  draw_tool_options(frame, {left + look.px.m, look.px.menu + look.px(52)});
   draw_message(look, {left, look.px.menu}, {split, under});
 }
 

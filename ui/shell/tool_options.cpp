@@ -1,4 +1,4 @@
-// What a tool lets one choose, beside its button: when a surprise happens, how a moving obstacle moves.
+// What a tool lets one choose, under the side panel: when a surprise happens, how a moving obstacle moves.
 #include <algorithm>
 #include <array>
 
@@ -8,8 +8,6 @@
 
 namespace replan::ui {
 namespace {
-
-constexpr float kWidth = 248;
 
 /// How far the robot has come: a surprise can only be scheduled for later.
 std::int64_t clock_of(const Session& session) {
@@ -146,38 +144,46 @@ void region_options(Frame& frame) {
   entry(ActionId::delete_selected, true);
 }
 
-/// What is drawn in the panel, if the state of things asks for one.
-void (*options(Frame& frame))(Frame&) {
-  Editing& editing = frame.view.editing;
+/// What is drawn, if the state of things asks for something.
+void (*options(const Frame& frame))(Frame&) {
+  const Editing& editing = frame.view.editing;
   const Scenario& scenario = frame.session.scenario();
-  // Undo may have taken away what was selected.
-  if (editing.mover && *editing.mover >= scenario.movers.size()) editing.mover.reset();
-  if (editing.surprise &&
-      (*editing.surprise >= scenario.surprises.size() || !is_to_come(frame.session.run(), *editing.surprise)))
-    editing.surprise.reset();
-  if (editing.mover) return selected_mover;
-  if (editing.surprise) return selected_surprise;
+  if (editing.mover && *editing.mover < scenario.movers.size()) return selected_mover;
+  if (editing.surprise && *editing.surprise < scenario.surprises.size()) return selected_surprise;
   if (editing.region) return region_options;
   if (frame.view.tool == Tool::surprise) return surprise_options;
   if (frame.view.tool == Tool::mover) return mover_options;
   return nullptr;
 }
 
+/// Undo, or time, may have taken away what was selected. What is about to be added is not there yet.
+void forget_what_is_gone(Frame& frame) {
+  Editing& editing = frame.view.editing;
+  const Scenario& scenario = frame.session.scenario();
+  if (!frame.commands.empty()) return;
+  if (editing.mover && *editing.mover >= scenario.movers.size()) editing.mover.reset();
+  const bool is_gone = editing.surprise && (*editing.surprise >= scenario.surprises.size() ||
+                                            !is_to_come(frame.session.run(), *editing.surprise));
+  if (is_gone) editing.surprise.reset();
+}
+
 }  // namespace
 
-void draw_tool_options(Frame& frame, ImVec2 corner) {
-  const Look& look = frame.look;
+bool has_tool_options(const Frame& frame) {
+  return options(frame) != nullptr;
+}
+
+void draw_tool_options(Frame& frame) {
+  forget_what_is_gone(frame);
   const auto draw = options(frame);
   if (draw == nullptr) return;
-  // It can be dragged away from what it covers.
-  ImGui::SetNextWindowPos(corner, ImGuiCond_Appearing);
-  ImGui::SetNextWindowSize({draw == region_options ? look.px(144) : look.px(kWidth), 0});
-  ImGui::SetNextWindowBgAlpha(0.96f);
-  ImGui::Begin("tool options", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+  edge(frame.look, Edge::left);
+  edge(frame.look, Edge::top);
   draw(frame);
-  ImGui::End();
+  const float height = ImGui::GetCursorPosY() + frame.look.px.xs;
+  if (height != frame.panels.tool_height)
+    frame.panels.animated = true;  // it takes its place in the next frame
+  frame.panels.tool_height = height;
 }
 
 }  // namespace replan::ui

@@ -43,9 +43,10 @@ void brush_size(Frame& frame) {
   else
     list.AddRectFilled({middle.x - half, middle.y - half}, {middle.x + half, middle.y + half}, look.theme.dim,
                        look.px(1));
+  ImGui::SetNextWindowPos({origin.x + look.px.tool + look.px(14), origin.y}, ImGuiCond_Always);
   if (ImGui::BeginPopup("brush size")) {
     double value = frame.view.brush;
-    ImGui::BeginChild("slider", {look.px(200), look.px(70)});
+    ImGui::BeginChild("slider", {look.px(200), look.px(60)});
     if (slider(look,
                {.label = "Brush",
                 .min = 1,
