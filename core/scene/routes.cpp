@@ -18,10 +18,25 @@ Point robot_point(const SceneContext& context, const Mark& mark, NodeId cell) {
   const PlanePoint& at = mark.route->points[mark.next - 1];
   return {at.x, at.y};
 }
+/// Where it came from with its last step, if that was a move along the same route.
+std::optional<Point> point_before(const SceneContext& context, const Mark& mark) {
+  if (mark.next == 0) return std::nullopt;
+  if (mark.next >= 2) {
+    const PlanePoint& at = mark.route->points[mark.next - 2];
+    return Point{at.x, at.y};
+  }
+  return context.centre(mark.route->path.nodes.front());
+}
+
 Point robot_point(const SceneContext& context) {
   const Mark* mark = context.run.mark_at(context.cursor);
   const NodeId cell = robot_node(context);
-  return mark == nullptr ? context.centre(cell) : robot_point(context, *mark, cell);
+  if (mark == nullptr) return context.centre(cell);
+  const Point there = robot_point(context, *mark, cell);
+  const double travel = context.run.travel();
+  const auto before = travel < 1 ? point_before(context, *mark) : std::nullopt;
+  if (!before) return there;
+  return {before->x + travel * (there.x - before->x), before->y + travel * (there.y - before->y)};
 }
 
 /// The path from the robot on.
@@ -29,7 +44,7 @@ std::vector<Point> ahead(const SceneContext& context, const Mark& mark) {
   const std::vector<NodeId>& path = mark.route->path.nodes;
   std::vector<Point> rest;
   if (path.empty()) return rest;
-  rest.push_back(robot_point(context, mark, path.front()));
+  rest.push_back(robot_point(context));
   const double driven = mark.next == 0 ? 0 : mark.route->along[mark.next - 1];
   double walked = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
@@ -84,6 +99,7 @@ void add_trail(SceneContext& context) {
     const Point at = robot_point(context, mark, mark.route->path.nodes.front());
     if (line.points.empty() || line.points.back() != at) line.points.push_back(at);
   }
+  if (context.run.travel() < 1 && !line.points.empty()) line.points.back() = robot_point(context);
   if (line.points.size() < 2) return;
   context.scene.show(Sign::trail);
   context.add(std::move(line));

@@ -119,8 +119,10 @@ struct Step {
   StepUnit unit = StepUnit::expansion;
   int count = 1;
 };
+/// `travel`: how much of its last step the robot has made there, 0 to 1, for views that draw it on its way.
 struct Seek {
   std::size_t position = 0;
+  double travel = 1;
 };
 struct RunToEnd {};
 /// What was planned until then stays; steps, play and RunToEnd take it up again.

@@ -52,6 +52,9 @@ class Run {
 
   [[nodiscard]] Timeline& timeline() { return timeline_; }
   [[nodiscard]] const Timeline& timeline() const { return timeline_; }
+  /// How much of the robot's last step before the cursor a view shows: 0, still where it came from, to 1.
+  [[nodiscard]] double travel() const { return travel_; }
+  void set_travel(double travel) { travel_ = travel; }
   /// Where the run can branch, in order; the last one is the latest decision.
   [[nodiscard]] std::span<const Mark> marks() const { return marks_; }
   [[nodiscard]] std::span<const Marker> markers() const { return markers_; }
@@ -121,6 +124,7 @@ class Run {
   std::vector<Marker> markers_;
   std::vector<std::uint32_t> curve_;
   std::uint64_t log_id_;
+  double travel_ = 1;
 
   // The thread's own while working_, the owner's while not.
   Recorder recorder_;

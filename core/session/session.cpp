@@ -101,6 +101,7 @@ Result<void> Session::run_command(const Restart&) {
 Result<void> Session::run_command(const Play& command) {
   playback_.direction = command.direction;
   owed_ = 0;
+  for (const auto& run : runs_) run->set_travel(1);
   if (command.direction != 0) follow_ = false;
   return {};
 }
@@ -131,7 +132,7 @@ Result<void> Session::run_command(const Step& command) {
 
 Result<void> Session::run_command(const Seek& command) {
   follow_ = command.position >= run().timeline().size();
-  seek(command.position);
+  seek(command.position, command.travel);
   return {};
 }
 
@@ -148,8 +149,9 @@ Result<void> Session::run_command(const Cancel&) {
 }
 
 // The other panes go along in lockstep: to the same step of the robot, and as many expansions into its plan.
-void Session::seek(std::size_t position) {
+void Session::seek(std::size_t position, double travel) {
   Run& first = *runs_.front();
+  for (const auto& run : runs_) run->set_travel(std::clamp(travel, 0.0, 1.0));
   first.timeline().seek(std::min(position, first.timeline().size()));
   if (runs_.size() == 1) return;
   const Run::Progress progress = first.progress(first.timeline().cursor());
@@ -175,25 +177,41 @@ bool Session::update(double seconds) {
   return changed;
 }
 
+/// How long playing shows what lies between two stops.
+double Session::seconds_of(const Run& run, std::size_t from, std::size_t to) const {
+  const double speed = playback_.expansions_per_second;
+  const EventKind kind = run.timeline().event(std::min(from, to)).kind;
+  if (kind != EventKind::move && kind != EventKind::waiting) return speed < kFullSpeed ? 1 / speed : 0;
+  const double step = 1 / std::min(speed, kMovesPerSecond);
+  if (run.scenario().robot.motion == Motion::steps) return step;
+  const Mark *before = run.mark_at(std::min(from, to)), *after = run.mark_at(std::max(from, to));
+  if (before == nullptr || after == nullptr) return step;
+  const double driven = static_cast<double>(after->time - before->time) / static_cast<double>(kSecond);
+  return std::min(driven, 1.0) / std::clamp(speed / kRealTimeSpeed, 0.125, 8.0);
+}
+
 bool Session::play(double seconds) {
   if (playback_.direction == 0) return false;
   Run& run = *runs_.front();
-  const double speed = playback_.expansions_per_second;
   owed_ = std::min(owed_ + seconds, 0.1);  // after a stall, go on instead of leaping
   std::size_t cursor = run.timeline().cursor();
   const std::size_t begin = cursor;
+  const double travel_before = run.travel();
+  bool moves = playback_.direction > 0 && travel_before < 1;
   int steps = 200000;  // of one frame, at full speed
   while (owed_ > 0 && steps-- > 0) {
     const bool at_end = playback_.direction > 0 ? cursor >= run.timeline().size() : cursor == 0;
     if (at_end) break;
     const std::size_t next = playback_.direction > 0 ? next_stop(run, cursor, StepUnit::expansion)
                                                      : previous_stop(run, cursor, StepUnit::expansion);
-    const std::size_t shown = std::min(cursor, next);
-    const bool moves = run.timeline().event(shown).kind == EventKind::move;
-    if (speed < kFullSpeed || moves) owed_ -= 1 / (moves ? std::min(speed, kMovesPerSecond) : speed);
+    step_seconds_ = seconds_of(run, cursor, next);
+    moves = run.timeline().event(std::min(cursor, next)).kind == EventKind::move;
+    owed_ -= step_seconds_;
     cursor = next;
   }
-  seek(cursor);
+  // A robot that drives smoothly is still on its way while time is owed to it.
+  const bool smooth = run.scenario().robot.motion == Motion::smooth && playback_.direction > 0 && moves;
+  seek(cursor, smooth && owed_ < 0 && step_seconds_ > 0 ? 1 + owed_ / step_seconds_ : 1);
   const Mark* last = run.marks().empty() ? nullptr : &run.marks().back();
   const bool can_go_on = (last == nullptr || last->state == MissionState::driving) && run.failure().empty();
   if (playback_.direction > 0 && can_go_on && run.timeline().size() - cursor < 64 && !run.busy())
@@ -202,7 +220,7 @@ bool Session::play(double seconds) {
   const bool finished =
       playback_.direction > 0 ? cursor >= run.timeline().size() && !can_go_on && !run.busy() : cursor == 0;
   if (finished) playback_.direction = 0;
-  return cursor != begin || finished;
+  return cursor != begin || finished || run.travel() != travel_before;
 }
 
 void Session::settle() {

@@ -27,6 +27,9 @@ class Session {
  public:
   static constexpr double kFullSpeed = 1e6;      ///< from here on a frame shows as much as it can
   static constexpr double kMovesPerSecond = 15;  ///< the robot's pace while playing, if the speed allows
+  /// At this speed a robot with Motion::smooth drives in real time; at others so much faster or slower, but
+  /// no more than eight times.
+  static constexpr double kRealTimeSpeed = 240;
 
   /// Starts planning in the background.
   explicit Session(Scenario scenario, std::string file = {});
@@ -113,8 +116,9 @@ class Session {
   [[nodiscard]] std::uint64_t document_state() const {
     return undo_.empty() ? 0 : undo_.back().serial;
   }
-  void seek(std::size_t position);
+  void seek(std::size_t position, double travel = 1);
   bool play(double seconds);
+  [[nodiscard]] double seconds_of(const Run& run, std::size_t from, std::size_t to) const;
   void say(std::string line) {
     log_.push_back(std::move(line));
   }
@@ -124,8 +128,9 @@ class Session {
   std::vector<Edit> undo_, redo_;
   std::string file_;
   Playback playback_;
-  double owed_ = 0;     // seconds of play not yet shown
-  bool follow_ = true;  // the cursor stays at the end of the log
+  double owed_ = 0;          // seconds of play not yet shown; negative: the last stop still lasts so long
+  double step_seconds_ = 0;  // how long the last stop lasts in all
+  bool follow_ = true;       // the cursor stays at the end of the log
   std::uint64_t serials_ = 0, saved_at_ = 0;
   std::size_t scripted_ = 0;  // surprises that came with the scenario
   std::size_t stroke_cells_ = 0;  // changed so far by the last stroke of a brush

@@ -11,7 +11,8 @@ bool is_stop(const Timeline& log, std::size_t p, StepUnit unit) {
   const bool begins_iteration =
       here.kind == EventKind::pop || here.kind == EventKind::plan_begin || here.kind == EventKind::plan_end ||
       here.kind == EventKind::move || here.kind == EventKind::surprise || here.kind == EventKind::collision ||
-      here.kind == EventKind::waiting || here.kind == EventKind::arrival || here.kind == EventKind::gave_up;
+      here.kind == EventKind::waiting || here.kind == EventKind::arrival || here.kind == EventKind::gave_up ||
+      here.kind == EventKind::new_goal || here.kind == EventKind::put_down;
   if (unit == StepUnit::expansion || begins_iteration) return begins_iteration;
   return here.line != log.event(p - 1).line;
 }

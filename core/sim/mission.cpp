@@ -10,8 +10,9 @@
 namespace replan {
 namespace {
 
-/// The longest drive among moving obstacles that may block the way for ever, in simulated time.
-constexpr SimTime kLongestChase = 24 * 3600 * kSecond;
+/// Moves per cell of the world after which a drive among moving obstacles counts as endless. Without them a
+/// robot enters a cell a few times at most.
+constexpr std::int64_t kMovesPerCell = 10;
 
 class Stopwatch {
  public:
@@ -53,6 +54,8 @@ const char* mission_state_name(MissionState state) {
       return "collision";
     case MissionState::loop:
       return "loop";
+    case MissionState::endless:
+      return "endless";
   }
   return "";
 }
@@ -90,8 +93,7 @@ Mission<T>::Mission(const Scenario& scenario, const PlannerChoice& choice, T& tr
 
 template <class T>
 bool Mission<T>::ended() const {
-  return now_.state == MissionState::arrived || now_.state == MissionState::no_path ||
-         now_.state == MissionState::collision || now_.state == MissionState::loop;
+  return now_.state != MissionState::planning && now_.state != MissionState::driving;
 }
 
 template <class T>
@@ -315,8 +317,7 @@ void Mission<T>::wait_for_movers() {
     }
   }
   const auto patience = std::llround(robot_setup_.patience * static_cast<double>(kSecond));
-  const bool too_long = now_.waited >= patience || now_.time > kLongestChase;
-  if (too_long && !next_scripted_step(false)) return give_up(MissionState::no_path);
+  if (now_.waited >= patience && !next_scripted_step(false)) return give_up(MissionState::no_path);
   now_.waited += step_time(1);
   wait_until(now_.clock + 1);
 }
@@ -361,10 +362,10 @@ void Mission<T>::advance_clock(std::int64_t steps, SimTime time, NodeId left) {
 
 template <class T>
 void Mission<T>::drive() {
-  if (now_.next >= now_.route->cells.size()) {  // a circle has been driven to its end
-    give_up(MissionState::loop);
-    return;
-  }
+  if (now_.next >= now_.route->cells.size())  // a circle has been driven to its end
+    return give_up(MissionState::loop);
+  if (!crowd_.empty() && now_.figures.moves > kMovesPerCell * static_cast<std::int64_t>(truth_.size()))
+    return give_up(MissionState::endless);
   enter(now_.route->cells[now_.next]);
 }
 

@@ -22,6 +22,7 @@ enum class MissionState : std::uint8_t {
   no_path,    ///< no path, and nothing that is scripted can open one: the robot waits for a change by hand
   collision,  ///< the plan leads into an obstacle (only with `remote_parents=printed`)
   loop,       ///< the plan leads round in a circle (only with `remote_parents=printed`)
+  endless,    ///< what moves keeps turning the robot back: ten times as many moves as the world has cells
 };
 
 /// The state as its fixed name in JSON output.

@@ -17,7 +17,7 @@ namespace replan {
 
 /// The robot's side of a run.
 struct RobotReport {
-  MissionState ending = MissionState::planning;  ///< arrived, no_path, collision or loop
+  MissionState ending = MissionState::planning;  ///< arrived, no_path, collision, loop or endless
   std::int64_t moves = 0;
   double travelled = 0;  ///< cells, along the route
   std::int64_t collisions = 0;

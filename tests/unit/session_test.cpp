@@ -32,6 +32,11 @@ std::vector<CellChange> block(int x, int y, int width, int height, bool blocked 
   return cells;
 }
 
+/// A box that goes up and down in front of the gap.
+MovingObstacle patrol() {
+  return {.way = {{14, 2}, {14, 9}}, .width = 2, .height = 2, .speed = 3};
+}
+
 void run_to_end(Session& session) {
   ASSERT_TRUE(session.apply(RunToEnd{}).ok());
   while (session.run().busy()) session.update(0);
@@ -161,13 +166,28 @@ TEST(Session, ASurpriseOnTheDemoWorldIsRepairedSteppedBackAndForthWithEqualHashe
 }
 
 TEST(Session, RandomCommandsGiveARunThatRepeatsFromItsScenario) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     Random random(seed);
-    Session session(wall_with_gap(seed % 2 == 0 ? "dld-star-lite" : "dstar-lite"));
+    Scenario scenario = wall_with_gap(seed % 2 == 0 ? "dld-star-lite" : "dstar-lite");
+    if (seed % 3 == 0) scenario.movers = {patrol()};
+    if (seed % 4 == 0) scenario.robot.motion = Motion::smooth;
+    Session session(scenario);
     for (int i = 0; i < 25; ++i) {
       const int x = random.between(3, 19), y = random.between(0, 12);
       const std::size_t size = session.run().timeline().size();
-      switch (random.below(8)) {
+      switch (random.below(12)) {
+        case 8:
+          (void)session.apply(SetGoal{{x, y}, random.below(3)});
+          break;
+        case 9:
+          (void)session.apply(PutRobot{{x, y}, random.below(3)});
+          break;
+        case 10:
+          (void)session.apply(AddMover{{.way = {{x, y}, {y, 15}}, .width = 2}});
+          break;
+        case 11:
+          (void)session.apply(RemoveMover{random.below(2)});
+          break;
         case 0:
           (void)session.apply(PaintCells{block(x, y, 2, 3, random.chance(0.6)), 0});
           break;
@@ -377,6 +397,95 @@ TEST(Session, PlaysForwardsToTheArrivalAndBackToTheBeginning) {
   ASSERT_TRUE(session.apply(Play{-1}).ok());
   for (int frame = 0; frame < 20000 && session.playback().direction != 0; ++frame) session.update(0.05);
   EXPECT_EQ(session.run().timeline().cursor(), 0u);
+}
+
+TEST(Session, AGoalThatMovesOnTheWayIsPlannedForAfreshFromWhereTheRobotIs) {
+  Session session(wall_with_gap("dstar-lite"));
+  session.settle();
+  ASSERT_TRUE(session.apply(Step{StepUnit::move, 5}).ok());
+  const std::size_t before = session.run().timeline().cursor();
+  // A drag over three cells counts as one change.
+  for (const Cell cell : {Cell{20, 8}, Cell{20, 12}, Cell{19, 13}}) {
+    ASSERT_TRUE(session.apply(SetGoal{cell, 7}).ok());
+    session.settle();
+  }
+  ASSERT_EQ(session.scenario().surprises.size(), 1u);
+  EXPECT_EQ(session.scenario().surprises[0].goal, (Cell{19, 13}));
+  EXPECT_EQ(session.scenario().goal, (Cell{21, 8})) << "the run's own goal stays";
+  EXPECT_EQ(last_mark(session).figures.moves, 5);
+  EXPECT_GE(session.run().timeline().cursor(), before);
+  const auto kinds = [&](EventKind kind) {
+    int count = 0;
+    for (std::size_t i = 0; i < session.run().timeline().size(); ++i)
+      count += session.run().timeline().event(i).kind == kind ? 1 : 0;
+    return count;
+  };
+  EXPECT_EQ(kinds(EventKind::new_goal), 1);
+  run_to_end(session);
+  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
+  EXPECT_EQ(session.run().timeline().state().node(Scalar::robot), session.run().lattice().node(Cell{19, 13}));
+  expect_repeats(session);
+  ASSERT_TRUE(session.apply(Undo{}).ok());
+  session.settle();
+  EXPECT_TRUE(session.scenario().surprises.empty());
+}
+
+TEST(Session, ARobotThatIsPutElsewhereRepairsItsPlan) {
+  Session session(wall_with_gap("dld-star-lite"));
+  session.settle();
+  ASSERT_TRUE(session.apply(PutRobot{{3, 3}}).ok());
+  EXPECT_EQ(session.scenario().start, (Cell{3, 3})) << "before it has set out this moves the start";
+  session.settle();
+  ASSERT_TRUE(session.apply(Step{StepUnit::move, 4}).ok());
+  ASSERT_TRUE(session.apply(PutRobot{{5, 14}}).ok());
+  session.settle();
+  EXPECT_EQ(session.run().timeline().state().node(Scalar::robot), session.run().lattice().node(Cell{5, 14}));
+  EXPECT_EQ(session.scenario().start, (Cell{3, 3}));
+  run_to_end(session);
+  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
+  expect_repeats(session);
+}
+
+TEST(Session, AnObstacleThatMovesAppearsWhereTheRobotIsAndTheRobotStaysThere) {
+  Session session(wall_with_gap("dstar-lite"));
+  session.settle();
+  ASSERT_TRUE(session.apply(Step{StepUnit::move, 6}).ok());
+  const NodeId robot = session.run().timeline().state().node(Scalar::robot);
+  ASSERT_TRUE(session.apply(AddMover{patrol()}).ok());
+  while (session.run().busy()) session.update(0);
+  session.update(0);
+  ASSERT_EQ(session.scenario().movers.size(), 1u);
+  EXPECT_EQ(session.scenario().movers[0].from, 6);
+  EXPECT_EQ(session.run().timeline().state().node(Scalar::robot), robot);
+  expect_repeats(session);
+  EXPECT_EQ(last_mark(session).figures.collisions, 0);
+  EXPECT_FALSE(session.apply(AddMover{{.way = {}}}).ok());
+  EXPECT_FALSE(session.apply(AddMover{{.way = {{99, 0}}}}).ok());
+  EXPECT_FALSE(session.apply(RemoveMover{1}).ok());
+  ASSERT_TRUE(session.apply(RemoveMover{0}).ok());
+  EXPECT_TRUE(session.scenario().movers.empty());
+}
+
+TEST(Session, ASmoothRobotIsShownBetweenCellsAndDrivesAtItsSpeed) {
+  Scenario scenario = wall_with_gap("dstar-lite");
+  scenario.robot.motion = Motion::smooth;
+  scenario.robot.speed = 5;
+  Session session(scenario);
+  session.settle();
+  run_to_end(session);
+  const std::size_t planned = session.run().marks().front().event;
+  const double driven = last_mark(session).figures.travelled;
+  ASSERT_TRUE(session.apply(Seek{planned}).ok());
+  ASSERT_TRUE(session.apply(SetSpeed{Session::kRealTimeSpeed}).ok());
+  ASSERT_TRUE(session.apply(Play{1}).ok());
+  int frames = 0, between = 0;
+  for (; frames < 2000 && session.playback().direction != 0; ++frames) {
+    session.update(1.0 / 60);
+    between += session.run().travel() > 0 && session.run().travel() < 1 ? 1 : 0;
+  }
+  EXPECT_NEAR(frames / 60.0, driven / scenario.robot.speed, 0.3);
+  EXPECT_GT(between, frames / 2);
+  EXPECT_EQ(session.run().travel(), 1);
 }
 
 }  // namespace

@@ -85,6 +85,12 @@ std::string happening_text(const Run& run, const Event& event) {
       return "the robot arrives at " + at;
     case EventKind::gave_up:
       return "the mission ends at " + at;
+    case EventKind::new_goal:
+      return "the goal is " + at + " now: a plan from scratch";
+    case EventKind::put_down:
+      return "the robot is put down at " + at;
+    case EventKind::forgotten:
+      return "the robot forgets what it saw moving at " + at;
     default:
       return "";
   }

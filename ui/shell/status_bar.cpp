@@ -38,6 +38,8 @@ Verdict verdict(const Theme& theme, const Run& run) {
       return {theme.bad, "would hit an obstacle"};
     case MissionState::loop:
       return {theme.bad, "goes round in a circle"};
+    case MissionState::endless:
+      return {theme.bad, "turned back again and again"};
     case MissionState::no_path:
     case MissionState::driving:
       break;

@@ -86,6 +86,10 @@ std::optional<MarkStyle> style_of(const Theme& theme, const Run& run, const Mark
     }
     case EventKind::surprise:
       return MarkStyle{Shape::diamond, theme.surprise, "A surprise: the world changes"};
+    case EventKind::new_goal:
+      return MarkStyle{Shape::diamond, theme.goal, "The goal moves: a plan from scratch"};
+    case EventKind::put_down:
+      return MarkStyle{Shape::diamond, theme.start, "The robot is put down elsewhere"};
     case EventKind::arrival:
       return MarkStyle{Shape::circle, theme.goal, "The robot arrives"};
     case EventKind::collision:

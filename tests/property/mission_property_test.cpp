@@ -1,0 +1,280 @@
+// Random missions in worlds that change: with surprises, moving obstacles and sensors of every kind the robot
+// never enters an obstacle, and where it gives up there is no path on its map.
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "core/sim/mission.hpp"
+#include "core/trace/search_state.hpp"
+#include "tests/support/worlds.hpp"
+
+namespace replan::test {
+namespace {
+
+constexpr int kMissions = 20'004;  // a multiple of the number of planners, below
+
+struct Totals {
+  std::int64_t missions = 0, arrived = 0, no_path = 0, moves = 0, replans = 0, waits = 0, forgotten = 0,
+               put_down = 0, new_goals = 0, endless = 0, beside_movers = 0;
+};
+
+Cell random_cell(Random& random, const GridMap& map) {
+  return {random.between(0, map.width - 1), random.between(0, map.height - 1)};
+}
+
+Surprise random_surprise(Random& random, const GridMap& map) {
+  Surprise surprise;
+  if (random.chance(0.7)) {
+    surprise.at.move = random.between(0, 30);
+  } else {
+    surprise.at.near = random_cell(random, map);
+    surprise.at.within = 6 * random.unit();
+  }
+  surprise.announced = random.chance(0.3);
+  if (random.chance(0.1)) surprise.goal = random_cell(random, map);
+  if (random.chance(0.1)) surprise.robot = random_cell(random, map);
+  const Cell low = random_cell(random, map);
+  const Cell high{std::min(map.width - 1, low.x + random.between(0, 4)),
+                  std::min(map.height - 1, low.y + random.between(0, 4))};
+  const bool blocked = random.chance(0.6);
+  for (int y = low.y; y <= high.y; ++y)
+    for (int x = low.x; x <= high.x; ++x) surprise.cells.push_back({{x, y}, blocked});
+  return surprise;
+}
+
+MovingObstacle random_mover(Random& random, const GridMap& map) {
+  constexpr double kSpeeds[] = {0.3, 1, 2, 4, 11};
+  MovingObstacle mover;
+  for (int corners = random.between(1, 4); corners > 0; --corners)
+    mover.way.push_back(random_cell(random, map));
+  mover.width = random.between(1, 3);
+  mover.height = random.between(1, 3);
+  mover.speed = kSpeeds[random.below(5)];
+  mover.at_end = static_cast<WayEnd>(random.below(3));
+  if (random.chance(0.3)) mover.from = random.between(0, 20);
+  return mover;
+}
+
+Scenario random_scenario(Random& random, const PlannerInfo& info) {
+  constexpr double kRadii[] = {0, 1, 1.5, 2, 3, 4.5, 6, 10, 40};
+  constexpr double kSpeeds[] = {0.5, 2, 4, 20};
+  Scenario scenario;
+  const auto size = random_size<2>(random, {4, 3}, {20, 16});
+  scenario.map = GridMap(size[0], size[1]);
+  scenario.map.blocked = random_cells<2>(random, size);
+  for (std::uint8_t& cell : scenario.map.blocked)
+    if (cell != 0 && random.chance(0.1)) cell = kUnmapped;
+  scenario.start = random_cell(random, scenario.map);
+  scenario.goal = random_cell(random, scenario.map);
+  if (random.chance(0.9)) {
+    scenario.map.set(scenario.start, false);
+    scenario.map.set(scenario.goal, false);
+  }
+  scenario.robot = {.knowledge = static_cast<Knowledge>(random.below(3)),
+                    .sensor_radius = kRadii[random.below(9)],
+                    .sensor_blocked = random.chance(0.5),
+                    .motion = static_cast<Motion>(random.below(2)),
+                    .speed = kSpeeds[random.below(4)],
+                    .patience = random.chance(0.5) ? 10.0 : 40.0};
+  for (int n = random.between(0, 4); n > 0; --n)
+    scenario.surprises.push_back(random_surprise(random, scenario.map));
+  for (int n = random.between(0, 4); n > 0; --n)
+    scenario.movers.push_back(random_mover(random, scenario.map));
+  scenario.planners = {{std::string(info.id), random_settings(random, info)}};
+  return scenario;
+}
+
+/// Where a moving obstacle is after that many steps, by walking.
+Cell walked(const MovingObstacle& setup, std::int64_t steps) {
+  std::vector<Cell> corners = setup.way;
+  if (setup.at_end == WayEnd::loop) corners.push_back(corners.front());
+  std::vector<Cell> cells = cells_of_way(corners);
+  std::size_t at = 0;
+  bool back = false;
+  for (; steps > 0; --steps) {
+    if (setup.at_end == WayEnd::loop) {
+      at = at + 1 < cells.size() ? at + 1 : 0;
+      if (at + 1 == cells.size()) at = 0;  // the way's end is its beginning
+    } else if (setup.at_end == WayEnd::stop) {
+      at = std::min(at + 1, cells.size() - 1);
+    } else if (cells.size() > 1) {
+      if (at + 1 == cells.size()) back = true;
+      if (at == 0) back = false;
+      at = back ? at - 1 : at + 1;
+    }
+  }
+  return cells[at];
+}
+
+/// Follows one mission and holds it to what must be true of any.
+class Witness {
+ public:
+  Witness(const Scenario& scenario, const PlannerInfo& info)
+      : scenario_(scenario),
+        rules_(move_rules(scenario.planners[0].settings)),
+        mission_(scenario, scenario.planners[0], recorder_),
+        state_(initial_knowledge(scenario), initial_truth(scenario)) {
+    if (info.any_angle) rules_.diagonals = true;
+    world_.size = {scenario.map.width, scenario.map.height, 1};
+    for (const std::uint8_t cell : scenario.map.blocked) walls_.push_back(cell == kFree ? 0 : 1);
+  }
+
+  /// What went wrong, or nothing.
+  std::string run(Totals& totals) {
+    robot_ = mission_.known().node(scenario_.start);
+    for (int slices = 0;; ++slices) {
+      if (slices > 300000) return "the mission does not end";
+      const bool more = mission_.advance(64);
+      for (const Event& event : recorder_.take()) {
+        if (const std::string fault = take(event, totals); !fault.empty()) return fault;
+        state_.apply(event);
+      }
+      if (const std::string fault = world_fault(); !fault.empty()) return fault;
+      if (!more) break;
+    }
+    ++totals.missions;
+    const MissionFigures& figures = mission_.now().figures;
+    if (figures.collisions != 0) return "a collision was counted";
+    totals.moves += figures.moves;
+    totals.replans += figures.replans;
+    return end_fault(totals);
+  }
+
+ private:
+  std::string take(const Event& event, Totals& totals) {
+    switch (event.kind) {
+      case EventKind::move:
+        return move_fault(event.node, totals);
+      case EventKind::surprise:
+        for (const CellChange& change : scenario_.surprises[event.delta].cells)
+          walls_[scenario_.map.index(change.cell)] = change.blocked ? 1 : 0;
+        break;
+      case EventKind::put_down:
+        robot_ = event.node;
+        ++totals.put_down;
+        break;
+      case EventKind::new_goal:
+        ++totals.new_goals;
+        break;
+      case EventKind::waiting:
+        ++totals.waits;
+        break;
+      case EventKind::forgotten:
+        ++totals.forgotten;
+        break;
+      default:
+        break;
+    }
+    return "";
+  }
+
+  std::string move_fault(NodeId to, Totals& totals) {
+    if (state_.truly_blocked(to)) return "the robot enters an obstacle";
+    world_.blocked.clear();
+    for (NodeId n = 0; n < walls_.size(); ++n) world_.blocked.push_back(state_.truly_blocked(n) ? 1 : 0);
+    const oracle::Place a = world_.place(robot_), b = world_.place(to);
+    // A robot that was put into an obstacle has no moves, so it never leaves one.
+    if (!oracle::may_move(world_, rules_, a, {b[0] - a[0], b[1] - a[1], 0})) return "that is not a move";
+    for (int y = std::max(0, b[1] - 1); y <= std::min(world_.size[1] - 1, b[1] + 1); ++y)
+      for (int x = std::max(0, b[0] - 1); x <= std::min(world_.size[0] - 1, b[0] + 1); ++x)
+        totals.beside_movers += state_.moving(static_cast<NodeId>(world_.index({x, y, 0}))) ? 1 : 0;
+    robot_ = to;
+    return "";
+  }
+
+  /// The log's world against walls and moving obstacles counted here.
+  [[nodiscard]] std::string world_fault() const {
+    std::vector<std::uint8_t> expected = walls_;
+    for (std::size_t i = 0; i < scenario_.movers.size(); ++i) {
+      const MoverState& mover = mission_.now().movers[i];
+      if (mover.steps < 0) continue;
+      const MovingObstacle& setup = scenario_.movers[i];
+      const Cell at = walked(setup, mover.steps);
+      for (int y = at.y; y < std::min(scenario_.map.height, at.y + setup.height); ++y)
+        for (int x = at.x; x < std::min(scenario_.map.width, at.x + setup.width); ++x) {
+          std::uint8_t& cell = expected[scenario_.map.index({x, y})];
+          cell = static_cast<std::uint8_t>(cell + kMoverUnit);
+        }
+    }
+    for (NodeId n = 0; n < expected.size(); ++n)
+      if (state_.value(EventKind::truth, n) != expected[n])
+        return "the world is not as it should be at cell " + std::to_string(n);
+    return "";
+  }
+
+  std::string end_fault(Totals& totals) {
+    const NodeId goal = state_.node(Scalar::goal);
+    if (state_.node(Scalar::robot) != robot_) return "the robot is not where it drove";
+    if (mission_.state() == MissionState::arrived) {
+      ++totals.arrived;
+      return robot_ == goal ? "" : "it has arrived somewhere else";
+    }
+    if (mission_.state() == MissionState::endless) {
+      ++totals.endless;
+      return "";
+    }
+    if (mission_.state() != MissionState::no_path) return "it ends neither by arriving nor without a path";
+    ++totals.no_path;
+    world_.blocked.clear();
+    for (NodeId n = 0; n < walls_.size(); ++n) world_.blocked.push_back(state_.known_blocked(n) ? 1 : 0);
+    if (world_.blocked[robot_] != 0 || world_.blocked[goal] != 0) return "";
+    const MoveRules rules = move_rules(scenario_.planners[0].settings);
+    return oracle::costs_to(world_, rules, {}, goal)[robot_] == oracle::kNever ? "" : "there is a path";
+  }
+
+  const Scenario& scenario_;
+  MoveRules rules_;
+  Recorder recorder_;
+  Mission<Recorder> mission_;
+  SearchState state_;
+  oracle::World world_;
+  std::vector<std::uint8_t> walls_;
+  NodeId robot_ = kNoNode;
+};
+
+class RandomMissions : public ::testing::TestWithParam<const PlannerInfo*> {};
+
+TEST_P(RandomMissions, endWithoutACollision) {
+  const PlannerInfo& info = *GetParam();
+  Totals totals;
+  const auto count = static_cast<std::uint64_t>(kMissions) / planners().size();
+  for (std::uint64_t seed = 0; seed < count; ++seed) {
+    Random random(seed * 1000 + static_cast<std::uint64_t>(&info - planners().data()));
+    const Scenario scenario = random_scenario(random, info);
+    Witness witness(scenario, info);
+    const std::string fault = witness.run(totals);
+    ASSERT_EQ(fault, "") << "seed " << seed << ", " << describe_settings(info, scenario.planners[0].settings)
+                         << "\n"
+                         << scenario_text(scenario);
+  }
+  std::printf(
+      "%s: %lld missions, %lld arrived, %lld without a path; %lld moves (%lld beside something moving), %lld "
+      "replans, %lld turned back for ever, %lld waits, %lld sightings forgotten, %lld times put down, %lld "
+      "new goals\n",
+      std::string(info.id).c_str(), static_cast<long long>(totals.missions),
+      static_cast<long long>(totals.arrived), static_cast<long long>(totals.no_path),
+      static_cast<long long>(totals.moves), static_cast<long long>(totals.beside_movers),
+      static_cast<long long>(totals.replans), static_cast<long long>(totals.endless),
+      static_cast<long long>(totals.waits), static_cast<long long>(totals.forgotten),
+      static_cast<long long>(totals.put_down), static_cast<long long>(totals.new_goals));
+  EXPECT_LT(totals.endless, 10);
+  // Each of them has to occur, or the test says nothing of it.
+  for (const std::int64_t count_of : {totals.arrived, totals.no_path, totals.beside_movers, totals.waits,
+                                      totals.forgotten, totals.put_down, totals.new_goals})
+    EXPECT_GT(count_of, 20);
+}
+
+std::vector<const PlannerInfo*> every_planner() {
+  std::vector<const PlannerInfo*> all;
+  for (const PlannerInfo& info : planners()) all.push_back(&info);
+  return all;
+}
+INSTANTIATE_TEST_SUITE_P(Planners, RandomMissions, ::testing::ValuesIn(every_planner()),
+                         [](const auto& param) {
+                           std::string name(param.param->id);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace replan::test

@@ -1,0 +1,67 @@
+// The library of worlds in maps/: each runs to the end that its caption tells of.
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "core/base/file.hpp"
+#include "core/sim/mission.hpp"
+#include "tests/support/shared_data.hpp"
+
+namespace replan {
+namespace {
+
+Mission<NoTrace> driven(const Scenario& scenario, const PlannerChoice& choice, NoTrace& nobody) {
+  Mission<NoTrace> mission(scenario, choice, nobody);
+  while (mission.advance(1 << 20)) {
+  }
+  return mission;
+}
+
+bool as_printed(const PlannerChoice& choice) {
+  return choice.settings.get("remote_parents", 0) == 1;
+}
+
+TEST(ShippedWorlds, AreManyAndEachSaysWhatItIsFor) {
+  std::set<std::string> names;
+  for (const auto& file : test::files_below(REPLAN_SOURCE_DIR "/maps", ".json")) {
+    const auto scenario = read_scenario(file.string());
+    ASSERT_TRUE(scenario.ok()) << scenario.error();
+    EXPECT_TRUE(names.insert(scenario->name).second) << scenario->name << " is there twice";
+    EXPECT_GT(scenario->caption.size(), 60u) << file;
+  }
+  EXPECT_GE(names.size(), 15u);
+}
+
+TEST(ShippedWorlds, CheckedPlannersArriveWithoutACollision) {
+  NoTrace nobody;
+  for (const auto& file : test::files_below(REPLAN_SOURCE_DIR "/maps", ".json")) {
+    const auto scenario = read_scenario(file.string());
+    ASSERT_TRUE(scenario.ok()) << scenario.error();
+    for (const PlannerChoice& choice : scenario->planners) {
+      if (as_printed(choice)) continue;
+      const auto mission = driven(*scenario, choice, nobody);
+      EXPECT_EQ(mission.state(), MissionState::arrived) << file << " " << choice.id;
+      EXPECT_EQ(mission.now().figures.collisions, 0) << file << " " << choice.id;
+      EXPECT_EQ(mission.now().fired, std::vector<bool>(scenario->surprises.size(), true))
+          << file << " " << choice.id << ": a surprise never comes";
+    }
+  }
+}
+
+TEST(ShippedWorlds, DemonstrateBothFaultsOfThePrintedPseudoCode) {
+  NoTrace nobody;
+  const std::string maps = REPLAN_SOURCE_DIR "/maps/";
+  const auto crash = read_scenario(maps + "fault-through-obstacle.json");
+  const auto circle = read_scenario(maps + "fault-in-a-circle.json");
+  ASSERT_TRUE(crash.ok() && circle.ok());
+  ASSERT_TRUE(as_printed(crash->planners[0]) && as_printed(circle->planners[0]));
+  const auto hit = driven(*crash, crash->planners[0], nobody);
+  EXPECT_EQ(hit.state(), MissionState::collision);
+  EXPECT_EQ(hit.now().figures.collisions, 1);
+  // It drives into what it sees: the cell is an obstacle on its own map.
+  EXPECT_TRUE(hit.known().blocked(hit.route().cells[hit.now().next]));
+  EXPECT_EQ(driven(*circle, circle->planners[0], nobody).state(), MissionState::loop);
+}
+
+}  // namespace
+}  // namespace replan
