@@ -7,6 +7,7 @@
 #include "app/cli/output.hpp"
 #include "core/base/file.hpp"
 #include "core/plan/registry.hpp"
+#include "core/world/generator_list.hpp"
 #include "core/world/map_file.hpp"
 #include "core/world/text_lines.hpp"
 
@@ -91,25 +92,32 @@ Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids,
   return result;
 }
 
-Result<Cell> cell_on_map(std::string_view option, const std::string& text, const GridMap& map,
-                         const std::string& source) {
-  const std::string range =
-      "x from 0 to " + std::to_string(map.width - 1) + ", y from 0 to " + std::to_string(map.height - 1);
-  if (text.empty())
-    return Error{std::string(option) + " is missing: give " + std::string(option) + " X,Y with " + range};
-  const auto cell = parse_cell(option, text);
-  if (!cell) return cell;
-  if (!map.contains(*cell))
-    return Error{std::string(option) + " " + text + " is outside the map " + source + ": give " + range};
-  return cell;
+std::string cell_range(const GridMap& map) {
+  return "x from 0 to " + std::to_string(map.width - 1) + ", y from 0 to " + std::to_string(map.height - 1);
 }
 
-Result<Scenario> plain_world(const std::string& map_path) {
-  Result<GridMap> map = read_map(map_path);
-  if (!map) return Error{map.error()};
+/// A start or goal that must be there and on the map.
+Result<Cell> cell_on_map(std::string_view option, const std::string& text, const GridMap& map,
+                         const std::string& source) {
+  const auto cell = parse_cell(option, text);
+  if (!cell || map.contains(*cell)) return cell;
+  return Error{std::string(option) + " " + text + " is outside the map " + source + ": give " +
+               cell_range(map)};
+}
+
+/// The world on a map, whose start and goal must be given or stand in its file.
+Result<Scenario> plain_world(const WorldArguments& arguments) {
+  Result<MapFile> file = arguments.load_map();
+  if (!file) return Error{file.error()};
+  for (const auto& [option, cell] : {std::pair{"--start", &file->start}, std::pair{"--goal", &file->goal}})
+    if (!cell->has_value())
+      return Error{std::string(option) + " is missing: give " + option + " X,Y with " +
+                   cell_range(file->map)};
   Scenario world;
-  world.map = std::move(map.value());
-  world.name = file_stem(map_path);
+  world.map = std::move(file->map);
+  world.start = *file->start;
+  world.goal = *file->goal;
+  world.name = is_generator_spec(arguments.map) ? arguments.map : file_stem(arguments.map);
   return world;
 }
 
@@ -159,12 +167,70 @@ Result<std::vector<PlannerChoice>> PlannerArguments::choose(std::span<const Plan
   return choices;
 }
 
+void ReadingArguments::declare(CLI::App& command) {
+  command
+      .add_option("--threshold", threshold,
+                  "Of a picture: pixels darker than this, 1 to 255, are obstacles (128)")
+      ->type_name("N");
+  command.add_flag("--invert", invert, "Of a picture: bright pixels are obstacles instead");
+  command
+      .add_option(
+          "--unknown", unknown,
+          "Of a ROS map: what unknown cells are: blocked (default), free, or unmapped, which are obstacles "
+          "that the robot does not know of")
+      ->type_name("WHAT");
+}
+
+Result<MapReading> ReadingArguments::reading() const {
+  constexpr std::string_view kUnknown[] = {"blocked", "free", "unmapped"};
+  MapReading result;
+  result.image.invert = invert;
+  const auto number = threshold.empty() ? result.image.threshold : number_from<int>(threshold).value_or(0);
+  if (number < 1 || number > 255)
+    return Error{"--threshold cannot be '" + threshold + "': give a whole number from 1 to 255"};
+  result.image.threshold = number;
+  if (unknown.empty()) return result;
+  const auto found = std::find(std::begin(kUnknown), std::end(kUnknown), unknown);
+  if (found == std::end(kUnknown))
+    return Error{"--unknown cannot be '" + unknown + "'" +
+                 suggestion(unknown, kUnknown, ": give blocked, free or unmapped")};
+  result.unknown = static_cast<UnknownCells>(found - std::begin(kUnknown));
+  return result;
+}
+
 void WorldArguments::declare(CLI::App& command) {
   command.add_option("SCENARIO", scenario, "A scenario file (.json)");
-  command.add_option("--map", map, "A map instead: .map, .png, .bmp, .jpg, .pgm or .ppm")->type_name("FILE");
+  command
+      .add_option("--map", map,
+                  "A map instead: " + map_extensions(false) +
+                      ", or generator:ID?KEY=VALUE&... ('replan list generators')")
+      ->type_name("FILE");
   command.add_option("--start", start, "Where the robot starts")->type_name("X,Y");
   command.add_option("--goal", goal, "Where it is to go")->type_name("X,Y");
+  reading.declare(command);
   planners.declare(command);
+}
+
+Result<MapFile> WorldArguments::load_map() const {
+  const auto how = reading.reading();
+  if (!how) return Error{how.error()};
+  std::vector<Cell> ends;  // a generated map leaves them free
+  for (const auto& [option, text] : {std::pair{"--start", &start}, std::pair{"--goal", &goal}}) {
+    if (text->empty()) continue;
+    const auto cell = parse_cell(option, *text);
+    if (!cell) return Error{cell.error()};
+    ends.push_back(*cell);
+  }
+  Result<MapFile> file = open_map(map, *how, ends);
+  if (!file) return file;
+  for (const auto& [option, text, cell] :
+       {std::tuple{"--start", &start, &file->start}, std::tuple{"--goal", &goal, &file->goal}}) {
+    if (text->empty()) continue;
+    const auto given = cell_on_map(option, *text, file->map, map);
+    if (!given) return Error{given.error()};
+    *cell = *given;
+  }
+  return file;
 }
 
 Result<Scenario> WorldArguments::load() const {
@@ -174,11 +240,14 @@ Result<Scenario> WorldArguments::load() const {
                      : "give either a scenario file or --map, not both"};
   if (map.empty() && file_extension(scenario) != ".json")
     return Error{"'" + scenario + "' is no scenario file (.json); give a map with --map FILE"};
-  Result<Scenario> world = map.empty() ? read_scenario(scenario) : plain_world(map);
+  if (map.empty() && reading.given())
+    return Error{
+        "--threshold, --invert and --unknown are for a map; a scenario says itself how its map is read"};
+  Result<Scenario> world = map.empty() ? read_scenario(scenario) : plain_world(*this);
   if (!world) return world;
   for (const auto& [option, text, cell] :
        {std::tuple{"--start", &start, &world->start}, std::tuple{"--goal", &goal, &world->goal}}) {
-    if (map.empty() && text->empty()) continue;
+    if (!map.empty() || text->empty()) continue;
     const auto given = cell_on_map(option, *text, world->map, source());
     if (!given) return Error{given.error()};
     *cell = *given;

@@ -27,15 +27,30 @@ struct PlannerArguments {
   [[nodiscard]] Result<std::vector<PlannerChoice>> choose(std::span<const PlannerChoice> own = {}) const;
 };
 
+/// `--threshold`, `--invert` and `--unknown`: how a map file is read, as typed.
+struct ReadingArguments {
+  std::string threshold;
+  bool invert = false;
+  std::string unknown;
+
+  void declare(CLI::App& command);
+  [[nodiscard]] Result<MapReading> reading() const;
+  [[nodiscard]] bool given() const { return invert || !threshold.empty() || !unknown.empty(); }
+};
+
 /// A scenario, or a map with `--start` and `--goal`, as typed.
 struct WorldArguments {
   std::string scenario;
   std::string map;
   std::string start;
   std::string goal;
+  ReadingArguments reading;
   PlannerArguments planners;
 
   void declare(CLI::App& command);
+  /// The map of `--map`, a file or a generator, with the start and goal that are given, or else those of its
+  /// file.
+  [[nodiscard]] Result<MapFile> load_map() const;
   /// The world and its planners. With `--map` the scenario has no surprises, and its robot knows the map.
   [[nodiscard]] Result<Scenario> load() const;
   /// How a summary names it: the file.

@@ -5,6 +5,7 @@
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
+#include "core/base/file.hpp"
 #include "core/study/batch.hpp"
 #include "core/world/map_file.hpp"
 
@@ -69,28 +70,43 @@ void complain_of_mismatches(const std::string& scen, const BatchReport& report) 
              (report.mismatches - told == 1 ? "" : "es"));
 }
 
-/// The problems, the map that they are for, and the planners.
+/// The problems, the map that they are for, and the planners. In two or three dimensions.
+template <class Scen, class Map, class Problem>
 struct BatchInput {
-  ScenFile scen;
+  Scen scen;
   std::string map_path;
-  GridMap map;
+  Map map;
   std::vector<PlannerChoice> planners;
-  std::vector<ScenProblem> problems;
+  std::vector<Problem> problems;
 };
 
-Result<BatchInput> load(const BatchArguments& arguments) {
-  BatchInput input;
+Result<ScenFile> read_problems(const std::string& path, const ScenFile*) {
+  return read_scen(path);
+}
+Result<VoxelScen> read_problems(const std::string& path, const VoxelScen*) {
+  return read_voxel_scen(path);
+}
+Result<GridMap> read_map_for(const std::string& path, const GridMap*) {
+  return read_map(path);
+}
+Result<VoxelMap> read_map_for(const std::string& path, const VoxelMap*) {
+  return read_voxel_map(path);
+}
+
+template <class Input>
+Result<Input> load(const BatchArguments& arguments) {
+  Input input;
   auto choices = arguments.planners.choose();
   if (!choices) return Error{choices.error()};
   input.planners = std::move(choices.value());
   const auto limit = arguments.limit.empty() ? 0 : parse_count("--limit", arguments.limit, 1);
   if (!limit) return Error{limit.error()};
-  auto scen = read_scen(arguments.scen);
+  auto scen = read_problems(arguments.scen, &input.scen);
   if (!scen) return Error{scen.error()};
   input.scen = std::move(scen.value());
   const auto path = arguments.map.empty() ? map_beside(arguments.scen, input.scen.map_name) : arguments.map;
   if (!path) return Error{path.error()};
-  auto map = read_map(input.map_path = *path);
+  auto map = read_map_for(input.map_path = *path, &input.map);
   if (!map) return Error{map.error()};
   input.map = std::move(map.value());
   if (const auto fits = check_scen_fits(input.scen, input.map, *path); !fits) return Error{fits.error()};
@@ -98,8 +114,9 @@ Result<BatchInput> load(const BatchArguments& arguments) {
   return input;
 }
 
-Result<int> batch(const BatchArguments& arguments) {
-  const auto input = load(arguments);
+template <class Input>
+Result<int> solve(const BatchArguments& arguments) {
+  const auto input = load<Input>(arguments);
   if (!input) return Error{input.error()};
   std::vector<BatchReport> reports;
   bool passed = true;
@@ -119,12 +136,20 @@ Result<int> batch(const BatchArguments& arguments) {
   return passed ? kDone : kFailed;
 }
 
+Result<int> batch(const BatchArguments& arguments) {
+  if (file_extension(arguments.scen) == ".3dscen")
+    return solve<BatchInput<VoxelScen, VoxelMap, VoxelProblem>>(arguments);
+  return solve<BatchInput<ScenFile, GridMap, ScenProblem>>(arguments);
+}
+
 std::string footer() {
   return "Examples:\n"
          "  replan batch arena.map.scen --planner astar,dstar-lite\n"
          "      Solves every problem and holds the lengths against those in the file.\n"
          "  replan batch big.map.scen --map maps/big.map --planner all --limit 60 --json\n"
-         "      An even sample of 60 problems, for a program.\n\n"
+         "      An even sample of 60 problems, for a program.\n"
+         "  replan batch Simple.3dmap.3dscen --planner astar --limit 100\n"
+         "      Problems in a box of voxels.\n\n"
          "A mismatch is a length that is not the listed one to the precision printed in the file. The listed "
          "lengths\n"
          "judge planners that find shortest paths on the grid; for the others the ratio to them is told. A "
@@ -140,10 +165,10 @@ std::string footer() {
 }  // namespace
 
 Command add_batch(CLI::App& program) {
-  CLI::App* app =
-      program.add_subcommand("batch", "Solve every problem of a MovingAI .scen file and check the lengths");
+  CLI::App* app = program.add_subcommand(
+      "batch", "Solve every problem of a MovingAI .scen or .3dscen file and check the lengths");
   const auto arguments = std::make_shared<BatchArguments>();
-  app->add_option("FILE", arguments->scen, "A problem file (.scen)")->required();
+  app->add_option("FILE", arguments->scen, "A problem file (.scen or .3dscen)")->required();
   app->add_option("--map", arguments->map, "The map, if it is not beside the file")->type_name("FILE");
   arguments->planners.declare(*app);
   app->add_option("--limit", arguments->limit, "Only an even sample of N problems")->type_name("N");

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -7,15 +8,23 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
 #include "core/base/file.hpp"
+#include "core/study/run_report.hpp"
+#include "core/world/generator_list.hpp"
 #include "core/world/map_file.hpp"
+#include "core/world/movingai.hpp"
 #include "core/world/scenario.hpp"
+#include "core/world/voxel_map.hpp"
 
 namespace replan::cli {
 namespace {
 
+/// The planner of a scenario for which none is named.
+constexpr const char* kUsualPlanner = "dstar-lite";
+
 struct ConvertArguments {
   std::string in;
   std::string out;
+  std::string slice;
   WorldArguments world;
 };
 
@@ -26,22 +35,77 @@ std::string described(const GridMap& map) {
          counted(obstacles, "obstacle");
 }
 
+std::string described(const VoxelMap& map) {
+  const auto obstacles =
+      std::count_if(map.blocked.begin(), map.blocked.end(), [](auto cell) { return cell != 0; });
+  return std::to_string(map.width) + " x " + std::to_string(map.height) + " x " + std::to_string(map.depth) +
+         " voxels, " + counted(obstacles, "obstacle");
+}
+
+int done(const ConvertArguments& arguments, const std::string& what, std::span<const std::string> notes) {
+  print("wrote " + arguments.out + ": " + what + "\n");
+  for (const std::string& note : notes) print("note: " + note + "\n");
+  return kDone;
+}
+
+/// Writes the one problem that a start and a goal are, with the length of a shortest path.
+Result<int> write_problem(const ConvertArguments& arguments, const MapFile& file, std::string map_name) {
+  if (!file.start || !file.goal)
+    return Error{"a .scen is a list of problems with start and goal: give --start X,Y and --goal X,Y"};
+  const RunReport plan = plan_once(file.map, *file.start, *file.goal, {"astar", {}});
+  if (!plan.succeeded()) {
+    complain("no path leads from start to goal, so there is no problem to write to " + arguments.out);
+    return kFailed;
+  }
+  if (file_stem(arguments.out).ends_with(".map")) map_name = file_stem(arguments.out);
+  ScenProblem problem;
+  problem.bucket = static_cast<int>(plan.figures.length / 4);
+  problem.width = file.map.width;
+  problem.height = file.map.height;
+  problem.start = *file.start;
+  problem.goal = *file.goal;
+  problem.printed = decimals(plan.figures.length, 8);
+  if (map_name.find_first_of(" \t\r\n") != std::string::npos)
+    return Error{"a .scen cannot name the map '" + map_name + "': its name holds a blank"};
+  const auto written =
+      write_file_atomically(arguments.out, scen_text({arguments.out, map_name, {problem}, {}}));
+  if (!written) return Error{written.error()};
+  return done(arguments, "1 problem of length " + problem.printed + " on " + map_name, {});
+}
+
+Result<int> write_as_map(const ConvertArguments& arguments, const MapFile& file,
+                         std::vector<std::string> notes) {
+  const std::string extension = file_extension(arguments.out);
+  if (extension == ".scen") return write_problem(arguments, file, file_name(arguments.in));
+  const bool voxels = extension == ".3dmap";
+  const auto written =
+      voxels ? write_voxel_map(voxels_of(file.map), arguments.out) : write_map_file(file, arguments.out);
+  if (!written) return Error{written.error()};
+  return done(arguments, described(file.map), notes);
+}
+
 /// A map becomes a map, or a scenario on it.
 Result<int> from_map(ConvertArguments& arguments) {
-  if (file_extension(arguments.out) != ".json") {
-    const auto map = read_map(arguments.in);
-    if (!map) return Error{map.error()};
-    if (const auto written = write_map(*map, arguments.out); !written) return Error{written.error()};
-    print("wrote " + arguments.out + ": " + described(*map) + "\n");
-    return kDone;
-  }
   arguments.world.map = arguments.in;
+  const auto file = arguments.world.load_map();
+  if (!file) return Error{file.error()};
+  const std::string extension = file_extension(arguments.out);
+  std::vector<std::string> notes = file->notes;
+  if (extension != ".json") {
+    if (!arguments.world.planners.ids.empty() || !arguments.world.planners.settings.empty())
+      return Error{"--planner and --set are for a scenario (.json), not for '" + arguments.out + "'"};
+    const auto lost = lost_in(extension, *file);
+    notes.insert(notes.end(), lost.begin(), lost.end());
+    return write_as_map(arguments, *file, notes);
+  }
+  if (arguments.world.planners.ids.empty()) arguments.world.planners.ids = {kUsualPlanner};
   const auto world = arguments.world.load();
   if (!world) return Error{world.error()};
   if (const auto written = write_scenario(*world, arguments.out); !written) return Error{written.error()};
-  print("wrote " + arguments.out + ": " + described(world->map) + ", " +
-        counted(static_cast<std::int64_t>(world->planners.size()), "planner") + "\n");
-  return kDone;
+  return done(
+      arguments,
+      described(world->map) + ", " + counted(static_cast<std::int64_t>(world->planners.size()), "planner"),
+      notes);
 }
 
 /// A scenario becomes a map, which is all that a map can hold of it, or a scenario with its map inside.
@@ -49,43 +113,88 @@ Result<int> from_scenario(ConvertArguments& arguments) {
   arguments.world.scenario = arguments.in;
   auto world = arguments.world.load();
   if (!world) return Error{world.error()};
-  const bool to_scenario = file_extension(arguments.out) == ".json";
+  const std::string extension = file_extension(arguments.out);
+  if (extension != ".json")
+    return write_as_map(arguments, {world->map, world->start, world->goal}, lost_in(extension, *world));
   world->map_file.clear();
-  const auto written =
-      to_scenario ? write_scenario(*world, arguments.out) : write_map(world->map, arguments.out);
-  if (!written) return Error{written.error()};
-  print(
-      "wrote " + arguments.out + ": " + described(world->map) +
-      (to_scenario ? ", the map inside\n" : "; start, goal, planners and surprises stay in the scenario\n"));
-  return kDone;
+  world->map_reading = {};
+  if (const auto written = write_scenario(*world, arguments.out); !written) return Error{written.error()};
+  return done(arguments, described(world->map) + ", the map inside", {});
+}
+
+/// A box of voxels stays one, or one plane of it becomes a map.
+Result<int> from_voxels(const ConvertArguments& arguments) {
+  const auto voxels = read_voxel_map(arguments.in);
+  if (!voxels) return Error{voxels.error()};
+  const std::string extension = file_extension(arguments.out);
+  if (arguments.slice.empty()) {
+    if (extension != ".3dmap")
+      return Error{"'" + arguments.in + "' has three dimensions: give --slice Z with Z from 0 to " +
+                   std::to_string(voxels->depth - 1)};
+    if (const auto written = write_voxel_map(*voxels, arguments.out); !written) return Error{written.error()};
+    return done(arguments, described(*voxels), {});
+  }
+  const auto z = parse_count("--slice", arguments.slice, 0);
+  if (!z) return Error{z.error()};
+  auto slice = voxel_slice(*voxels, static_cast<int>(std::min<std::int64_t>(*z, kMaxCells)));
+  if (!slice) return Error{"--slice " + arguments.slice + ": " + slice.error()};
+  if (extension == ".json" || extension == ".scen")
+    return Error{"a slice becomes a map, not a scenario: convert it to .map first, then that one"};
+  const MapFile file{std::move(slice.value()), std::nullopt, std::nullopt};
+  return write_as_map(arguments, file, {});
 }
 
 Result<int> convert(ConvertArguments& arguments) {
-  return file_extension(arguments.in) == ".json" ? from_scenario(arguments) : from_map(arguments);
+  const bool generated = is_generator_spec(arguments.in);
+  const std::string extension = generated ? "" : file_extension(arguments.in);
+  if (extension == ".3dmap") return from_voxels(arguments);
+  if (!arguments.slice.empty())
+    return Error{"--slice is for a box of voxels (.3dmap), not for '" + arguments.in + "'"};
+  if (extension == ".scen")
+    return Error{"'" + arguments.in +
+                 "' is a list of problems; convert the .map that it is for, or solve it with 'replan batch'"};
+  return extension == ".json" ? from_scenario(arguments) : from_map(arguments);
 }
 
-constexpr const char* kFooter =
-    "Examples:\n"
-    "  replan convert floor.png floor.map\n"
-    "      Dark pixels become obstacles.\n"
-    "  replan convert arena.map arena.json --start 1,11 --goal 40,30 --planner dstar-lite\n"
-    "      A scenario on a map, with the map inside.\n"
-    "  replan convert maps/demo.json demo.png\n"
-    "      A scenario's map as a picture, one pixel a cell.\n\n"
-    "Reads .map, .png, .bmp, .jpg, .pgm, .ppm and scenario .json; writes .map, .png and scenario .json.";
+std::string footer() {
+  return "Examples:\n"
+         "  replan convert floor.png floor.map --threshold 100\n"
+         "      Pixels darker than 100 become obstacles.\n"
+         "  replan convert office.yaml office.json --unknown unmapped --start 12,40 --goal 200,60\n"
+         "      A scenario on a ROS map, whose unknown cells the robot has to find out about.\n"
+         "  replan convert 'generator:maze?width=61&height=41&corridor=2&seed=7' maze.map\n"
+         "      A new map; 'replan list generators' shows what there is.\n"
+         "  replan convert env1.cfg env1.json\n"
+         "      SBPL's start and end cell become the scenario's.\n"
+         "  replan convert Complex.3dmap floor.map --slice 40\n"
+         "      One plane of a box of voxels.\n"
+         "  replan convert maps/demo.json demo.txt\n"
+         "      A scenario's map as text, to paste.\n\n"
+         "Reads maps (" +
+         map_extensions(false) + "), .3dmap, generators and scenario .json.\nWrites maps (" +
+         map_extensions(true) +
+         "),\n.3dmap, scenario .json, and a .scen with one problem and its optimal length. What the new "
+         "format\n"
+         "cannot hold is told, a line each that begins with 'note: '. A .yaml gets its .pgm beside it. A "
+         "scenario\n"
+         "made from a map has the planner dstar-lite unless others are named.";
+}
 
 }  // namespace
 
 Command add_convert(CLI::App& program) {
   CLI::App* app = program.add_subcommand("convert", "Turn a map or a scenario into another format");
   const auto arguments = std::make_shared<ConvertArguments>();
-  app->add_option("IN", arguments->in, "The file to read")->required();
+  app->add_option("IN", arguments->in, "The file to read, or generator:ID?KEY=VALUE&...")->required();
   app->add_option("OUT", arguments->out, "The file to write; its name's end tells the format")->required();
-  app->add_option("--start", arguments->world.start, "For a scenario: where the robot starts")
+  app->add_option("--start", arguments->world.start, "Where the robot starts, for formats that hold it")
       ->type_name("X,Y");
-  app->add_option("--goal", arguments->world.goal, "For a scenario: where it is to go")->type_name("X,Y");
+  app->add_option("--goal", arguments->world.goal, "Where it is to go")->type_name("X,Y");
+  arguments->world.reading.declare(*app);
+  app->add_option("--slice", arguments->slice, "Of a .3dmap: the plane of voxels with this z")
+      ->type_name("Z");
   arguments->world.planners.declare(*app);
-  app->footer(kFooter);
+  app->footer(footer);
   return {app, [arguments] { return convert(*arguments); }};
 }
 

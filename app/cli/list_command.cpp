@@ -11,6 +11,7 @@
 #include "core/plan/pages.hpp"
 #include "core/plan/registry.hpp"
 #include "core/scene/view.hpp"
+#include "core/world/generator_list.hpp"
 #include "core/world/map_file.hpp"
 #include "core/world/scenario.hpp"
 
@@ -63,6 +64,39 @@ Result<Listing> list_planners() {
                                         {"settings", std::move(settings)}});
   }
   listing.text = table.text();
+  return listing;
+}
+
+std::string parameter_line(const Parameter& parameter) {
+  constexpr std::size_t kIndent = 8;
+  const auto number = [&](double value) { return format_value(parameter, value); };
+  return "    " + std::string(parameter.key) + "=" + number(parameter.low) + ".." + number(parameter.high) +
+         (parameter.unit.empty() ? "" : " " + std::string(parameter.unit)) + "  (default " +
+         number(parameter.initial) + ")\n" + std::string(kIndent, ' ') + wrapped(parameter.help, kIndent) +
+         "\n";
+}
+
+Result<Listing> list_generators() {
+  Listing listing;
+  Table table({{"id", left}, {"name", left}, {"what it makes", left}});
+  const auto json_of = [](std::span<const Parameter> parameters) {
+    Json settings = Json::array();
+    for (const Parameter& parameter : parameters) settings.push_back(parameter_json(parameter));
+    return settings;
+  };
+  std::string settings = "\nSettings, as in generator:maze?width=61&height=41&corridor=2&seed=7:\n  all\n";
+  for (const Parameter& parameter : generator_size_parameters()) settings += parameter_line(parameter);
+  for (const GeneratorInfo& info : generators()) {
+    table.add({std::string(info.id), std::string(info.name), std::string(info.summary)});
+    settings += "  " + std::string(info.id) + "\n";
+    for (const Parameter& parameter : info.parameters) settings += parameter_line(parameter);
+    listing.json["generators"].push_back({{"id", info.id},
+                                          {"name", info.name},
+                                          {"summary", info.summary},
+                                          {"settings", json_of(info.parameters)}});
+  }
+  listing.json["all"] = json_of(generator_size_parameters());
+  listing.text = table.text() + settings;
   return listing;
 }
 
@@ -125,7 +159,10 @@ struct Kind {
   std::string_view name;
   Result<Listing> (*list)();
 };
-constexpr Kind kKinds[] = {{"planners", list_planners}, {"maps", list_maps}, {"overlays", list_overlays}};
+constexpr Kind kKinds[] = {{"planners", list_planners},
+                           {"maps", list_maps},
+                           {"overlays", list_overlays},
+                           {"generators", list_generators}};
 
 Result<int> list(const std::string& what, bool json) {
   std::vector<std::string_view> names;
@@ -137,7 +174,8 @@ Result<int> list(const std::string& what, bool json) {
     print(json ? listing->json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : listing->text);
     return kDone;
   }
-  return Error{"cannot list '" + what + "'" + suggestion(what, names, "; give planners, maps or overlays")};
+  return Error{"cannot list '" + what + "'" +
+               suggestion(what, names, "; give planners, maps, overlays or generators")};
 }
 
 std::string footer() {
@@ -156,9 +194,10 @@ Command add_list(CLI::App& program) {
     std::string what;
     bool json = false;
   };
-  CLI::App* app = program.add_subcommand("list", "Show which planners, maps or overlays there are");
+  CLI::App* app =
+      program.add_subcommand("list", "Show which planners, maps, overlays or generators there are");
   const auto arguments = std::make_shared<Arguments>();
-  app->add_option("WHAT", arguments->what, "planners, maps or overlays")->required();
+  app->add_option("WHAT", arguments->what, "planners, maps, overlays or generators")->required();
   app->add_flag("--json", arguments->json, "Print the list as JSON");
   app->footer(footer);
   return {app, [arguments] { return list(arguments->what, arguments->json); }};

@@ -34,20 +34,21 @@ _replan_settings() {
 
 _replan_options() {
   case "$1" in
-    run) echo "-h --help --map --start --goal --planner --set --json --csv" ;;
+    run) echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set --json --csv" ;;
     batch) echo "-h --help --map --planner --set --limit --json" ;;
     render)
-      echo "-h --help --map --start --goal --planner --set -o --output --size --scale --at --at-end --at-plan" \
+      echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set -o --output --size --scale" \
+        "--at --at-end --at-plan" \
         "--overlay --theme --canvas-only"
       ;;
-    convert) echo "-h --help --start --goal --planner --set" ;;
+    convert) echo "-h --help --start --goal --threshold --invert --unknown --slice --planner --set" ;;
     list) echo "-h --help --json" ;;
     *) echo "-h --help --version" ;;
   esac
 }
 
 _replan() {
-  local maps="map png bmp jpg jpeg pgm ppm" commands="run batch render convert list"
+  local maps="map yaml yml cfg txt png bmp tga pgm ppm jpg jpeg" commands="run batch render convert list"
   local cur="${COMP_WORDS[COMP_CWORD]}" before="${COMP_WORDS[COMP_CWORD - 1]}" command=""
   COMPREPLY=()
   [ "$COMP_CWORD" -gt 1 ] && command="${COMP_WORDS[1]}"
@@ -61,18 +62,19 @@ _replan() {
       ;;
     --theme) COMPREPLY=($(compgen -W "light dark" -- "$cur")); return ;;
     --map) _replan_files $maps; return ;;
+    --unknown) COMPREPLY=($(compgen -W "blocked free unmapped" -- "$cur")); return ;;
     --csv) _replan_files csv; return ;;
     -o | --output) _replan_files png svg; return ;;
-    --start | --goal | --size | --scale | --at | --limit) return ;;
+    --start | --goal | --size | --scale | --at | --limit | --threshold | --slice) return ;;
   esac
   case "$cur" in
     -*) COMPREPLY=($(compgen -W "$(_replan_options "$command")" -- "$cur")); return ;;
   esac
   case "$command" in
     run | render) _replan_files json ;;
-    batch) _replan_files scen ;;
-    convert) _replan_files json $maps ;;
-    list) COMPREPLY=($(compgen -W "planners maps overlays" -- "$cur")) ;;
+    batch) _replan_files scen 3dscen ;;
+    convert) _replan_files json 3dmap $maps ;;
+    list) COMPREPLY=($(compgen -W "planners maps overlays generators" -- "$cur")) ;;
     *)
       _replan_files json $maps
       COMPREPLY+=($(compgen -W "$commands" -- "$cur"))

@@ -13,17 +13,20 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// One planner at work on one file.
+template <class L>
 class Batch {
  public:
-  Batch(const GridMap& map, const LengthFormat& lengths, const PlannerChoice& choice)
-      : lattice_({map.width, map.height}, map.blocked, move_rules(choice.settings)),
+  Batch(const typename L::Coordinates& size, const std::vector<std::uint8_t>& blocked,
+        const LengthFormat& lengths, const PlannerChoice& choice)
+      : lattice_(size, blocked, move_rules(choice.settings)),
         planner_(make_planner(*find_planner(choice.id), lattice_, choice.settings, trace_)),
         lengths_(lengths) {
     report_.planner = choice.id;
     report_.comparable = lengths_apply(choice);
   }
 
-  void solve(const ScenProblem& problem) {
+  template <class Problem>
+  void solve(const Problem& problem) {
     ++report_.problems;
     const NodeId start = lattice_.node(problem.start), goal = lattice_.node(problem.goal);
     if (lattice_.blocked(start) || lattice_.blocked(goal)) {
@@ -47,7 +50,8 @@ class Batch {
   }
 
  private:
-  void compare(const ScenProblem& problem, double length) {
+  template <class Problem>
+  void compare(const Problem& problem, double length) {
     ++report_.found;
     if (!lengths_.agrees(length, problem.printed)) mismatch(problem, length);
     if (problem.length == 0) {  // the way from a cell to itself: any length is an error as it stands
@@ -60,21 +64,33 @@ class Batch {
     ++ratios_;
   }
 
-  void mismatch(const ScenProblem& problem, double found) {
+  template <class Problem>
+  void mismatch(const Problem& problem, double found) {
     if (!report_.comparable) return;
     ++report_.mismatches;
     if (report_.first_mismatches.size() < BatchReport::kMismatchesKept)
       report_.first_mismatches.push_back({problem.line, found, problem.length});
   }
 
-  Grid2 lattice_;
+  L lattice_;
   NoTrace trace_;
-  std::unique_ptr<Planner<Grid2>> planner_;
+  std::unique_ptr<Planner<L>> planner_;
   LengthFormat lengths_;
   BatchReport report_;
   double ratio_sum_ = 0;
   std::int64_t ratios_ = 0;
 };
+
+template <class L, class Problem>
+BatchReport solve_all(Batch<L>&& batch, std::span<const Problem> problems, const BatchWatch& watch) {
+  std::size_t done = 0;
+  for (const Problem& problem : problems) {
+    if (watch.stop.stop_requested()) break;
+    batch.solve(problem);
+    if (watch.progress) watch.progress(++done);
+  }
+  return batch.report();
+}
 
 }  // namespace
 
@@ -84,25 +100,16 @@ bool lengths_apply(const PlannerChoice& choice) {
          rules.corners == MoveRules{}.corners;
 }
 
-std::vector<ScenProblem> even_sample(std::span<const ScenProblem> problems, std::size_t limit) {
-  if (limit == 0 || limit >= problems.size()) return {problems.begin(), problems.end()};
-  std::vector<ScenProblem> sample;
-  sample.reserve(limit);
-  const std::size_t gaps = limit > 1 ? limit - 1 : 1;
-  for (std::size_t i = 0; i < limit; ++i) sample.push_back(problems[i * (problems.size() - 1) / gaps]);
-  return sample;
-}
-
 BatchReport run_batch(const GridMap& map, const LengthFormat& lengths, std::span<const ScenProblem> problems,
                       const PlannerChoice& choice, const BatchWatch& watch) {
-  Batch batch(map, lengths, choice);
-  std::size_t done = 0;
-  for (const ScenProblem& problem : problems) {
-    if (watch.stop.stop_requested()) break;
-    batch.solve(problem);
-    if (watch.progress) watch.progress(++done);
-  }
-  return batch.report();
+  return solve_all(Batch<Grid2>({map.width, map.height}, map.blocked, lengths, choice), problems, watch);
+}
+
+BatchReport run_batch(const VoxelMap& map, const LengthFormat& lengths,
+                      std::span<const VoxelProblem> problems, const PlannerChoice& choice,
+                      const BatchWatch& watch) {
+  return solve_all(Batch<Voxel3>({map.width, map.height, map.depth}, map.blocked, lengths, choice), problems,
+                   watch);
 }
 
 std::string batch_json(std::span<const BatchReport> reports) {

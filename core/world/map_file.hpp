@@ -48,8 +48,8 @@ Result<void> write_map_file(const MapFile& file, const std::string& path);
 /// Writes a map without start and goal.
 Result<void> write_map(const GridMap& map, const std::string& path);
 
-/// What a file with that extension (of a map format) cannot hold of a map, a sentence each: ".map cannot hold
-/// the resolution (0.05 per cell)". Empty if the file would hold it all.
+/// What a file with that extension (of a map format, or .3dmap) cannot hold of a map, a sentence each: ".map
+/// cannot hold the resolution (0.05 per cell)". Empty if the file would hold it all.
 std::vector<std::string> lost_in(std::string_view extension, const MapFile& file);
 /// As lost_in() for a scenario: its planners, surprises and so on as well. A scenario file (.json) holds all.
 std::vector<std::string> lost_in(std::string_view extension, const Scenario& scenario);

@@ -43,7 +43,9 @@ void lost_ends(const MapFile& file, const MapFormat& format, std::vector<std::st
 
 std::vector<std::string> lost_in(std::string_view extension, const MapFile& file) {
   std::vector<std::string> lost;
-  const MapFormat* format = find_map_format("x" + std::string(extension));
+  constexpr MapFormat kVoxels{.extension = ".3dmap", .name = "voxel map"};
+  const MapFormat* format =
+      extension == kVoxels.extension ? &kVoxels : find_map_format("x" + std::string(extension));
   if (format == nullptr) return lost;
   const GridMap& map = file.map;
   const auto unmapped =

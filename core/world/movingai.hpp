@@ -2,6 +2,7 @@
 // lengths). N. R. Sturtevant, "Benchmarks for Grid-Based Pathfinding", 2012, doi 10.1109/TCIAIG.2012.2197681.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,7 +56,15 @@ struct LengthFormat {
   int digits = 6;
 
   /// Finds the format out from all lengths of a file.
-  static LengthFormat of(const std::vector<ScenProblem>& problems);
+  static LengthFormat of(std::span<const std::string_view> printed);
+  /// As above, of all problems of a file: anything with `printed`.
+  template <class Problem>
+  static LengthFormat of(const std::vector<Problem>& problems) {
+    std::vector<std::string_view> printed;
+    printed.reserve(problems.size());
+    for (const Problem& problem : problems) printed.push_back(problem.printed);
+    return of(std::span<const std::string_view>(printed));
+  }
   /// How far the exact length may be from the printed `value`: half a unit of the last place, and the roots'
   /// error.
   [[nodiscard]] double tolerance(double value) const;
@@ -81,6 +90,8 @@ struct ScenFile {
 Result<ScenFile> read_scen(const std::string& path);
 /// As read_scen() from text; `origin` names it in errors.
 Result<ScenFile> parse_scen(std::string_view text, const std::string& origin);
+/// The problems as `.scen` text, fields parted by tabs, lengths as they were printed.
+std::string scen_text(const ScenFile& scen);
 /// The `.map` that a `.scen` names, looked for beside it by its file name. The error says where it was looked
 /// for.
 Result<std::string> map_beside(const std::string& scen_path, const std::string& map_name);

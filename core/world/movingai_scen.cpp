@@ -102,13 +102,13 @@ class ScenParser {
 
 }  // namespace
 
-LengthFormat LengthFormat::of(const std::vector<ScenProblem>& problems) {
+LengthFormat LengthFormat::of(std::span<const std::string_view> printed) {
   LengthFormat format;
-  if (problems.empty()) return format;
-  const int decimals = printed_digits(problems.front().printed).decimals;
+  if (printed.empty()) return format;
+  const int decimals = printed_digits(printed.front()).decimals;
   format.fixed = decimals > 0;
-  for (const ScenProblem& problem : problems) {
-    const PrintedDigits digits = printed_digits(problem.printed);
+  for (const std::string_view text : printed) {
+    const PrintedDigits digits = printed_digits(text);
     format.fixed &= digits.decimals == decimals && !digits.exponent;
     format.digits = std::max(format.digits, digits.significant);
   }
@@ -140,6 +140,18 @@ Result<ScenFile> read_scen(const std::string& path) {
   const Result<std::string> text = read_file(path);
   if (!text) return Error{text.error()};
   return parse_scen(*text, path);
+}
+
+std::string scen_text(const ScenFile& scen) {
+  std::string text = "version 1\n";
+  for (const ScenProblem& problem : scen.problems) {
+    text += std::to_string(problem.bucket) + "\t" + scen.map_name + "\t";
+    for (const int number :
+         {problem.width, problem.height, problem.start.x, problem.start.y, problem.goal.x, problem.goal.y})
+      text += std::to_string(number) + "\t";
+    text += problem.printed + "\n";
+  }
+  return text;
 }
 
 Result<std::string> map_beside(const std::string& scen_path, const std::string& map_name) {

@@ -9,6 +9,7 @@
 #include "core/base/file.hpp"
 #include "core/base/stb.hpp"
 #include "core/world/pnm.hpp"
+#include "core/world/text_lines.hpp"
 
 namespace replan {
 namespace {
@@ -19,7 +20,7 @@ constexpr std::int64_t kMaxPictureBytes = 8 * kMaxCells + 65536;
 Error broken(const std::string& origin) {
   const char* reason = stbi_failure_reason();
   return {origin + ": not a picture that can be read (PNG, BMP, JPEG, TGA, PGM, PPM): " +
-          (reason != nullptr ? reason : "unknown format")};
+          one_line(reason != nullptr ? reason : "unknown format")};
 }
 
 /// The largest block that an honest file of that size can need: its data, grown by doubling, or its rows with
@@ -36,14 +37,15 @@ void append_bytes(void* context, void* data, int size) {
 
 }  // namespace
 
-Error too_many_pixels(const std::string& origin, std::int64_t width, std::int64_t height) {
+Error too_many_pixels(const std::string& origin, std::int64_t width, std::int64_t height, std::int64_t most) {
   return {origin + ": the picture is too large: " + std::to_string(width) + " x " + std::to_string(height) +
-          " pixels, at most " + std::to_string(kMaxCells) + " (8192 x 8192) are read"};
+          " pixels, at most " + std::to_string(most) + (most == kMaxCells ? " (8192 x 8192)" : "") +
+          " are read"};
 }
 
-Result<Picture> decode_picture(std::string_view bytes, const std::string& origin) {
+Result<Picture> decode_picture(std::string_view bytes, const std::string& origin, std::int64_t most) {
   if (bytes.empty()) return Error{origin + ": the file is empty"};
-  if (is_pnm(bytes)) return decode_pnm(bytes, origin);
+  if (is_pnm(bytes)) return decode_pnm(bytes, origin, most);
   if (bytes.size() > static_cast<std::size_t>(kMaxPictureBytes))
     return Error{origin + ": the picture has more than " + std::to_string(kMaxPictureBytes) + " bytes"};
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
@@ -52,8 +54,8 @@ Result<Picture> decode_picture(std::string_view bytes, const std::string& origin
   if (stbi_info_from_memory(data, size, &picture.width, &picture.height, &picture.channels) == 0)
     return broken(origin);
   if (picture.width <= 0 || picture.height <= 0) return Error{origin + ": the picture has no pixels"};
-  if (std::int64_t{picture.width} * picture.height > kMaxCells)
-    return too_many_pixels(origin, picture.width, picture.height);
+  if (std::int64_t{picture.width} * picture.height > most)
+    return too_many_pixels(origin, picture.width, picture.height, most);
   const PictureMemory bounded(memory_for(bytes.size(), picture.width, picture.height));
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
       stbi_load_from_memory(data, size, &picture.width, &picture.height, &picture.channels, 0),

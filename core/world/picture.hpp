@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/cell.hpp"
 #include "core/base/result.hpp"
 
 namespace replan {
@@ -29,10 +30,11 @@ struct Picture {
   friend bool operator==(const Picture&, const Picture&) = default;
 };
 
-/// Decodes a PNG, BMP, JPEG or TGA, or a PGM or PPM (see pnm.hpp). A picture of more than kMaxCells pixels is
+/// Decodes a PNG, BMP, JPEG or TGA, or a PGM or PPM (see pnm.hpp). A picture of more than `most` pixels is
 /// refused before it is decoded, and one whose compressed data swell beyond what its pixels need while they
 /// do. The error begins with `origin` and gives the reason.
-Result<Picture> decode_picture(std::string_view bytes, const std::string& origin);
+Result<Picture> decode_picture(std::string_view bytes, const std::string& origin,
+                               std::int64_t most = kMaxCells);
 /// As decode_picture() from a file.
 Result<Picture> read_picture(const std::string& path);
 
@@ -40,6 +42,6 @@ Result<Picture> read_picture(const std::string& path);
 Result<std::string> encode_grey(const Picture& picture, std::string_view extension);
 
 /// What a reader says of a picture that is too large.
-Error too_many_pixels(const std::string& origin, std::int64_t width, std::int64_t height);
+Error too_many_pixels(const std::string& origin, std::int64_t width, std::int64_t height, std::int64_t most);
 
 }  // namespace replan

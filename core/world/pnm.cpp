@@ -15,7 +15,8 @@ constexpr std::int64_t kDeepest = 65535;
 /// Reads one PGM or PPM, keeping the place for errors.
 class PnmParser {
  public:
-  PnmParser(std::string_view bytes, const std::string& origin) : bytes_(bytes), origin_(origin) {}
+  PnmParser(std::string_view bytes, const std::string& origin, std::int64_t most)
+      : bytes_(bytes), origin_(origin), most_(most) {}
 
   Result<Picture> parse() {
     const char kind = bytes_[1];
@@ -26,7 +27,7 @@ class PnmParser {
          {std::tuple{"width", &width, kMaxCells}, std::tuple{"height", &height, kMaxCells},
           std::tuple{"largest value", &deepest_, kDeepest}}) {
       if (Result<void> read = read_header(name, *value, high); !read) return Error{read.error()};
-      if (value == &height && width > kMaxCells / height) return too_many_pixels(origin_, width, height);
+      if (value == &height && width > most_ / height) return too_many_pixels(origin_, width, height, most_);
     }
     Picture picture{
         static_cast<int>(width), static_cast<int>(height), kind == '2' || kind == '5' ? 1 : 3, {}};
@@ -109,6 +110,7 @@ class PnmParser {
 
   std::string_view bytes_;
   const std::string& origin_;
+  std::int64_t most_;
   std::size_t at_ = 0;
   int line_ = 1;
   std::int64_t deepest_ = 255;
@@ -122,10 +124,10 @@ bool is_pnm(std::string_view bytes) {
          (is_blank(bytes[2]) || bytes[2] == '\n' || bytes[2] == '#');
 }
 
-Result<Picture> decode_pnm(std::string_view bytes, const std::string& origin) {
+Result<Picture> decode_pnm(std::string_view bytes, const std::string& origin, std::int64_t most) {
   if (!is_pnm(bytes))
     return Error{origin + ":1: not a PGM or PPM picture: it must begin with P2, P3, P5 or P6"};
-  return PnmParser(bytes, origin).parse();
+  return PnmParser(bytes, origin, most).parse();
 }
 
 std::string pgm_text(const Picture& picture) {

@@ -12,8 +12,9 @@ namespace replan {
 /// True if the bytes begin like a PGM or PPM.
 bool is_pnm(std::string_view bytes);
 /// Decodes a PGM or PPM: plain (P2, P3) or raw (P5, P6), comments in the header, values up to 65535 scaled to
-/// 0..255. The error names `origin`, for the header and for plain values with the line.
-Result<Picture> decode_pnm(std::string_view bytes, const std::string& origin);
+/// 0..255; at most `most` pixels. The error names `origin`, for the header and for plain values with the
+/// line.
+Result<Picture> decode_pnm(std::string_view bytes, const std::string& origin, std::int64_t most = kMaxCells);
 /// A grey picture as a raw PGM.
 std::string pgm_text(const Picture& picture);
 

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
 #include <exception>
-#include <limits>
+#include <optional>
 
 #include <yaml-cpp/yaml.h>
 
@@ -46,7 +46,8 @@ class RosYamlReader {
  private:
   void fail(const YAML::Node& node, const std::string& key, const std::string& what) {
     if (!error_.empty()) return;
-    error_ = origin_ + ":" + std::to_string(std::max(0, node.Mark().line) + 1) + ": '" + key + "' " + what;
+    error_ = origin_ + ":" + std::to_string(std::max(0, node.Mark().line) + 1) + ": '" + one_line(key) +
+             "' " + what;
   }
 
   /// Each key of map_server at most once; others are noted.
@@ -127,6 +128,21 @@ class RosYamlReader {
   std::string error_;
 };
 
+/// A text in quotes. Not by yaml-cpp, which replaces bytes that are no UTF-8: a file's name may hold any.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    char code[8];
+    std::snprintf(code, sizeof code, "\\x%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    const bool control = (c >= 0 && c < ' ') || c == '\x7F';
+    if (control)
+      result += code;
+    else
+      result += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+  }
+  return result + "\"";
+}
+
 }  // namespace
 
 Result<RosMapInfo> parse_ros_yaml(std::string_view text, const std::string& origin) {
@@ -135,17 +151,15 @@ Result<RosMapInfo> parse_ros_yaml(std::string_view text, const std::string& orig
     return RosYamlReader(YAML::Load(std::string(text)), origin).read();
   } catch (const YAML::Exception& failed) {
     return Error{origin + ":" + std::to_string(std::max(0, failed.mark.line) + 1) +
-                 ": not YAML: " + failed.msg};
+                 ": not YAML: " + one_line(failed.msg)};
   } catch (const std::exception& failed) {
-    return Error{origin + ": not YAML that can be read: " + failed.what()};
+    return Error{origin + ": not YAML that can be read: " + one_line(failed.what())};
   }
 }
 
 std::string ros_yaml_text(const RosMapInfo& info) {
-  YAML::Emitter image;
-  image << YAML::DoubleQuoted << info.image;
   const auto number = [](double value) { return plain_number(value).dump(); };
-  std::string text = "image: " + std::string(image.c_str()) + "\n";
+  std::string text = "image: " + quoted(info.image) + "\n";
   text += std::string("mode: ") + (info.mode == RosMapInfo::Mode::scale ? "scale" : "trinary") + "\n";
   text += "resolution: " + number(info.resolution) + "\n";
   text += "origin: [" + number(info.origin[0]) + ", " + number(info.origin[1]) + ", " +

@@ -58,6 +58,13 @@ std::optional<Number> number_from(std::string_view word) {
   return value;
 }
 
+/// A text of somebody else's as part of an error: on one line, without control characters.
+inline std::string one_line(std::string text) {
+  for (char& c : text)
+    if ((c >= 0 && c < ' ') || c == '\x7F') c = '?';
+  return text;
+}
+
 /// A piece of a file as shown in an error: no control characters, not too long.
 inline std::string shown(std::string_view piece) {
   constexpr std::size_t kLongest = 40;

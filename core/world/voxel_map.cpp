@@ -72,6 +72,7 @@ class VoxelScenParser {
       if (line->empty()) continue;
       if (Result<void> problem = read_problem(*line); !problem) return Error{problem.error()};
     }
+    scen_.lengths = LengthFormat::of(scen_.problems);
     return std::move(scen_);
   }
 

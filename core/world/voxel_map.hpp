@@ -10,6 +10,7 @@
 #include "core/base/cell.hpp"
 #include "core/base/result.hpp"
 #include "core/world/grid_map.hpp"
+#include "core/world/movingai.hpp"
 
 namespace replan {
 
@@ -72,6 +73,7 @@ struct VoxelScen {
   std::string path;      ///< as opened; names the file in errors
   std::string map_name;  ///< as written in the file
   std::vector<VoxelProblem> problems;
+  LengthFormat lengths;
 };
 
 /// Reads a `.3dscen` (version 1). Errors name file, line and what is wrong.

@@ -281,7 +281,7 @@ TEST_F(CommandLine, convertKeepsTheCells) {
   EXPECT_EQ(scenario->goal, (Cell{7, 2}));
   EXPECT_EQ(run_program({"convert", scenario_, folder_.file("gap.map")}).code, 0);
   expect_complaint({"convert", map_, json_file}, {"--start is missing"});
-  expect_complaint({"convert", map_, folder_.file("x.gif")}, {"x.gif", ".map or .png"});
+  expect_complaint({"convert", map_, folder_.file("x.gif")}, {"x.gif", ".map, .yaml"});
   expect_complaint({"convert", map_, folder_.file("no/x.png")}, {"no/x.png"});
 }
 

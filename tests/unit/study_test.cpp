@@ -51,6 +51,27 @@ TEST(EvenSample, spreadsOverTheFileWithItsEnds) {
   EXPECT_TRUE(sampled(0, 5).empty());
 }
 
+TEST(Batch, solvesProblemsInThreeDimensions) {
+  VoxelMap box(5, 4, 3);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 1; x < 5; ++x) box.blocked[box.index({x, y, 1})] = 1;  // a floor with a gap at x = 0
+  const auto scen = parse_voxel_scen(
+      "version 1\nb\n0 0 0 0 1 2 2.41421356 1\n2 2 0 2 2 2 6.00000000 3\n0 0 0 1 1 0 1.41421356 1\n"
+      "1 1 1 0 0 0 1.00000000 1\n0 0 0 0 0 2 3.00000000 1\n",
+      "b.3dscen");
+  ASSERT_TRUE(scen.ok()) << scen.error();
+  EXPECT_EQ(scen->lengths.digits, 8);
+  const BatchReport report = run_batch(box, scen->lengths, scen->problems, {"astar", {}});
+  EXPECT_TRUE(report.comparable);
+  EXPECT_EQ(report.problems, 5);
+  EXPECT_EQ(report.skipped, 1);
+  EXPECT_EQ(report.found, 4);
+  EXPECT_EQ(report.mismatches, 1);
+  ASSERT_EQ(report.first_mismatches.size(), 1u);
+  EXPECT_EQ(report.first_mismatches[0].line, 7);
+  EXPECT_EQ(report.first_mismatches[0].found, 2);
+}
+
 TEST(LengthsApply, toShortestPathsUnderTheFilesRules) {
   EXPECT_TRUE(lengths_apply({"astar", {}}));
   EXPECT_TRUE(lengths_apply({"dstar-lite", {}}));

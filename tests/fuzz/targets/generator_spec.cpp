@@ -1,0 +1,25 @@
+#include <algorithm>
+
+#include "core/world/generator_list.hpp"
+#include "tests/fuzz/target.hpp"
+
+/// Whether a side could have more than three digits: such maps take too long to make thousands of them.
+static bool large(std::string_view input) {
+  for (const std::string_view key : {std::string_view("width="), std::string_view("height=")})
+    for (std::size_t at = input.find(key); at != std::string_view::npos; at = input.find(key, at + 1)) {
+      const std::string_view value = input.substr(at + key.size());
+      if (value.substr(0, value.find('&')).size() > 3) return true;
+    }
+  return false;
+}
+
+REPLAN_FUZZ_TARGET(generator_spec) {
+  if (large(input)) return;
+  const Cell kept[] = {{0, 0}, {3, 2}};
+  const std::string spec = "generator:" + std::string(input.substr(0, input.find('\n')));
+  const auto map = generate_from_spec(spec, kept);
+  require_good_error(map, spec + ": ");
+  if (!map) return;
+  for (const Cell cell : kept) require(!map->contains(cell) || !map->at(cell), "kept cells are free");
+  require(*generate_from_spec(spec, kept) == *map, "the same text gives the same map");
+}

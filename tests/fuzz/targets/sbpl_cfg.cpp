@@ -1,0 +1,11 @@
+#include "core/world/sbpl_cfg.hpp"
+
+#include "tests/fuzz/target.hpp"
+
+REPLAN_FUZZ_TARGET(sbpl_cfg) {
+  const auto world = parse_sbpl_cfg(input, "f.cfg");
+  require_good_error(world, "f.cfg:");
+  if (!world) return;
+  const auto again = parse_sbpl_cfg(sbpl_cfg_text(*world), "again.cfg");
+  require(again.ok() && *again == *world, "what was written is read back equal");
+}
