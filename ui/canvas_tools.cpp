@@ -54,6 +54,12 @@ Brush brush_of(const ViewState& state) {
 
 }  // namespace
 
+void select_region(Editing& editing, const CellRect& region) {
+  editing.region = region;
+  editing.mover.reset();
+  editing.surprise.reset();
+}
+
 std::optional<std::size_t> surprise_at(const Run& run, Cell cell) {
   const std::vector<Surprise>& all = run.scenario().surprises;
   for (std::size_t i = all.size(); i-- > 0;) {
@@ -205,7 +211,7 @@ void Hand::move(const Session& session, const Run& run, ViewState& state, const 
     const bool fresh = done_.insert(run.lattice().node(to)).second || to != from;
     if (moved_ && fresh) move_held(session, run, state, to, commands);
   } else if (action_ == Action::region) {
-    if (moved_) state.editing.region = rectangle(first_, to);
+    if (moved_) select_region(state.editing, rectangle(first_, to));
   } else if (action_ == Action::measure) {
     state.editing.measure->to = to;
   } else if (action_ == Action::brush) {

@@ -84,6 +84,8 @@ class Hand {
   std::unordered_set<std::uint32_t> done_;  // nodes of this stroke
 };
 
+/// Selects cells, and nothing else.
+void select_region(Editing& editing, const CellRect& region);
 /// Ends the way that is being drawn: it becomes a moving obstacle, which is selected. Nothing if there is
 /// none.
 void finish_way(const Session& session, ViewState& state, std::vector<Command>& commands);

@@ -54,6 +54,7 @@ void ActionContext::choose_tool(Tool tool) {
   view.editing.way.clear();
   if (tool != Tool::select) view.editing.region.reset();
   if (tool != Tool::measure) view.editing.measure.reset();
+  if (tool != Tool::mover) view.editing.mover.reset();
   // Who works on what is to come must see it.
   if (tool == Tool::surprise || tool == Tool::mover) view.view.overlays.set(Overlay::script, true);
 }
@@ -131,7 +132,7 @@ void ActionContext::paste() {
   const Cell end{std::min(at.x + cells.width, scenario.map.width) - 1,
                  std::min(at.y + cells.height, scenario.map.height) - 1};
   view.tool = Tool::select;
-  view.editing.region = CellRect{at, end};
+  select_region(view.editing, {at, end});
   const bool whole = end.x - at.x + 1 == cells.width && end.y - at.y + 1 == cells.height;
   say(panels, "Pasted " + size_text(cells.width, cells.height) +
                   (whole ? "" : "; what reached over the edge of the world was left out"));
