@@ -129,7 +129,8 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
   if (mark == nullptr) return {};
   switch (mark->state) {
     case MissionState::collision:
-      return {"The plan leads through an obstacle: a remote parent was followed that nobody had checked.", true};
+      return {"The plan leads through an obstacle: a remote parent was followed that nobody had checked.",
+              true};
     case MissionState::loop:
       return {"The plan leads round in a circle: its remote parents were never checked.", true};
     case MissionState::endless:
