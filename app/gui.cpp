@@ -7,11 +7,15 @@
 #include <ctime>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "app/gui_settings.hpp"
 #include "app/platform/window.hpp"
+#include "app/recording.hpp"
+#include "app/render.hpp"
 #include "core/base/file.hpp"
 #include "core/plan/pages.hpp"
 #include "ui/shell/documents.hpp"
@@ -89,6 +93,10 @@ class Program {
  private:
   bool frame();
   void follow();
+  void capture();
+  void carry_out(const ui::CaptureRequest& request);
+  void take_picture(const ui::CaptureRequest& request);
+  [[nodiscard]] ui::PixelArea area(bool window) const;
   void report_first_frame();
 
   Clock::time_point begun_ = Clock::now();
@@ -102,6 +110,9 @@ class Program {
   bool dark_ = true;
   std::string words_;  // that the fonts were baked for, beside the usual characters
   bool timed_ = false;
+  Recording recording_;
+  std::optional<ui::CaptureRequest> wanted_;  // by the user, and not begun yet
+  int settling_ = 0;                          // frames until the dialog has gone from the pixels
 };
 
 Result<void> Program::open() {
@@ -132,16 +143,77 @@ void Program::run() {
 
 bool Program::frame() {
   const Clock::time_point now = Clock::now();
-  const double seconds = std::chrono::duration<double>(now - last_).count();
+  const double passed = std::chrono::duration<double>(now - last_).count();
+  const double seconds = recording_.on() ? recording_.step() : passed;
   last_ = now;
   session_.update(seconds);
+  shell_->panels().recording = recording_.state();
   shell_->draw(window_->stage().look(), session_, seconds);
   const double spent = milliseconds(Clock::now() - now);
   draw_ms_ = draw_ms_ == 0 ? spent : draw_ms_ * 0.9 + spent * 0.1;
   shell_->panels().frame_ms = draw_ms_;
   follow();
   if (!timed_) report_first_frame();
-  return shell_->wants_frames(session_);
+  capture();
+  return shell_->wants_frames(session_) || settling_ > 0;
+}
+
+/// The pixels that a film or a picture is made of, as drawn last.
+ui::PixelArea Program::area(bool window) const {
+  return window ? ui::PixelArea{{0, 0}, window_->stage().io().DisplaySize} : shell_->panels().canvas;
+}
+
+/// Films and pictures: carries out what was asked for, and takes this frame's pixels for a film.
+void Program::capture() {
+  if (const auto request = shell_->take_capture()) {
+    if (request->kind == ui::CaptureRequest::Kind::stop) {
+      window_->pace(0);
+      recording_.stop(Window::wake);
+    } else {
+      wanted_ = request;
+      settling_ = 3;
+    }
+  }
+  if (settling_ > 0 && --settling_ == 0) carry_out(*std::exchange(wanted_, std::nullopt));
+  if (const auto outcome = recording_.outcome()) {
+    window_->pace(0);
+    shell_->tell(outcome->sentence, outcome->bad);
+  }
+  if (recording_.on())
+    window_->capture(
+        [this](const ui::Image& image) { recording_.take(image, area(recording_.of_window())); });
+}
+
+void Program::carry_out(const ui::CaptureRequest& request) {
+  if (request.kind == ui::CaptureRequest::Kind::picture) {
+    take_picture(request);
+    return;
+  }
+  if (const Result<void> started = recording_.start(request, area(request.window)); !started) {
+    shell_->tell(started.error(), true);
+    return;
+  }
+  window_->pace(recording_.step());
+}
+
+void Program::take_picture(const ui::CaptureRequest& request) {
+  const auto tell = [this, path = request.path](const Result<void>& written) {
+    shell_->tell(written ? "Saved " + file_name(path) : written.error(), !written);
+  };
+  const std::string extension = file_extension(request.path);
+  const ui::PixelArea part = area(request.window);
+  const Viewport size{static_cast<int>(part.max.x - part.min.x), static_cast<int>(part.max.y - part.min.y)};
+  if (extension == ".png") {
+    window_->capture([tell, part, size, path = request.path](const ui::Image& image) {
+      tell(ui::write_png(path, cut_out(image, part, size.width, size.height)));
+    });
+  } else if (extension == ".svg" && !request.window) {
+    tell(write_drawing(request.path, *session_.runs()[shell_->panels().pane], shell_->view(), size));
+  } else {
+    shell_->tell(request.path + (request.window ? ": a picture of the window is a .png"
+                                                : ": a picture is a .png or an .svg"),
+                 true);
+  }
 }
 
 /// Takes theme and title from the shell to the window.
@@ -173,6 +245,11 @@ void Program::report_first_frame() {
 }
 
 Result<void> Program::close() {
+  if (recording_.state().busy()) {
+    window_->hide();
+    if (const auto outcome = recording_.end(); outcome && outcome->bad)
+      std::fprintf(stderr, "replan: %s\n", outcome->sentence.c_str());
+  }
   remembered_.window = window_->state();
   remembered_.view = shell_->view();
   remembered_.side_width = shell_->panels().side_width;

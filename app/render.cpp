@@ -1,21 +1,13 @@
 #include "app/render.hpp"
 
-#include <algorithm>
-#include <cstdio>
-#include <filesystem>
-#include <memory>
-#include <system_error>
-
-#include "app/platform/offscreen.hpp"
+#include "app/film/film.hpp"
+#include "app/studio.hpp"
 #include "core/base/file.hpp"
 #include "core/scene/svg.hpp"
 #include "ui/canvas_draw.hpp"
-#include "ui/shell/shell.hpp"
 
 namespace replan::app {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int kMaxSide = 16384;
 
@@ -42,137 +34,47 @@ Result<void> go_to(Session& session, const RenderRequest& request) {
   return session.apply(Seek{*position});
 }
 
-/// A window, or a canvas alone, in memory.
-class Studio {
- public:
-  static Result<std::unique_ptr<Studio>> open(const RenderRequest& request, const Session& session,
-                                              ui::ViewState state) {
-    auto studio = std::unique_ptr<Studio>(new Studio(request, std::move(state)));
-    auto offscreen = Offscreen::create({request.width, request.height, static_cast<float>(request.scale)});
-    if (!offscreen) return Error{offscreen.error()};
-    studio->offscreen_ = std::move(*offscreen);
-    studio->offscreen_->stage().set_theme(studio->state_.dark ? ui::dark() : ui::light());
-    if (std::string words = ui::Shell::words(session); !words.empty())
-      studio->offscreen_->stage().set_language(std::move(words), false);
-    return studio;
-  }
-  ~Studio() {
-    if (!offscreen_) return;
-    // Their textures can only be given back while the context is current.
-    offscreen_->frame([this] {
-      canvas_.reset();
-      shell_.reset();
-    });
-  }
-  Studio(const Studio&) = delete;
-  Studio& operator=(const Studio&) = delete;
-
-  ui::Image shoot(Session& session) {
-    // Two frames: windows that are sized by their content settle in the second.
-    const int frames = request_.window && !settled_ ? 2 : 1;
-    for (int i = 0; i < frames; ++i)
-      offscreen_->frame([&] { request_.window ? draw_window(session) : draw_canvas(session); },
-                        1.0f / kFramesPerSecond);
-    settled_ = true;
-    return offscreen_->picture();
-  }
-
- private:
-  Studio(const RenderRequest& request, ui::ViewState state) : request_(request), state_(std::move(state)) {}
-
-  void draw_window(Session& session) {
-    ui::Stage& stage = offscreen_->stage();
-    if (!shell_) {
-      shell_ = std::make_unique<ui::Shell>(stage.renderer());
-      shell_->view() = state_;
-    }
-    shell_->draw(stage.look(), session, 1.0 / kFramesPerSecond);
-  }
-
-  void draw_canvas(const Session& session) {
-    ui::Stage& stage = offscreen_->stage();
-    if (!canvas_) canvas_ = std::make_unique<ui::Canvas>(stage.renderer());
-    ImGui::SetNextWindowPos({0, 0});
-    ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
-    ImGui::Begin("canvas", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-    std::vector<Command> none;
-    canvas_->draw(stage.look(), session, 0, state_, {0, 0}, ImGui::GetIO().DisplaySize, false, none);
-    ImGui::End();
-    ImGui::PopStyleVar(3);
-  }
-
-  const RenderRequest& request_;
-  ui::ViewState state_;
-  std::unique_ptr<Offscreen> offscreen_;
-  std::unique_ptr<ui::Canvas> canvas_;
-  std::unique_ptr<ui::Shell> shell_;
-  bool settled_ = false;
-};
-
-Result<void> render_svg(const RenderRequest& request, Session& session, const ui::ViewState& state) {
-  View view = state.view;
-  view.scale = request.scale;
-  const Palette palette = ui::scene_palette(state.dark ? ui::dark() : ui::light());
-  const Scene scene = build_scene(session.run(), view, {request.width, request.height}, palette);
-  return write_file_atomically(request.output, scene_svg(scene, palette));
+StudioSettings studio_settings(const RenderRequest& request) {
+  return {request.width,
+          request.height,
+          request.scale,
+          request.window,
+          request.panes.value_or(request.window ? 0 : 1),
+          1.0 / request.film.fps};
 }
 
-Result<void> render_frames(const RenderRequest& request, Session& session, const ui::ViewState& state) {
-  std::error_code failed;
-  fs::create_directories(request.output, failed);
-  if (failed) return Error{"cannot make the folder " + request.output + ": " + failed.message()};
-  for (const auto& run : session.runs()) run->finish(Target::end());
+Result<void> render_film(const RenderRequest& request, Session& session, const ui::ViewState& state) {
+  const auto finish_runs = [&] {
+    for (const auto& run : session.runs()) run->finish(Target::end());
+  };
+  finish_runs();
   session.update(0);
-  auto studio = Studio::open(request, session, state);
+  if (Result<void> sound = check(session); !sound) return sound;
+  const Result<std::vector<FilmFrame>> frames = plan_film(session.run(), request.film);
+  if (!frames) return Error{frames.error()};
+  auto studio = Studio::open(studio_settings(request), session, state);
   if (!studio) return Error{studio.error()};
-  const std::vector<std::size_t> positions = film_positions(session.run());
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (const auto sought = session.apply(Seek{positions[i]}); !sought) return sought;
-    char name[32];
-    std::snprintf(name, sizeof name, "%06zu.png", i);
-    if (const auto written = ui::write_png(fs::path(request.output) / name, (*studio)->shoot(session));
-        !written)
-      return written;
-    if (request.progress) request.progress(i + 1, positions.size());
+  auto film = Film::open({request.output, request.width, request.height, request.film.fps});
+  if (!film) return Error{film.error()};
+  for (std::size_t i = 0; i < frames->size(); ++i) {
+    if (Result<void> sought = session.apply(Seek{(*frames)[i].position}); !sought) return sought;
+    finish_runs();  // seeking may have asked the background for more; a frame shall not depend on when
+    if (Result<void> added = (*film)->add((*studio)->shoot(session)); !added) return added;
+    if (request.progress) request.progress(i + 1, frames->size());
   }
-  return {};
-}
-
-/// Every stop between two positions, thinned to about `frames`.
-void add_thinned(const Run& run, std::size_t from, std::size_t to, std::size_t frames,
-                 std::vector<std::size_t>& positions) {
-  std::vector<std::size_t> stops;
-  for (std::size_t p = from; p < to; ++p)
-    if (run.timeline().event(p).kind == EventKind::pop) stops.push_back(p);
-  const std::size_t every = std::max<std::size_t>(1, (stops.size() + frames - 1) / frames);
-  for (std::size_t i = 0; i < stops.size(); i += every) positions.push_back(stops[i]);
+  return (*film)->finish();
 }
 
 }  // namespace
 
-std::vector<std::size_t> film_positions(const Run& run) {
-  constexpr std::size_t kPlanFrames = 2 * kFramesPerSecond, kHold = kFramesPerSecond / 3;
-  std::vector<std::size_t> positions = {0};
-  std::size_t begun = 0;
-  for (const Marker& marker : run.markers()) {
-    if (marker.kind == EventKind::plan_begin) begun = marker.event;
-    if (marker.kind == EventKind::plan_end) add_thinned(run, begun, marker.event, kPlanFrames, positions);
-    if (marker.kind == EventKind::plan_begin) continue;
-    // What a viewer has to read stands still for a moment.
-    const std::size_t shown = marker.kind == EventKind::move || marker.kind == EventKind::waiting ? 1 : kHold;
-    const bool moves = marker.kind == EventKind::move;
-    // A move is told by an event and carried out by those that follow it.
-    const Mark* mark = run.mark_at(marker.event + 4);
-    const std::size_t after =
-        moves && mark != nullptr ? std::max(marker.event + 1, mark->event) : marker.event + 1;
-    positions.insert(positions.end(), shown, after);
-  }
-  positions.insert(positions.end(), kFramesPerSecond, run.timeline().size());
-  return positions;
+bool is_film(const std::string& output) {
+  return is_frame_folder(output) || film_format(output).has_value();
+}
+
+Result<void> write_drawing(const std::string& path, const Run& run, const ui::ViewState& state,
+                           Viewport size) {
+  const Palette palette = ui::scene_palette(state.dark ? ui::dark() : ui::light());
+  return write_file_atomically(path, scene_svg(build_scene(run, state.view, size, palette), palette));
 }
 
 Result<ui::ViewState> requested_view(const RenderRequest& request) {
@@ -194,6 +96,7 @@ Result<ui::ViewState> requested_view(const RenderRequest& request) {
   state.view.pinned = request.pinned;
   state.view.scale = request.scale;
   state.legend = request.legend;
+  state.live = false;
   return state;
 }
 
@@ -205,13 +108,15 @@ Result<void> render(const RenderRequest& request) {
   if (!state) return Error{state.error()};
   const std::string extension = file_extension(request.output);
   Session session(request.scenario);
-  if (request.output.ends_with('/') || fs::is_directory(request.output))
-    return render_frames(request, session, *state);
+  if (is_film(request.output)) return render_film(request, session, *state);
   if (extension != ".png" && extension != ".svg")
-    return Error{request.output + ": a picture's name ends in .png or .svg, a folder for frames in /"};
+    return Error{request.output +
+                 ": a picture's name ends in .png or .svg, a film's in .gif, .webp or .mp4, a folder for "
+                 "frames in /"};
   if (const auto there = go_to(session, request); !there) return there;
-  if (extension == ".svg") return render_svg(request, session, *state);
-  auto studio = Studio::open(request, session, *state);
+  if (extension == ".svg")
+    return write_drawing(request.output, session.run(), *state, {request.width, request.height});
+  auto studio = Studio::open(studio_settings(request), session, *state);
   if (!studio) return Error{studio.error()};
   return ui::write_png(request.output, (*studio)->shoot(session));
 }

@@ -1,5 +1,4 @@
-// Pictures of a scenario without a display: a still, a vector drawing, or a folder of frames of the whole
-// run.
+// Pictures of a scenario without a display: a still, a vector drawing, a film, or a folder of its frames.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +7,9 @@
 #include <string>
 #include <variant>
 
+#include "core/scene/scene.hpp"
 #include "core/scene/view.hpp"
+#include "core/session/film_plan.hpp"
 #include "core/session/session.hpp"
 #include "core/world/scenario.hpp"
 #include "ui/canvas.hpp"
@@ -23,8 +24,9 @@ enum class Moment : std::uint8_t {
 
 struct RenderRequest {
   Scenario scenario;
-  std::string output;  ///< `.png`, `.svg`, or a folder for frames (it ends in '/', or is one already)
-  int width = 1440;    ///< pixels of the picture
+  /// `.png`, `.svg`, `.gif`, `.webp`, `.mp4`, or a folder for frames (it ends in '/', or is one already)
+  std::string output;
+  int width = 1440;  ///< pixels of the picture
   int height = 900;
   double scale = 1;                                     ///< device pixels per design pixel
   std::optional<std::string> theme;                     ///< "light" or "dark"; else the scenario's, else dark
@@ -33,21 +35,24 @@ struct RenderRequest {
   std::optional<Cell> pinned;
   bool legend = true;
   bool window = false;  ///< the whole window rather than the canvas alone; not for `.svg`
-  std::function<void(std::size_t done, std::size_t all)> progress;  ///< called after each frame of a folder
+  /// How many planners are shown; nothing: all that there is room for in a window, one on a canvas alone.
+  std::optional<std::size_t> panes;
+  FilmOptions film;
+  std::function<void(std::size_t done, std::size_t all)> progress;  ///< called after each frame of a film
 };
 
-/// Frames per second that a folder of frames is made for.
-inline constexpr int kFramesPerSecond = 30;
+/// Whether the output is a film or a folder of frames, and not a still.
+bool is_film(const std::string& output);
 
 /// Draws what is asked for. The same request gives the same pixels each time.
 Result<void> render(const RenderRequest& request);
 
+/// Writes what a canvas of that size shows of a run as a vector drawing (.svg).
+Result<void> write_drawing(const std::string& path, const Run& run, const ui::ViewState& state,
+                           Viewport size);
+
 /// The view that a request asks for: overlays, camera and theme of request, scenario or window, in that
 /// order.
 Result<ui::ViewState> requested_view(const RenderRequest& request);
-
-/// The positions in the log that a film of the run shows: each move of the robot, each repair by a few
-/// frames, and of the first plan about two seconds.
-std::vector<std::size_t> film_positions(const Run& run);
 
 }  // namespace replan::app

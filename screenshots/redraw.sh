@@ -20,4 +20,7 @@ draw window-light.png --theme light
 # the end, since the length of the search before it may change; the program tells the run's length when asked for more.
 complaint=$("$program" render maps/demo.json -o screenshots/demo-surprise.png --at 999999999999 2>&1 || true)
 events=$(sed -n 's/.*it has \([0-9]*\) events.*/\1/p' <<<"$complaint")
+# The whole story as a film, small enough for a page: two planners, the surprise and the repairs.
+draw demo.gif --canvas-only --panes all --size 840x560 --fps 20 --speed 10/s --hold 0.8 --theme dark
+
 draw demo-surprise.png --theme dark --at "$((events - drive))"

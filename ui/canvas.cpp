@@ -51,8 +51,10 @@ struct Canvas::Parts {
   void glide(ViewState& state, ImVec2 min);
   void point(const Session& session, const Run& run, ViewState& state, ImVec2 min, bool hovered,
              std::vector<Command>& commands);
+
   ImGuiRenderer& renderer;
   SceneMemory memory;
+  FreshPlans plans;
   Scene scene;
   std::optional<SceneKey> key;
   ImTextureID texture = nullptr;
@@ -76,7 +78,7 @@ void Canvas::fit() {
 }
 
 bool Canvas::animating() const {
-  return parts_->zooming.active;
+  return parts_->zooming.active || parts_->plans.busy();
 }
 
 void Canvas::Parts::upload() {
@@ -226,7 +228,7 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
     draw_tool_overlay(look, list, screen, state, session.scenario().map,
                       {parts.hand.preview(state, hovered), parts.hand.adds(), parts.hand.busy(), hovered});
   }
-  draw_chips(look, list, run, parts.scene, parts.memory, state, min, max);
+  draw_chips(look, list, run, parts.scene, parts.memory, parts.plans, state, min, max);
   list.PopClipRect();
 }
 

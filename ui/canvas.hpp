@@ -26,6 +26,7 @@ struct ViewState {
   bool panels = true;  ///< side panel and tool strip shown
   int tab = 1;         ///< chosen side tab
   bool legend = true;
+  bool live = true;  ///< a window; else a picture, which shows no wall times and waits for what is worked out
 };
 
 /// Draws a run into the current ImGui window's rectangle and turns input on it into commands.
@@ -41,7 +42,7 @@ class Canvas {
 
   /// Makes the next draw show the whole world.
   void fit();
-  /// True while a zoom is on its way: further frames are due without input.
+  /// True while a zoom is on its way or something is being worked out: further frames are due without input.
   [[nodiscard]] bool animating() const;
 
  private:

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "ui/colormap.hpp"
+#include "ui/replan_card.hpp"
 #include "ui/widgets.hpp"
 
 namespace replan::ui {
@@ -143,7 +144,7 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
 }
 
 void draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene& scene, SceneMemory& memory,
-                const ViewState& state, ImVec2 min, ImVec2 max) {
+                FreshPlans& plans, const ViewState& state, ImVec2 min, ImVec2 max) {
   const Theme& theme = look.theme;
   const float margin = look.px(12);
   const std::size_t cursor = run.timeline().cursor();
@@ -156,13 +157,14 @@ void draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene&
   const ImVec2 left = chip(look, list, {min.x + margin, min.y + margin}, title);
   float below = min.y + margin + left.y + look.px.s;
   if (const RepairFigures repair = memory.repair(run, cursor); repair.number > 0) {
-    const std::string text = "replan " + grouped(repair.number) + " · " + grouped(repair.touched) + " of " +
-                             grouped(repair.from_scratch) + " touched";
-    const std::array<TextRun, 1> runs = {{{text, theme.warning, look.fonts.ui}}};
-    const bool fits = left.x + text_width(look.fonts.ui, text) + look.px(20) + 3 * margin <= max.x - min.x;
+    const auto fresh = plans.of(run, static_cast<std::size_t>(repair.number), !state.live);
+    const ReplanReport report{repair, fresh, state.live};
+    const float room = max.x - min.x - left.x - 3 * margin;
+    const bool brief = replan_card_size(look, report, false).x > room;
+    const bool beside = !brief || replan_card_size(look, report, true).x <= room;
     const ImVec2 size =
-        chip(look, list, {max.x - margin, fits ? min.y + margin : below}, runs, Corner::top_right);
-    if (!fits) below += size.y + look.px.s;
+        draw_replan_card(look, list, {max.x - margin, beside ? min.y + margin : below}, report, brief);
+    if (!beside) below += size.y + look.px.s;
   }
   if (const StateMessage message = state_message(run, memory); !message.text.empty()) {
     const std::array<TextRun, 1> runs = {

@@ -3,12 +3,13 @@
 #pragma once
 
 #include "core/scene/scene.hpp"
+#include "core/session/fresh_plan.hpp"
 #include "ui/canvas.hpp"
 
 namespace replan::ui {
 
 void draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene& scene, SceneMemory& memory,
-                const ViewState& state, ImVec2 min, ImVec2 max);
+                FreshPlans& plans, const ViewState& state, ImVec2 min, ImVec2 max);
 
 /// A sentence about the run at its cursor that a user should read now; empty if all is well.
 struct StateMessage {

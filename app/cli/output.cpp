@@ -99,6 +99,16 @@ ProgressBar::~ProgressBar() {
   if (terminal_) std::fputs("\r\x1B[K", stderr);
 }
 
+/// ", 12 s left", going by the time so far; nothing before that says anything.
+std::string ProgressBar::time_left(std::chrono::steady_clock::time_point now, std::size_t done) const {
+  const double gone = std::chrono::duration<double>(now - begun_).count();
+  if (gone < 1 || done == 0 || done >= total_) return {};
+  const auto left =
+      static_cast<long>(gone * static_cast<double>(total_ - done) / static_cast<double>(done)) + 1;
+  return left < 120 ? ", " + std::to_string(left) + " s left"
+                    : ", " + std::to_string(left / 60) + " min left";
+}
+
 void ProgressBar::show(std::size_t done) {
   constexpr std::size_t kWidth = 30;
   constexpr std::chrono::milliseconds kBetween{80};
@@ -108,7 +118,8 @@ void ProgressBar::show(std::size_t done) {
   drawn_ = now;
   const std::size_t filled = kWidth * done / total_;
   const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
-  std::fprintf(stderr, "\r\x1B[K%s [%s] %zu of %zu", label_.c_str(), bar.c_str(), done, total_);
+  std::fprintf(stderr, "\r\x1B[K%s [%s] %zu of %zu%s", label_.c_str(), bar.c_str(), done, total_,
+               time_left(now, done).c_str());
   std::fflush(stderr);
 }
 

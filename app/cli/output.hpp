@@ -49,7 +49,7 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// A bar on stderr if that is a terminal, nothing otherwise. Gone when it is destroyed.
+/// A bar with the time left on stderr if that is a terminal, nothing otherwise. Gone when it is destroyed.
 class ProgressBar {
  public:
   ProgressBar(std::string label, std::size_t total);
@@ -59,8 +59,11 @@ class ProgressBar {
   void show(std::size_t done);
 
  private:
+  [[nodiscard]] std::string time_left(std::chrono::steady_clock::time_point now, std::size_t done) const;
+
   std::string label_;
   std::size_t total_;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   bool terminal_;
   std::chrono::steady_clock::time_point drawn_{};
 };

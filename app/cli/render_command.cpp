@@ -7,6 +7,7 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
 #include "app/render.hpp"
+#include "core/base/file.hpp"
 #include "core/world/text_lines.hpp"
 
 namespace replan::cli {
@@ -23,6 +24,12 @@ struct RenderArguments {
   std::vector<std::string> overlays;
   std::string theme;
   bool canvas_only = false;
+  std::string panes;
+  std::string fps;
+  std::string speed;
+  std::string hold;
+  std::string from;
+  std::string to;
 };
 
 Result<void> read_size(const std::string& text, app::RenderRequest& request) {
@@ -39,6 +46,9 @@ Result<void> read_size(const std::string& text, app::RenderRequest& request) {
 Result<void> read_moment(const RenderArguments& arguments, app::RenderRequest& request) {
   if (int{!arguments.at.empty()} + int{arguments.at_end} + int{arguments.at_plan} > 1)
     return Error{"give only one of --at, --at-end and --at-plan"};
+  const bool given = !arguments.at.empty() || arguments.at_end || arguments.at_plan;
+  if (given && app::is_film(request.output))
+    return Error{"--at, --at-end and --at-plan are for stills; a film takes --from and --to"};
   if (arguments.at_end) request.at = app::Moment::end;
   if (arguments.at.empty()) return {};
   const auto event = parse_count("--at", arguments.at, 0);
@@ -63,6 +73,50 @@ Result<void> read_looks(const RenderArguments& arguments, app::RenderRequest& re
   return {};
 }
 
+Result<void> read_panes(const RenderArguments& arguments, app::RenderRequest& request) {
+  if (arguments.panes.empty()) return {};
+  const auto count = number_from<int>(arguments.panes);
+  if (arguments.panes != "all" && (!count || *count < 1))
+    return Error{"--panes cannot be '" + arguments.panes + "': give 1, 2, 4 or all"};
+  if (file_extension(request.output) == ".svg")
+    return Error{"--panes is not for .svg, which draws one planner; take .png"};
+  request.panes = count ? static_cast<std::size_t>(*count) : request.scenario.planners.size();
+  return {};
+}
+
+Result<void> read_film(const RenderArguments& arguments, app::RenderRequest& request) {
+  const std::pair<const char*, const std::string&> given[] = {{"--fps", arguments.fps},
+                                                              {"--speed", arguments.speed},
+                                                              {"--hold", arguments.hold},
+                                                              {"--from", arguments.from},
+                                                              {"--to", arguments.to}};
+  if (!app::is_film(request.output))
+    for (const auto& [name, text] : given)
+      if (!text.empty())
+        return Error{std::string(name) + " is for films (.gif, .webp, .mp4) and frames (FOLDER/), and " +
+                     request.output + " is neither"};
+  if (!arguments.fps.empty()) {
+    const auto fps = number_from<int>(arguments.fps);
+    if (!fps || *fps < 1 || *fps > kFastestFilm)
+      return Error{"--fps cannot be '" + arguments.fps + "': give frames per second, from 1 to " +
+                   std::to_string(kFastestFilm)};
+    request.film.fps = *fps;
+  }
+  if (!arguments.hold.empty()) {
+    const auto hold = number_from<double>(arguments.hold);
+    if (!hold) return Error{"--hold cannot be '" + arguments.hold + "': give seconds, for example 0.5"};
+    request.film.hold = *hold;
+  }
+  if (!arguments.speed.empty()) {
+    const auto speed = parse_film_speed(arguments.speed);
+    if (!speed) return Error{"--speed: " + speed.error()};
+    request.film.speed = *speed;
+  }
+  if (!arguments.from.empty()) request.film.from = arguments.from;
+  if (!arguments.to.empty()) request.film.to = arguments.to;
+  return {};
+}
+
 Result<int> render(const RenderArguments& arguments) {
   auto world = arguments.world.load();
   if (!world) return Error{world.error()};
@@ -74,6 +128,8 @@ Result<int> render(const RenderArguments& arguments) {
     if (const auto size = read_size(arguments.size, request); !size) return Error{size.error()};
   if (const auto moment = read_moment(arguments, request); !moment) return Error{moment.error()};
   if (const auto looks = read_looks(arguments, request); !looks) return Error{looks.error()};
+  if (const auto panes = read_panes(arguments, request); !panes) return Error{panes.error()};
+  if (const auto film = read_film(arguments, request); !film) return Error{film.error()};
   std::optional<ProgressBar> bar;
   std::size_t frames = 0;
   request.progress = [&](std::size_t done, std::size_t all) {
@@ -83,10 +139,10 @@ Result<int> render(const RenderArguments& arguments) {
   const auto drawn = app::render(request);
   bar.reset();
   if (!drawn) return Error{drawn.error()};
-  const bool folder = frames > 0;
-  print("wrote " + (folder ? counted(static_cast<std::int64_t>(frames), "frame") + " into " : std::string()) +
-        arguments.out + ", " + std::to_string(request.width) + " x " + std::to_string(request.height) +
-        " pixels\n");
+  const std::string count =
+      frames > 0 ? counted(static_cast<std::int64_t>(frames), "frame") + " into " : std::string();
+  print("wrote " + count + arguments.out + ", " + std::to_string(request.width) + " x " +
+        std::to_string(request.height) + " pixels\n");
   return kDone;
 }
 
@@ -94,25 +150,32 @@ std::string footer() {
   return "Examples:\n"
          "  replan render maps/demo.json -o demo.png --at-end\n"
          "      The window as it looks once the robot has arrived.\n"
-         "  replan render maps/demo.json -o frames/ --size 1280x720\n"
-         "      The whole run as numbered frames, for a film.\n"
+         "  replan render maps/demo.json -o demo.mp4 --size 1280x720\n"
+         "      A film of the whole run. FFmpeg makes it; frames/ instead of demo.mp4 gives the bare "
+         "frames.\n"
+         "  replan render maps/demo.json -o repair.gif --canvas-only --panes all --from replan:1 --speed "
+         "4/s\n"
+         "      What follows the first replan, all planners side by side, at four robot moves per second.\n"
          "  replan render --map arena.map --start 1,11 --goal 40,30 --planner dld-star-lite -o plan.svg "
          "--overlay path,rp\n"
          "      A drawing of the plan, for a paper.\n\n"
          "Needs neither a display nor a graphics card. Where nothing else is said, a picture shows the first "
-         "plan.\n\n" +
+         "plan.\n\n"
+         "A film shows the same frames each time. It stands under its name once it is complete; until then "
+         "an "
+         "old file\nstays whole, and an interrupted film leaves nothing.\n\n" +
          settings_help();
 }
 
 }  // namespace
 
 Command add_render(CLI::App& program) {
-  CLI::App* app =
-      program.add_subcommand("render", "Draw a picture or the frames of a run, without a display");
+  CLI::App* app = program.add_subcommand("render", "Draw a picture or a film of a run, without a display");
   const auto arguments = std::make_shared<RenderArguments>();
   RenderArguments& into = *arguments;
   into.world.declare(*app);
-  app->add_option("-o,--output", into.out, "Where to: a .png, an .svg, or a folder/ for numbered frames")
+  app->add_option("-o,--output", into.out,
+                  "Where to: a .png or .svg; a .gif, .webp or .mp4; a folder/ for numbered frames")
       ->type_name("OUT")
       ->required();
   app->add_option("--size", into.size, "Pixels of the picture (default 1440x900)")->type_name("WxH");
@@ -127,6 +190,20 @@ Command add_render(CLI::App& program) {
   app->add_option("--theme", into.theme, "The colours; else the scenario's, else dark")
       ->type_name("light|dark");
   app->add_flag("--canvas-only", into.canvas_only, "The world alone, without the window around it");
+  app->add_option("--panes", into.panes,
+                  "How many planners are shown side by side; else all in a window, one with --canvas-only")
+      ->type_name("N|all");
+  app->add_option("--fps", into.fps, "Film: frames per second, 1 to 60 (default 30)")->type_name("N");
+  app->add_option("--speed", into.speed,
+                  "Film: auto, expansion or move (one per frame), events per frame (50), or robot moves per "
+                  "second (4/s)")
+      ->type_name("SPEED");
+  app->add_option("--hold", into.hold, "Film: seconds that each new plan stands still (default 1/3)")
+      ->type_name("SECONDS");
+  app->add_option("--from", into.from,
+                  "Film: where it begins: a number of events, start, plan, replan:N, move:N or end")
+      ->type_name("MOMENT");
+  app->add_option("--to", into.to, "Film: where it ends, likewise")->type_name("MOMENT");
   app->footer(footer);
   return {app, [arguments] { return render(*arguments); }};
 }

@@ -228,6 +228,12 @@ void Window::run(const std::function<bool()>& frame) {
 void Window::wait() {
   const bool hidden = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
   const bool busy = !hidden && (settle_frames_ > 0 || stage_->wants_frame() || taker_);
+  if (pace_ > 0) {
+    // Input waits for its frame, or a moving mouse would make the time of the film run faster.
+    glfwPollEvents();
+    for (double left = 1; (left = pace_ - (glfwGetTime() - last_time_)) > 0;) glfwWaitEventsTimeout(left);
+    return;
+  }
   // Drivers without vertical sync would otherwise draw as fast as they can.
   const double pause = busy ? kFrameSeconds - (glfwGetTime() - last_time_) : kIdleSeconds;
   if (pause > 0) {
@@ -243,7 +249,7 @@ void Window::draw_frame(const std::function<bool()>& frame) {
   glfwGetFramebufferSize(window_, &width, &height);
   const double now = glfwGetTime();
   // A long sleep is no motion: animations go on from where they were.
-  const double elapsed = std::min(now - last_time_, 0.1);
+  const double elapsed = pace_ > 0 ? pace_ : std::min(now - last_time_, 0.1);
   last_time_ = now;
   if (width <= 0 || height <= 0) return;
   // Input may open, close or hover something: ImGui needs a few frames to come to rest.
@@ -271,6 +277,10 @@ void Window::close() {
 
 void Window::wake() {
   glfwPostEmptyEvent();
+}
+
+void Window::hide() {
+  glfwHideWindow(window_);
 }
 
 void Window::set_title(const std::string& title) {

@@ -50,6 +50,12 @@ class Window {
   /// Asked when the user closes the window; returns whether it may close (nothing unsaved).
   void on_close(std::function<bool()> handler) { may_close_ = std::move(handler); }
 
+  /// From now on a frame is drawn every so many seconds and takes exactly so long for what moves, however
+  /// long the drawing takes; 0: frames are drawn as they are needed.
+  void pace(double seconds) { pace_ = seconds; }
+  /// Takes the window off the display; the program goes on.
+  void hide();
+
   void set_title(const std::string& title);
   /// Size and state now, to be remembered for the next start.
   [[nodiscard]] WindowSettings state() const;
@@ -77,6 +83,7 @@ class Window {
   std::function<void(ui::Image)> taker_;
   WindowSettings settings_;
   double last_time_ = 0;
+  double pace_ = 0;
   bool follow_display_scale_ = true;
   int settle_frames_ = 3;  // frames still to draw before sleeping
 };

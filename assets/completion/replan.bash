@@ -39,7 +39,7 @@ _replan_options() {
     render)
       echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set -o --output --size --scale" \
         "--at --at-end --at-plan" \
-        "--overlay --theme --canvas-only"
+        "--overlay --theme --canvas-only --panes --fps --speed --hold --from --to"
       ;;
     convert) echo "-h --help --start --goal --threshold --invert --unknown --slice --planner --set" ;;
     list) echo "-h --help --json" ;;
@@ -64,8 +64,11 @@ _replan() {
     --map) _replan_files $maps; return ;;
     --unknown) COMPREPLY=($(compgen -W "blocked free unmapped" -- "$cur")); return ;;
     --csv) _replan_files csv; return ;;
-    -o | --output) _replan_files png svg; return ;;
-    --start | --goal | --size | --scale | --at | --limit | --threshold | --slice) return ;;
+    -o | --output) _replan_files png svg gif webp mp4; return ;;
+    --start | --goal | --size | --scale | --at | --limit | --threshold | --slice | --fps | --hold) return ;;
+    --panes) COMPREPLY=($(compgen -W "1 2 4 all" -- "$cur")); return ;;
+    --speed) COMPREPLY=($(compgen -W "auto expansion move" -- "$cur")); return ;;
+    --from | --to) COMPREPLY=($(compgen -W "start plan end replan: move:" -- "$cur")); return ;;
   esac
   case "$cur" in
     -*) COMPREPLY=($(compgen -W "$(_replan_options "$command")" -- "$cur")); return ;;

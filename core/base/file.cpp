@@ -10,6 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/base/pending_file.hpp"
+
 namespace replan {
 namespace {
 
@@ -56,44 +58,12 @@ int write_all(int file, std::string_view bytes) {
   return 0;
 }
 
-/// The rights that a new file gets here: those of the file it replaces, or what the process's mask leaves.
-mode_t rights_for(bool exists, const struct stat& old) {
-  if (exists) return old.st_mode & 07777;
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return 0666 & ~mask;
-}
-
-/// Fills the open temporary file and puts it in place of `target`. Returns 0 or the system's error code.
-int fill_and_rename(Descriptor& file, const std::string& temporary, const std::string& target, mode_t rights,
-                    std::string_view bytes) {
-  if (const int code = write_all(file.number(), bytes); code != 0) return code;
-  if (::fchmod(file.number(), rights) != 0 || ::fsync(file.number()) != 0) return errno;
-  if (!file.close()) return errno;
-  return std::rename(temporary.c_str(), target.c_str()) == 0 ? 0 : errno;
-}
-
-/// Flushes the folder's entry, so that the rename survives a power cut. Not every file system can; none has
-/// to.
-void flush_folder(const std::string& target) {
-  const Descriptor folder(::open(file_folder(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (folder.valid()) ::fsync(folder.number());
-}
-
 Result<void> write_straight(const std::string& path, std::string_view bytes) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (!file.valid()) return cannot("write", path, reason(errno));
   if (const int code = write_all(file.number(), bytes); code != 0) return cannot("write", path, reason(code));
   if (!file.close()) return cannot("write", path, reason(errno));
   return {};
-}
-
-/// Where a symbolic link ends, or the path itself.
-std::string resolved(const std::string& path) {
-  std::error_code failed;
-  if (!std::filesystem::is_symlink(path, failed)) return path;
-  const std::filesystem::path end = std::filesystem::weakly_canonical(path, failed);
-  return failed ? path : end.string();
 }
 
 }  // namespace
@@ -123,23 +93,14 @@ Result<std::string> read_file(const std::string& path, std::int64_t limit) {
 }
 
 Result<void> write_file_atomically(const std::string& path, std::string_view bytes) {
-  if (path.empty()) return Error{"cannot write: no file name is given"};
-  const std::string target = resolved(path);
   struct stat old {};
-  const bool exists = ::stat(target.c_str(), &old) == 0;
-  if (exists && S_ISDIR(old.st_mode)) return cannot("write", path, "it is a folder");
-  if (exists && !S_ISREG(old.st_mode)) return write_straight(target, bytes);
-  // Renaming over a write-protected file would succeed: the protection is the user's word, so it is kept.
-  if (exists && ::access(target.c_str(), W_OK) != 0) return cannot("write", path, reason(errno));
-  std::string temporary = target + ".XXXXXX";
-  Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
-  if (!file.valid()) return cannot("write", path, reason(errno));
-  if (const int code = fill_and_rename(file, temporary, target, rights_for(exists, old), bytes); code != 0) {
-    ::unlink(temporary.c_str());
+  const bool exists = ::stat(path.c_str(), &old) == 0;
+  if (exists && !S_ISREG(old.st_mode) && !S_ISDIR(old.st_mode)) return write_straight(path, bytes);
+  Result<PendingFile> file = PendingFile::create(path);
+  if (!file) return Error{file.error()};
+  if (const int code = write_all(file->descriptor(), bytes); code != 0)
     return cannot("write", path, reason(code));
-  }
-  flush_folder(target);
-  return {};
+  return file->commit();
 }
 
 std::string file_extension(std::string_view path) {

@@ -1,6 +1,7 @@
 #include "core/scene/digest.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace replan {
 
@@ -29,8 +30,23 @@ void RunDigest::take(const Event& event, std::size_t index) {
     case EventKind::truth:
       map_events_.push_back({index, event.node, event.kind});
       break;
+    case EventKind::sensed:
+      ++(event.delta != 0 ? cause_.blocked : cause_.freed);
+      break;
+    case EventKind::forgotten:
+      ++cause_.forgotten;
+      break;
+    case EventKind::new_goal:
+      cause_.new_goal = true;
+      break;
+    case EventKind::put_down:
+      cause_.put_down = true;
+      break;
     case EventKind::plan_begin:
-      plans_.push_back({.begin = index, .first_touch = touches_.size(), .last_touch = touches_.size()});
+      plans_.push_back({.begin = index,
+                        .first_touch = touches_.size(),
+                        .last_touch = touches_.size(),
+                        .cause = std::exchange(cause_, {})});
       popped_ = false;
       break;
     case EventKind::plan_end:

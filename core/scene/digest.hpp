@@ -22,12 +22,21 @@ struct Touch {
   NodeId node;
 };
 
+/// What made a robot plan again.
+struct ReplanCause {
+  std::int64_t blocked = 0, freed = 0;  ///< cells that it saw or was told of
+  std::int64_t forgotten = 0;           ///< cells where it no longer counts on something that moved
+  bool new_goal = false;
+  bool put_down = false;
+};
+
 /// A plan or replan. Its touches are [first_touch, last_touch) of RunDigest::touches().
 struct PlanSpan {
   std::size_t begin;           ///< of its plan_begin
   std::size_t end = SIZE_MAX;  ///< past its plan_end; SIZE_MAX while there is none
   std::size_t first_touch = 0, last_touch = 0;
   std::int64_t touched = 0;
+  ReplanCause cause = {};
 };
 
 class RunDigest {
@@ -54,6 +63,7 @@ class RunDigest {
   bool incremental_ = true;
   std::size_t read_ = 0;
   bool popped_ = false;  // in the current plan
+  ReplanCause cause_;    // what has happened since the last plan began
   std::int64_t expanded_ = 0;
   std::vector<std::int64_t> expansions_;  // before each kStride-th event
   std::vector<bool> popped_at_;           // and whether popped_ held there

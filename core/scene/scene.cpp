@@ -73,9 +73,13 @@ RepairFigures SceneMemory::repair(const Run& run, std::size_t position) {
   if (count < 2) return {};
   RepairFigures figures;
   figures.number = static_cast<std::int64_t>(count) - 1;
-  figures.touched =
-      static_cast<std::int64_t>(digest.touches_before(digest.plans()[count - 1], position).size());
-  figures.from_scratch = digest.plans().front().touched;
+  const PlanSpan& plan = digest.plans()[count - 1];
+  figures.touched = static_cast<std::int64_t>(digest.touches_before(plan, position).size());
+  figures.cause = plan.cause;
+  const Mark *before = run.mark_at(plan.begin), *after = run.mark_at(position);
+  if (before != nullptr) figures.clock = before->clock;
+  if (plan.end <= position && before != nullptr && after != nullptr)
+    figures.ms = after->figures.replan_ms - before->figures.replan_ms;
   return figures;
 }
 

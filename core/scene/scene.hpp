@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/scene/digest.hpp"
 #include "core/scene/palette.hpp"
 #include "core/scene/view.hpp"
 #include "core/session/run.hpp"
@@ -139,9 +140,11 @@ Camera resolve(const Camera& camera, int columns, int rows, Viewport viewport);
 
 /// What the last replan up to a position of the log came to.
 struct RepairFigures {
-  std::int64_t number = 0;        ///< 0: there was none
-  std::int64_t touched = 0;       ///< vertices whose g or rhs changed or that were expanded
-  std::int64_t from_scratch = 0;  ///< the same of the first plan
+  std::int64_t number = 0;   ///< 0: there was none
+  std::int64_t touched = 0;  ///< vertices whose g or rhs changed or that were expanded
+  ReplanCause cause;
+  std::int64_t clock = 0;    ///< the robot's step at which it happened
+  std::optional<double> ms;  ///< taking in the change and the search; nothing while it goes on
 };
 
 /// What was read out of a run's log before and can be used again. A scene does not depend on it, only its

@@ -91,7 +91,7 @@ TEST_F(Render, badInput) {
   const std::string out = folder_.file("x.png");
   expect_complaint({"render", scenario_}, {"--output is required"});
   expect_complaint({"render", "-o", out}, {"give a scenario file"});
-  expect_complaint({"render", scenario_, "-o", folder_.file("x.gif")}, {"x.gif", ".png"});
+  expect_complaint({"render", scenario_, "-o", folder_.file("x.bmp")}, {"x.bmp", ".png", ".gif"});
   expect_complaint({"render", scenario_, "-o", folder_.file("no/such/x.png")}, {"x.png"});
   expect_complaint({"render", scenario_, "-o", out, "--size", "big"}, {"--size cannot be 'big'", "WxH"});
   expect_complaint({"render", scenario_, "-o", out, "--size", "4x4"}, {"16"});

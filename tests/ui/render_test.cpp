@@ -1,6 +1,7 @@
 // Pictures of the demo world against golden ones. REPLAN_UPDATE_GOLDEN=1 writes them anew: look at them then.
 #include "app/render.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -120,17 +121,66 @@ TEST(Render, SvgIsWritten) {
   EXPECT_GT(fs::file_size(request.output), 2000u);
 }
 
-TEST(Render, FramesCoverPlanDriveAndArrival) {
+std::vector<ui::Image> frames_in(const std::string& folder) {
+  std::vector<fs::path> names(fs::directory_iterator(folder), {});
+  std::sort(names.begin(), names.end());
+  std::vector<ui::Image> frames;
+  for (const fs::path& name : names) {
+    auto frame = ui::read_image(name);
+    EXPECT_TRUE(frame.ok()) << name;
+    if (frame) frames.push_back(std::move(*frame));
+  }
+  return frames;
+}
+
+TEST(Render, AFilmHasTheSameFramesEachTime) {
+  RenderRequest request = demo("light");
+  request.window = true;
+  request.film.speed = {FilmSpeed::Kind::move, 0};
+  request.film.from = "move:8";
+  request.film.to = "move:20";
+  std::vector<std::vector<ui::Image>> films;
+  for (int i = 0; i < 2; ++i) {
+    const test::TemporaryFolder folder;
+    request.output = folder.path();
+    const auto drawn = render(request);
+    ASSERT_TRUE(drawn.ok()) << drawn.error();
+    films.push_back(frames_in(folder.path()));
+  }
+  ASSERT_GT(films[0].size(), 12u);
+  ASSERT_EQ(films[0].size(), films[1].size());
+  for (std::size_t i = 0; i < films[0].size(); ++i)
+    EXPECT_TRUE(films[0][i].rgba == films[1][i].rgba) << "frame " << i;
+  EXPECT_FALSE(films[0].front().rgba == films[0].back().rgba);
+}
+
+TEST(Render, AFolderHoldsTheLastFilmAlone) {
+  const test::TemporaryFolder folder;
   RenderRequest request = demo("dark");
-  Session session(request.scenario);
-  ASSERT_TRUE(session.apply(RunToEnd{}).ok());
-  for (const auto& run : session.runs()) run->finish(Target::end());
-  const std::vector<std::size_t> positions = film_positions(session.run());
-  EXPECT_TRUE(std::is_sorted(positions.begin(), positions.end()));
-  EXPECT_EQ(positions.back(), session.run().timeline().size());
-  EXPECT_GT(positions.size(),
-            static_cast<std::size_t>(session.run().marks().back().figures.moves) + kFramesPerSecond);
-  EXPECT_LT(positions.size(), 600u);
+  request.width = request.height = 64;
+  request.output = folder.path();
+  request.film.speed = {FilmSpeed::Kind::move, 0};
+  ASSERT_TRUE(render(request).ok());
+  const std::size_t whole = frames_in(folder.path()).size();
+  request.film.to = "plan";
+  ASSERT_TRUE(render(request).ok());
+  EXPECT_LT(frames_in(folder.path()).size(), whole);
+}
+
+TEST(Render, PanesShareTheCanvas) {
+  const test::TemporaryFolder folder;
+  RenderRequest request = demo("dark");
+  std::vector<ui::Image> pictures;
+  for (const std::size_t panes : {1u, 2u, 4u}) {
+    request.panes = panes;
+    request.output = folder.file("panes.png");
+    ASSERT_TRUE(render(request).ok());
+    auto picture = ui::read_image(request.output);
+    ASSERT_TRUE(picture.ok());
+    pictures.push_back(std::move(*picture));
+  }
+  EXPECT_FALSE(pictures[0].rgba == pictures[1].rgba);
+  EXPECT_TRUE(pictures[1].rgba == pictures[2].rgba) << "the demo has two planners";
 }
 
 TEST(Render, MistakesAreNamed) {

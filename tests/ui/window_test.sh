@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The window itself, on a display of its own: it opens, a stroke by the mouse paints, a key steps, an edit is saved
-# before it closes, and it remembers what it should.
+# before it closes, it remembers what it should, and it records films.
 #   window_test.sh PROGRAM
 # Exit code 77: skipped, with the reason.
 set -u
@@ -125,4 +125,39 @@ xdotool key ctrl+q
 end_program "after a change of theme"
 grep -q '"dark": false' "$scratch/config/replan/window.json" || fail "the theme was not remembered"
 
-echo "the window opens, paints, steps, saves, asks and remembers"
+# 6. A film of the canvas while the run plays, one of the window that is still on when it closes, and pictures.
+name_file() { sleep 1; xdotool type --delay 30 "$scratch/$1"; settle; xdotool key Return; settle; }
+film_facts() {
+  ffprobe -v error -count_frames -of csv=p=0 -show_entries stream=width,height,avg_frame_rate,nb_read_frames "$scratch/$1"
+}
+if command -v ffmpeg >/dev/null && command -v ffprobe >/dev/null; then
+  start_program "$scratch/world.json"
+  xdotool key Home
+  xdotool key ctrl+shift+r
+  name_file canvas.mp4
+  [ -e "$scratch/canvas.mp4" ] && fail "an unfinished film stands under its name"
+  xdotool key space
+  sleep 2
+  xdotool key ctrl+shift+r
+  for _ in $(seq 100); do [ -e "$scratch/canvas.mp4" ] && break; sleep 0.1; done
+  xdotool key ctrl+shift+p
+  name_file canvas.png
+  xdotool key ctrl+shift+p
+  name_file canvas.svg
+  xdotool key ctrl+shift+w
+  name_file window.gif
+  sleep 1
+  xdotool key ctrl+q
+  for _ in $(seq 300); do kill -0 "$window" 2>/dev/null || break; sleep 0.1; done
+  end_program "while it recorded"
+  IFS=, read -r width height rate frames <<<"$(film_facts canvas.mp4)"
+  [ "$rate" = 30/1 ] && [ "${frames:-0}" -ge 5 ] || fail "the film of the canvas: $rate frames per second, $frames frames"
+  [ "$width" -ge 400 ] && [ "$width" -lt 1200 ] && [ "$height" -lt 780 ] || fail "the canvas is not $width x $height"
+  IFS=, read -r width height rate frames <<<"$(film_facts window.gif)"
+  [ "$width" = 1280 ] && [ "${frames:-0}" -ge 2 ] || fail "the film of the window: $width wide, $frames frames"
+  [ "$(film_facts canvas.png | cut -d, -f1)" -lt 1200 ] || fail "the picture of the canvas"
+  grep -q '<svg' "$scratch/canvas.svg" || fail "the drawing of the canvas"
+  ls "$scratch" | grep -q 'gif\.\|mp4\.' && fail "something was left beside the films"
+fi
+
+echo "the window opens, paints, steps, saves, asks, remembers and records"

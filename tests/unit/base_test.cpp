@@ -7,11 +7,13 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "core/base/cell.hpp"
 #include "core/base/cost.hpp"
 #include "core/base/file.hpp"
 #include "core/base/hash.hpp"
+#include "core/base/pending_file.hpp"
 #include "core/base/random.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -159,6 +161,25 @@ TEST(File, KeepsRightsAndFollowsLinks) {
   struct stat info {};
   ASSERT_EQ(stat(path.c_str(), &info), 0);
   EXPECT_EQ(info.st_mode & 0777, 0640u);
+}
+
+TEST(File, TakesItsNameOnceItIsComplete) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.with("x", "old");
+  {
+    auto file = PendingFile::create(path);
+    ASSERT_TRUE(file.ok()) << file.error();
+    EXPECT_EQ(write(file->descriptor(), "new", 3), 3);
+    EXPECT_EQ(*read_file(path), "old");
+    EXPECT_EQ(folder.entries(), 1) << "nothing is to be seen of it";
+    PendingFile moved = std::move(file).value();
+    ASSERT_TRUE(moved.commit().ok());
+  }
+  EXPECT_EQ(*read_file(path), "new");
+  { const auto given_up = PendingFile::create(folder.file("y")); }
+  EXPECT_EQ(folder.entries(), 1);
+  EXPECT_EQ(PendingFile::create("/dev/null").error(), "cannot write '/dev/null': it is not a plain file");
+  EXPECT_FALSE(PendingFile::create("").ok());
 }
 
 TEST(File, TakesNamesApart) {

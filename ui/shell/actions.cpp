@@ -182,6 +182,12 @@ bool available(const Action& action, const ActionContext& context) {
     case ActionId::pin_up:
     case ActionId::pin_down:
       return context.view.view.pinned || context.view.view.hovered;
+    case ActionId::record_canvas:
+      return !context.panels.recording.finishing &&
+             !(context.panels.recording.on && context.panels.recording.window);
+    case ActionId::record_window:
+      return !context.panels.recording.finishing &&
+             !(context.panels.recording.on && !context.panels.recording.window);
     case ActionId::reset_settings:
       return context.panels.pane < session.scenario().planners.size() &&
              !session.scenario().planners[context.panels.pane].settings.values().empty();
@@ -224,6 +230,10 @@ bool checked(const Action& action, const ActionContext& context) {
       return view.panels;
     case ActionId::legend:
       return view.legend;
+    case ActionId::record_canvas:
+      return context.panels.recording.on && !context.panels.recording.window;
+    case ActionId::record_window:
+      return context.panels.recording.on && context.panels.recording.window;
     default:
       break;
   }

@@ -26,7 +26,7 @@ enum class ActionId : std::uint8_t {
   count
 };
 
-enum class Menu : std::uint8_t { file, edit, world, planner, view, help, overlays };
+enum class Menu : std::uint8_t { file, edit, world, planner, view, record, help, overlays };
 
 /// A key with its modifiers; key 0: none.
 struct Chord {

@@ -47,12 +47,13 @@ Decision::Kind confirm(const Look& look, const char* yes, Decision::Kind decisio
   return made;
 }
 
-constexpr std::array<std::pair<Menu, const char*>, 7> kSections = {{{Menu::planner, "Play and step"},
+constexpr std::array<std::pair<Menu, const char*>, 8> kSections = {{{Menu::planner, "Play and step"},
                                                                     {Menu::file, "File"},
                                                                     {Menu::edit, "Edit and tools"},
                                                                     {Menu::world, "World"},
                                                                     {Menu::view, "View"},
                                                                     {Menu::overlays, "Overlays"},
+                                                                    {Menu::record, "Record"},
                                                                     {Menu::help, "Help"}}};
 
 float rows_height(const Look& look, Menu menu) {
@@ -120,6 +121,10 @@ Decision Dialogs::content(const Look& look) {
       return unsaved_dialog(look);
     case DialogKind::keys:
       return keys_dialog(look);
+    case DialogKind::film:
+      return capture_dialog(look, true);
+    case DialogKind::picture:
+      return capture_dialog(look, false);
     case DialogKind::none:
       break;
   }
@@ -139,7 +144,26 @@ Decision Dialogs::path_dialog(const Look& look, bool saving) {
     error_.clear();
   if (!error_.empty()) paragraph(look.fonts.ui, look.theme.bad, error_);
   return {confirm(look, saving ? "Save" : "Open", saving ? Decision::Kind::save : Decision::Kind::open),
-          text_, 0, 0};
+          text_, 0, 0, 0};
+}
+
+Decision Dialogs::capture_dialog(const Look& look, bool film) {
+  heading(look, film ? "Record a film" : "Save a picture");
+  paragraph(look.fonts.ui, look.theme.dim,
+            film ? "The ending chooses the kind: .gif, .webp or .mp4 (all made by FFmpeg), or a folder/ for "
+                   "numbered pictures. While it records, time goes by frame by frame: none is dropped."
+                 : "The ending chooses the kind: .png as it is on the screen, or .svg as a drawing of the "
+                   "canvas.");
+  if (fresh_) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputTextWithHint("##path", film ? "folder/name.gif" : "folder/name.png", &text_,
+                           ImGuiInputTextFlags_AutoSelectAll);
+  if (film)
+    slider(look,
+           {.label = "Frames per second", .min = 10, .max = 50, .initial = 30, .unit = "", .decimals = 0},
+           fps_);
+  return {confirm(look, film ? "Record" : "Save", Decision::Kind::capture), text_, 0, 0,
+          static_cast<int>(fps_)};
 }
 
 Decision Dialogs::new_world_dialog(const Look& look) {
@@ -166,7 +190,8 @@ Decision Dialogs::new_world_dialog(const Look& look) {
   return {confirm(look, "Create", Decision::Kind::new_world),
           {},
           static_cast<int>(width_),
-          static_cast<int>(height_)};
+          static_cast<int>(height_),
+          0};
 }
 
 Decision Dialogs::unsaved_dialog(const Look& look) {
@@ -174,14 +199,14 @@ Decision Dialogs::unsaved_dialog(const Look& look) {
   paragraph(look.fonts.ui, look.theme.dim,
             text_ + " has edits that are not in a file yet. Without saving they are lost.");
   ImGui::Dummy({0, look.px.xs});
-  if (button(look, "Discard", ButtonKind::danger)) return {Decision::Kind::discard, {}, 0, 0};
+  if (button(look, "Discard", ButtonKind::danger)) return {Decision::Kind::discard, {}, 0, 0, 0};
   ImGui::SameLine(0, look.px.s);
   align_right(button_width(look, "Cancel") + look.px.s + button_width(look, "Save"));
   if (button(look, "Cancel", ButtonKind::quiet) || escape_pressed())
-    return {Decision::Kind::cancel, {}, 0, 0};
+    return {Decision::Kind::cancel, {}, 0, 0, 0};
   ImGui::SameLine(0, look.px.s);
   if (button(look, "Save", ButtonKind::primary) || enter_pressed())
-    return {Decision::Kind::save_first, {}, 0, 0};
+    return {Decision::Kind::save_first, {}, 0, 0, 0};
   return {};
 }
 
@@ -213,7 +238,7 @@ Decision Dialogs::keys_dialog(const Look& look) {
   align_right(button_width(look, "Close"));
   const bool closed = button(look, "Close", ButtonKind::plain) || escape_pressed() || enter_pressed() ||
                       (!fresh_ && ImGui::IsKeyPressed(key::kF1, false));
-  return {closed ? Decision::Kind::cancel : Decision::Kind::none, {}, 0, 0};
+  return {closed ? Decision::Kind::cancel : Decision::Kind::none, {}, 0, 0, 0};
 }
 
 }  // namespace replan::ui

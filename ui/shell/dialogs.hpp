@@ -8,7 +8,7 @@
 
 namespace replan::ui {
 
-enum class DialogKind : std::uint8_t { none, open, save, new_world, unsaved, keys };
+enum class DialogKind : std::uint8_t { none, open, save, new_world, unsaved, keys, film, picture };
 
 /// What the user decided.
 struct Decision {
@@ -17,13 +17,15 @@ struct Decision {
     open,
     save,
     new_world,
+    capture,
     save_first,
     discard,
     cancel
   } kind = Kind::none;
-  std::string path;  ///< for open and save
+  std::string path;  ///< for open, save and capture
   int width = 0;     ///< for new_world
   int height = 0;
+  int fps = 0;  ///< for capture of a film
 };
 
 class Dialogs {
@@ -42,6 +44,7 @@ class Dialogs {
  private:
   Decision content(const Look& look);
   Decision path_dialog(const Look& look, bool saving);
+  Decision capture_dialog(const Look& look, bool film);
   Decision new_world_dialog(const Look& look);
   Decision unsaved_dialog(const Look& look);
   Decision keys_dialog(const Look& look);
@@ -50,7 +53,7 @@ class Dialogs {
   bool fresh_ = false;  // to be opened by this draw
   std::string text_;
   std::string error_;
-  double width_ = 48, height_ = 32;
+  double width_ = 48, height_ = 32, fps_ = 30;
 };
 
 }  // namespace replan::ui

@@ -14,6 +14,7 @@
 #include "core/session/session.hpp"
 #include "ui/canvas.hpp"
 #include "ui/look.hpp"
+#include "ui/shell/recording.hpp"
 
 namespace replan::ui {
 
@@ -24,7 +25,22 @@ inline constexpr int kFiguresTab = 3;
 inline constexpr int kLogTab = 4;
 
 /// What an action asks of the shell itself; done after drawing.
-enum class Wish : std::uint8_t { none, new_world, open, save, save_as, quit, fit, keys, generate, resize };
+enum class Wish : std::uint8_t {
+  none,
+  new_world,
+  open,
+  save,
+  save_as,
+  quit,
+  fit,
+  keys,
+  record_canvas,
+  record_window,
+  picture_canvas,
+  picture_window,
+  generate,
+  resize
+};
 
 /// Path figures of one pane, kept until another plan stands.
 struct FigureCache {
@@ -42,6 +58,7 @@ struct QueueCount {
 struct PanelState {
   float side_width = 372;  ///< of the design; the user drags it
   std::size_t pane = 0;    ///< whose planner, cells, code and figures the side shows
+  std::size_t panes = 0;   ///< how many the canvas shows; 0: as many as there is room for
   StepUnit unit = StepUnit::expansion;
   std::map<std::string, double> drafts;  ///< settings while their slider is dragged
   std::vector<FigureCache> figures;
@@ -51,6 +68,8 @@ struct PanelState {
   int code_line = 0;          ///< the line that the Code page scrolled to
   bool animated = false;      ///< something on it moves by itself
   double zoom = 0;            ///< device pixels per cell on the canvas, as fitted or chosen
+  RecordingState recording;   ///< told by the owner of the pixels
+  PixelArea canvas;           ///< where the canvas was drawn last
   double frame_ms = 0;        ///< CPU time of a frame, smoothed; 0: not measured
   float tool_height = 0;      ///< what the tool's choices took in the last frame, in pixels
   bool history = false;       ///< the Log tab lists the edits

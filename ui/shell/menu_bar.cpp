@@ -13,6 +13,7 @@ void menu_item(Frame& frame, const Action& each) {
   const std::string label =
       each.id == ActionId::undo && !frame.session.undo_text().empty()   ? "Undo: " + frame.session.undo_text()
       : each.id == ActionId::redo && !frame.session.redo_text().empty() ? "Redo: " + frame.session.redo_text()
+      : each.menu == Menu::record && checked(each, context)             ? "Stop recording"
                                                                         : each.label;
   if (ImGui::MenuItemEx(label.c_str(), each.icon, each.keys.c_str(), checked(each, context),
                         available(each, context)))
@@ -91,7 +92,9 @@ void draw_menu_bar(Frame& frame) {
     menu(frame, "World", Menu::world);
     menu(frame, "Planner", Menu::planner);
     menu(frame, "View", Menu::view);
+    menu(frame, "Record", Menu::record);
     menu(frame, "Help", Menu::help);
+    draw_recording(frame);
     file_name_at_right(frame);
     ImGui::EndMenuBar();
   }

@@ -13,6 +13,8 @@ void perform(Frame& frame, ActionId id);
 
 // Each in the current ImGui window or child.
 void draw_menu_bar(Frame& frame);
+/// A red dot and the length of the film while one is recorded; a click stops it.
+void draw_recording(Frame& frame);
 void draw_tool_strip(Frame& frame);
 /// Whether the tool, or what is selected, has something to choose.
 bool has_tool_options(const Frame& frame);

@@ -8,6 +8,7 @@
 #include "core/scene/scene.hpp"
 #include "ui/icons.hpp"
 #include "ui/keys.hpp"
+#include "ui/pane_row.hpp"
 #include "ui/shell/panels.hpp"
 
 namespace replan::ui {
@@ -121,26 +122,22 @@ void Shell::fit() {
 
 void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
   const Look& look = frame.look;
+  panels_.canvas = {min, max};
   area("canvas", min, {max.x - min.x, max.y - min.y}, look.theme.background, {0, 0}, [&] {
     const auto room = static_cast<std::size_t>(std::max(1.0f, (max.x - min.x) / look.px(kNarrowestPane)));
-    const std::size_t count = std::min(frame.session.runs().size(), room);
+    const std::size_t count = std::min(frame.session.runs().size(), panels_.panes > 0 ? panels_.panes : room);
     // Too narrow for all: the one that the side panel is about.
     const std::size_t first =
         count < frame.session.runs().size() ? std::min(panels_.pane, frame.session.runs().size() - count) : 0;
-    const float gap = look.px(6);
-    const float width = (max.x - min.x - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
+    const PaneRow row(look, count, min, max);
     const GridMap& map = frame.session.scenario().map;
     panels_.zoom = resolve(view_.view.camera, map.width, map.height,
-                           {static_cast<int>(width), static_cast<int>(max.y - min.y)})
+                           {static_cast<int>(row.width()), static_cast<int>(max.y - min.y)})
                        .zoom;
     for (std::size_t i = 0; i < count; ++i) {
-      const float x = std::floor(min.x + static_cast<float>(i) * (width + gap));
-      canvas(first + i).draw(look, frame.session, first + i, view_, {x, min.y},
-                             {std::floor(x + width), max.y}, !dialogs_.open() && !world_dialogs_.open(),
-                             frame.commands);
-      if (i > 0)
-        ImGui::GetWindowDrawList()->AddRectFilled({x - gap, min.y}, {x - gap + look.px.hair, max.y},
-                                                  look.theme.line);
+      canvas(first + i).draw(look, frame.session, first + i, view_, row.min(i), row.max(i),
+                             !dialogs_.open() && !world_dialogs_.open(), frame.commands);
+      row.draw_parting(i);
     }
   });
 }

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ui/canvas.hpp"
@@ -45,6 +47,8 @@ class Shell {
   bool may_close(const Session& session);
   /// The user has decided to quit.
   [[nodiscard]] bool quitting() const { return quitting_; }
+  /// What the user wants filmed or pictured, once; its path is as typed_path() makes it.
+  std::optional<CaptureRequest> take_capture() { return std::exchange(capture_, std::nullopt); }
   /// A sentence over the canvas for a while.
   void tell(std::string sentence, bool bad);
 
@@ -69,6 +73,7 @@ class Shell {
   void take_keys(Frame& frame);
   void take_commands(Session& session, std::vector<Command>& commands);
   void take_wish(Session& session, Wish wish);
+  void ask_for_capture(bool film, bool window);
   void take_decision(Session& session, const Decision& decision);
   void begin(Session& session, Pending pending);
   void go_on(Session& session);
@@ -85,6 +90,8 @@ class Shell {
   WorldDialogs world_dialogs_;
   Pending pending_;
   Message message_;
+  CaptureRequest asked_;  // while its dialog is open
+  std::optional<CaptureRequest> capture_;
   bool quitting_ = false;
   bool held_ = false;        // a key that repeats is down
   std::uint64_t drawn_ = 0;  // the session's revision that the last frame showed

@@ -49,7 +49,25 @@ void Shell::take_wish(Session& session, Wish wish) {
     case Wish::keys:
       dialogs_.show(DialogKind::keys);
       break;
+    case Wish::record_canvas:
+    case Wish::record_window:
+      ask_for_capture(true, wish == Wish::record_window);
+      break;
+    case Wish::picture_canvas:
+    case Wish::picture_window:
+      ask_for_capture(false, wish == Wish::picture_window);
+      break;
   }
+}
+
+/// A film that is being recorded ends; anything else is asked for by its name.
+void Shell::ask_for_capture(bool film, bool window) {
+  asked_ = {film ? CaptureRequest::Kind::film : CaptureRequest::Kind::picture, window, {}, 0};
+  if (film && panels_.recording.on) {
+    capture_ = {CaptureRequest::Kind::stop, window, {}, 0};
+    return;
+  }
+  dialogs_.show(film ? DialogKind::film : DialogKind::picture, capture_name(film ? ".gif" : ".png"));
 }
 
 void Shell::take_decision(Session& session, const Decision& decision) {
@@ -70,6 +88,12 @@ void Shell::take_decision(Session& session, const Decision& decision) {
       break;
     case Decision::Kind::new_world:
       replace(session, empty_world(decision.width, decision.height, session.scenario()), "");
+      break;
+    case Decision::Kind::capture:
+      capture_ = asked_;
+      capture_->path = typed_path(decision.path);
+      capture_->fps = decision.fps;
+      message_ = {};  // or it would be in the picture
       break;
     case Decision::Kind::discard:
       go_on(session);

@@ -1,0 +1,72 @@
+#include "app/studio.hpp"
+
+#include <algorithm>
+
+#include "ui/pane_row.hpp"
+
+namespace replan::app {
+
+Result<std::unique_ptr<Studio>> Studio::open(const StudioSettings& settings, const Session& session,
+                                             ui::ViewState state) {
+  auto studio = std::unique_ptr<Studio>(new Studio(settings, std::move(state)));
+  auto offscreen = Offscreen::create({settings.width, settings.height, static_cast<float>(settings.scale)});
+  if (!offscreen) return Error{offscreen.error()};
+  studio->offscreen_ = std::move(*offscreen);
+  studio->offscreen_->stage().set_theme(studio->state_.dark ? ui::dark() : ui::light());
+  if (std::string words = ui::Shell::words(session); !words.empty())
+    studio->offscreen_->stage().set_language(std::move(words), false);
+  return studio;
+}
+
+Studio::~Studio() {
+  if (!offscreen_) return;
+  // Their textures can only be given back while the context is current.
+  offscreen_->frame([this] {
+    canvases_.clear();
+    shell_.reset();
+  });
+}
+
+ui::Image Studio::shoot(Session& session) {
+  // Two frames: windows that are sized by their content settle in the second.
+  const int frames = settings_.window && !settled_ ? 2 : 1;
+  for (int i = 0; i < frames; ++i)
+    offscreen_->frame([&] { settings_.window ? draw_window(session) : draw_canvas(session); },
+                      static_cast<float>(settings_.seconds));
+  settled_ = true;
+  return offscreen_->picture();
+}
+
+void Studio::draw_window(Session& session) {
+  ui::Stage& stage = offscreen_->stage();
+  if (!shell_) {
+    shell_ = std::make_unique<ui::Shell>(stage.renderer());
+    shell_->view() = state_;
+    shell_->panels().panes = settings_.panes;
+  }
+  shell_->draw(stage.look(), session, settings_.seconds);
+}
+
+void Studio::draw_canvas(const Session& session) {
+  ui::Stage& stage = offscreen_->stage();
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+  ImGui::Begin("canvas", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+  const std::size_t count = std::clamp<std::size_t>(settings_.panes, 1, session.runs().size());
+  const ui::PaneRow row(stage.look(), count, {0, 0}, size);
+  std::vector<Command> none;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (canvases_.size() <= i) canvases_.push_back(std::make_unique<ui::Canvas>(stage.renderer()));
+    canvases_[i]->draw(stage.look(), session, i, state_, row.min(i), row.max(i), false, none);
+    row.draw_parting(i);
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(3);
+}
+
+}  // namespace replan::app

@@ -1,0 +1,158 @@
+#include "core/base/pending_file.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/sendfile.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/base/file.hpp"
+
+namespace replan {
+namespace {
+
+Error cannot_write(const std::string& path, int code) {
+  return {"cannot write '" + path + "': " + std::generic_category().message(code)};
+}
+
+/// Where a symbolic link ends, or the path itself.
+std::string resolved(const std::string& path) {
+  std::error_code failed;
+  if (!std::filesystem::is_symlink(path, failed)) return path;
+  const std::filesystem::path end = std::filesystem::weakly_canonical(path, failed);
+  return failed ? path : end.string();
+}
+
+/// Whether the error says that this file system has no unnamed files.
+bool has_no_unnamed_files(int code) {
+  return code == EOPNOTSUPP || code == EISDIR || code == EINVAL;
+}
+
+/// All bytes of one file to the end of another. Returns 0 or the system's error code, as do those below.
+int copy_bytes(int from, int to) {
+  struct stat info {};
+  if (::fstat(from, &info) != 0) return errno;
+  off_t at = 0;
+  while (at < info.st_size) {
+    const ssize_t copied = ::sendfile(to, from, &at, static_cast<std::size_t>(info.st_size - at));
+    if (copied < 0 && errno != EINTR) return errno;
+    if (copied == 0) return EIO;
+  }
+  return 0;
+}
+
+/// The rights of the old file, or what the process's mask leaves.
+int give_rights_and_flush(int file, const std::string& target) {
+  struct stat old {};
+  mode_t rights = 0;
+  if (::stat(target.c_str(), &old) == 0) {
+    rights = old.st_mode & 07777;
+  } else {
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    rights = 0666 & ~mask;
+  }
+  return ::fchmod(file, rights) == 0 && ::fsync(file) == 0 ? 0 : errno;
+}
+
+int name_unnamed(int file, const std::string& name) {
+  const std::string unnamed = "/proc/self/fd/" + std::to_string(file);
+  return ::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0 ? 0 : errno;
+}
+
+int rename_or_remove(const std::string& temporary, const std::string& target) {
+  if (std::rename(temporary.c_str(), target.c_str()) == 0) return 0;
+  const int code = errno;
+  ::unlink(temporary.c_str());
+  return code;
+}
+
+/// An unnamed file can be given a new name, but not put in place of an old one: that takes a rename.
+int replace_by_unnamed(int file, const std::string& target) {
+  int code = name_unnamed(file, target);
+  if (code != EEXIST) return code;
+  std::string temporary;
+  for (int i = 0; code == EEXIST; ++i) {
+    temporary = target + "." + std::to_string(::getpid()) + "-" + std::to_string(i);
+    code = name_unnamed(file, temporary);
+  }
+  return code == 0 ? rename_or_remove(temporary, target) : code;
+}
+
+/// For file systems where a file without a name can never have one.
+int replace_by_copy(int file, const std::string& target) {
+  std::string temporary = target + ".XXXXXX";
+  const int copy = ::mkostemp(temporary.data(), O_CLOEXEC);
+  if (copy < 0) return errno;
+  int code = copy_bytes(file, copy);
+  if (code == 0) code = give_rights_and_flush(copy, target);
+  if (::close(copy) != 0 && code == 0) code = errno;
+  if (code == 0) return rename_or_remove(temporary, target);
+  ::unlink(temporary.c_str());
+  return code;
+}
+
+/// Flushes the folder's entry, so that the new name survives a power cut. Not every file system can; none has
+/// to.
+void flush_folder(const std::string& target) {
+  const int folder = ::open(file_folder(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return;
+  ::fsync(folder);
+  ::close(folder);
+}
+
+}  // namespace
+
+Result<PendingFile> PendingFile::create(const std::string& path) {
+  if (path.empty()) return Error{"cannot write: no file name is given"};
+  PendingFile pending;
+  pending.path_ = path;
+  pending.target_ = resolved(path);
+  struct stat old {};
+  const bool exists = ::stat(pending.target_.c_str(), &old) == 0;
+  if (exists && S_ISDIR(old.st_mode)) return Error{"cannot write '" + path + "': it is a folder"};
+  if (exists && !S_ISREG(old.st_mode)) return Error{"cannot write '" + path + "': it is not a plain file"};
+  // Renaming over a write-protected file would succeed: the protection is the user's word, so it is kept.
+  if (exists && ::access(pending.target_.c_str(), W_OK) != 0) return cannot_write(path, errno);
+  const Result<int> file = open_scratch_file(file_folder(pending.target_));
+  if (!file) return Error{"cannot write '" + path + "': " + file.error()};
+  pending.file_ = *file;
+  return pending;
+}
+
+PendingFile::PendingFile(PendingFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      target_(std::move(other.target_)),
+      file_(std::exchange(other.file_, -1)) {}
+
+PendingFile::~PendingFile() {
+  if (file_ >= 0) ::close(file_);
+}
+
+Result<void> PendingFile::commit() {
+  int code = give_rights_and_flush(file_, target_);
+  if (code == 0) code = replace_by_unnamed(file_, target_);
+  if (code == ENOENT || code == EXDEV) code = replace_by_copy(file_, target_);
+  if (code != 0) return cannot_write(path_, code);
+  ::close(std::exchange(file_, -1));
+  flush_folder(target_);
+  return {};
+}
+
+Result<int> open_scratch_file(const std::string& folder) {
+  int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+  if (file < 0 && has_no_unnamed_files(errno)) {
+    std::string name = folder + "/.scratch-XXXXXX";
+    file = ::mkostemp(name.data(), O_CLOEXEC);
+    if (file >= 0) ::unlink(name.c_str());
+  }
+  if (file < 0) return Error{std::generic_category().message(errno)};
+  return file;
+}
+
+}  // namespace replan

@@ -1,0 +1,42 @@
+// A file that takes its name once it is complete.
+#pragma once
+
+#include <string>
+
+#include "core/base/result.hpp"
+
+namespace replan {
+
+/// Bytes on the disk of `path` that no folder names until commit(). Whatever ends the program before, even a
+/// kill, leaves the old file under the name, or none. Where a file system cannot name an unnamed file,
+/// commit() copies it.
+class PendingFile {
+ public:
+  /// Follows a symbolic link. Refuses what is no plain file or is protected against writing; the error names
+  /// the path and the reason.
+  static Result<PendingFile> create(const std::string& path);
+  PendingFile(PendingFile&& other) noexcept;
+  PendingFile& operator=(PendingFile&&) = delete;
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+  /// Without commit() the bytes are gone.
+  ~PendingFile();
+
+  /// Open for reading and writing; closed by commit() and the destructor.
+  [[nodiscard]] int descriptor() const { return file_; }
+  /// Flushes the bytes to the disk and puts them in place of the old file, with its rights.
+  Result<void> commit();
+
+ private:
+  PendingFile() = default;
+
+  std::string path_;    // as asked for, for errors
+  std::string target_;  // where a symbolic link leads
+  int file_ = -1;
+};
+
+/// A scratch file without a name, on the disk of `folder`; its descriptor, closed when a program is started.
+/// The caller closes it. The error is the system's reason alone.
+Result<int> open_scratch_file(const std::string& folder);
+
+}  // namespace replan

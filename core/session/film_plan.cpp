@@ -1,0 +1,204 @@
+#include "core/session/film_plan.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace replan {
+namespace {
+
+constexpr double kSearchSeconds = 2, kEndSeconds = 1;
+
+template <class T>
+std::optional<T> whole(std::string_view text) {
+  T value{};
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (code != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::string counted(std::size_t count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+/// Where a marker's doing is done. A move is told by an event and carried out by those that follow it.
+std::size_t position_after(const Run& run, const Marker& marker) {
+  if (marker.kind != EventKind::move) return marker.event + 1;
+  const Mark* mark = run.mark_at(marker.event + 4);
+  return mark != nullptr ? std::max(marker.event + 1, mark->event) : marker.event + 1;
+}
+
+/// Collects the frames between two positions of a run.
+class Cutter {
+ public:
+  Cutter(const Run& run, const FilmOptions& options, std::size_t from, std::size_t to)
+      : run_(run), options_(options), from_(from), to_(to) {}
+
+  std::vector<FilmFrame> cut() {
+    add(from_, 1);
+    if (options_.speed.kind == FilmSpeed::Kind::events)
+      every_so_many_events();
+    else
+      along_markers();
+    add(to_, frames_in(kEndSeconds));
+    return std::move(frames_);
+  }
+  [[nodiscard]] bool too_long() const { return frames_.size() > kMostFrames; }
+
+ private:
+  [[nodiscard]] std::size_t frames_in(double seconds) const {
+    return static_cast<std::size_t>(std::max(1.0, std::round(seconds * options_.fps)));
+  }
+  void add(std::size_t position, std::size_t times, double travel = 1) {
+    if (position < from_ || position > to_ || too_long()) return;
+    frames_.insert(frames_.end(), std::min(times, kMostFrames + 1), {position, travel});
+  }
+  /// What a viewer has to read stands still for a moment.
+  static bool is_read(EventKind kind) {
+    return kind != EventKind::plan_begin && kind != EventKind::move && kind != EventKind::waiting;
+  }
+
+  void every_so_many_events() {
+    const auto step = static_cast<std::size_t>(options_.speed.number);
+    auto marker = run_.markers().begin();
+    for (std::size_t at = from_; at < to_ && !too_long(); at += std::min(step, to_ - at)) {
+      for (; marker != run_.markers().end() && marker->event < at; ++marker)
+        if (is_read(marker->kind)) add(marker->event + 1, frames_in(options_.hold));
+      if (at > from_) add(at, 1);
+    }
+    for (; marker != run_.markers().end(); ++marker)
+      if (is_read(marker->kind)) add(marker->event + 1, frames_in(options_.hold));
+  }
+
+  void along_markers() {
+    std::size_t begun = 0;
+    bool searching = false;
+    for (const Marker& marker : run_.markers()) {
+      if (marker.event >= to_ || too_long()) break;
+      if (marker.kind == EventKind::plan_begin) begun = marker.event;
+      if (marker.kind == EventKind::plan_end) search(begun, marker.event);
+      if (marker.kind == EventKind::plan_begin || marker.kind == EventKind::plan_end)
+        searching = marker.kind == EventKind::plan_begin;
+      if (marker.kind == EventKind::move)
+        move(position_after(run_, marker));
+      else if (marker.kind == EventKind::waiting)
+        add(marker.event + 1, 1);
+      else if (is_read(marker.kind))
+        add(marker.event + 1, frames_in(options_.hold));
+    }
+    if (searching) search(begun, to_);  // the film ends within it
+  }
+
+  /// The expansions of a search: each, or thinned to about two seconds, or none.
+  void search(std::size_t begin, std::size_t end) {
+    if (options_.speed.kind == FilmSpeed::Kind::move || end <= from_) return;
+    std::vector<std::size_t> stops;
+    for (std::size_t p = std::max(begin, from_); p < end; ++p)
+      if (run_.timeline().event(p).kind == EventKind::pop) stops.push_back(p);
+    const std::size_t most =
+        options_.speed.kind == FilmSpeed::Kind::expansion ? stops.size() : frames_in(kSearchSeconds);
+    const std::size_t every = most == 0 ? 1 : std::max<std::size_t>(1, (stops.size() + most - 1) / most);
+    for (std::size_t i = 0; i < stops.size() && !too_long(); i += every) add(stops[i], 1);
+  }
+
+  void move(std::size_t after) {
+    if (options_.speed.kind != FilmSpeed::Kind::moves_per_second) {
+      add(after, 1);
+      return;
+    }
+    // Whole frames, so that after each second so many moves are over.
+    const double per_move = options_.fps / options_.speed.number;
+    const auto frames_until = [&](std::size_t moves) {
+      return static_cast<std::size_t>(std::floor(static_cast<double>(moves) * per_move + 1e-9));
+    };
+    const std::size_t count = frames_until(moves_ + 1) - frames_until(moves_);
+    ++moves_;
+    for (std::size_t i = 1; i <= count && !too_long(); ++i)
+      add(after, 1, static_cast<double>(i) / static_cast<double>(count));
+  }
+
+  const Run& run_;
+  const FilmOptions& options_;
+  std::size_t from_, to_;
+  std::size_t moves_ = 0;  // shown so far
+  std::vector<FilmFrame> frames_;
+};
+
+/// The N of "replan:N", if the moment is of that kind.
+std::optional<std::string_view> number_of(std::string_view moment, std::string_view kind) {
+  if (!moment.starts_with(kind) || moment.size() <= kind.size() || moment[kind.size()] != ':')
+    return std::nullopt;
+  return moment.substr(kind.size() + 1);
+}
+
+/// The position after the n-th marker of a kind, counted from 1; `skipped` of them before do not count.
+Result<std::size_t> nth(const Run& run, EventKind kind, std::size_t skipped, std::string_view number,
+                        const char* what) {
+  const auto n = whole<std::size_t>(number);
+  if (!n || *n == 0)
+    return Error{"'" + std::string(number) + "' is no number of a " + what + "; they count from 1"};
+  std::size_t seen = 0;
+  for (const Marker& marker : run.markers())
+    if (marker.kind == kind && ++seen > skipped && seen - skipped == *n) return position_after(run, marker);
+  return Error{"the run has only " + counted(seen - std::min(seen, skipped), what) + ", so there is no " +
+               what + " " + std::string(number)};
+}
+
+}  // namespace
+
+Result<FilmSpeed> parse_film_speed(std::string_view text) {
+  using Kind = FilmSpeed::Kind;
+  if (text == "auto") return FilmSpeed{};
+  if (text == "expansion") return FilmSpeed{Kind::expansion, 0};
+  if (text == "move") return FilmSpeed{Kind::move, 0};
+  if (text.ends_with("/s")) {
+    const auto moves = whole<double>(text.substr(0, text.size() - 2));
+    if (moves && *moves >= 0.1 && *moves <= 1000) return FilmSpeed{Kind::moves_per_second, *moves};
+  } else if (const auto events = whole<std::uint32_t>(text); events && *events > 0) {
+    return FilmSpeed{Kind::events, static_cast<double>(*events)};
+  }
+  return Error{"the speed cannot be '" + std::string(text) +
+               "': give auto, expansion, move, a number of events per frame such as 50, or robot moves per "
+               "second, from 0.1/s to 1000/s"};
+}
+
+Result<std::size_t> moment_position(const Run& run, std::string_view moment) {
+  const std::size_t size = run.timeline().size();
+  if (moment == "start") return std::size_t{0};
+  if (moment == "end") return size;
+  if (moment == "plan") return nth(run, EventKind::plan_end, 0, "1", "plan");
+  if (const auto n = number_of(moment, "replan")) return nth(run, EventKind::plan_end, 1, *n, "replan");
+  if (const auto n = number_of(moment, "move")) return nth(run, EventKind::move, 0, *n, "move");
+  const auto event = whole<std::size_t>(moment);
+  if (!event)
+    return Error{"there is no moment '" + std::string(moment) +
+                 "': give a number of events, start, plan, replan:N, move:N or end"};
+  if (*event > size)
+    return Error{"event " + std::to_string(*event) + " lies beyond the run's end; it has " +
+                 counted(size, "event")};
+  return *event;
+}
+
+Result<std::vector<FilmFrame>> plan_film(const Run& run, const FilmOptions& options) {
+  if (options.fps < 1 || options.fps > kFastestFilm)
+    return Error{"a film has 1 to " + std::to_string(kFastestFilm) + " frames per second, not " +
+                 std::to_string(options.fps)};
+  if (!(options.hold >= 0 && options.hold <= kLongestHold))
+    return Error{"a plan can be held for 0 to " + std::to_string(static_cast<int>(kLongestHold)) +
+                 " seconds"};
+  const Result<std::size_t> from = moment_position(run, options.from), to = moment_position(run, options.to);
+  if (!from) return Error{from.error()};
+  if (!to) return Error{to.error()};
+  if (*from > *to)
+    return Error{"the film would begin at event " + std::to_string(*from) +
+                 " and end before that, at event " + std::to_string(*to)};
+  Cutter cutter(run, options, *from, *to);
+  std::vector<FilmFrame> frames = cutter.cut();
+  if (frames.size() > kMostFrames)
+    return Error{"the film would have more than " + std::to_string(kMostFrames) +
+                 " frames; show more in each (--speed), or less of the run (--from, --to)"};
+  return frames;
+}
+
+}  // namespace replan

@@ -1,0 +1,101 @@
+#include "core/session/fresh_plan.hpp"
+
+#include <chrono>
+#include <vector>
+
+namespace replan {
+namespace {
+
+constexpr std::int64_t kSliceIterations = 20000;
+/// Figures kept; a run that is played through asks for many.
+constexpr std::size_t kMostKept = 4096;
+
+/// Counts the vertices that a log touches. Its own work before the first pop is the setting up of a fresh
+/// search, which a planner that is not incremental has to undo first.
+class TouchCount {
+ public:
+  explicit TouchCount(std::size_t nodes) : touched_(nodes) {}
+  void take(const Event& event) {
+    const bool touches =
+        event.kind == EventKind::g || event.kind == EventKind::rhs || event.kind == EventKind::visit;
+    if (!touches || touched_[event.node]) return;
+    touched_[event.node] = true;
+    ++count_;
+  }
+  [[nodiscard]] std::int64_t count() const { return count_; }
+
+ private:
+  std::vector<bool> touched_;
+  std::int64_t count_ = 0;
+};
+
+}  // namespace
+
+FreshPlan plan_from_scratch(const PlannerChoice& choice, Grid2::Coordinates size, const SearchState& state,
+                            const std::stop_token& stop) {
+  std::vector<std::uint8_t> known(state.node_count());
+  for (NodeId node = 0; node < known.size(); ++node) known[node] = state.known_blocked(node) ? 1 : 0;
+  const Grid2 lattice(size, std::move(known), move_rules(choice.settings));
+  Recorder recorder;
+  const auto planner = make_planner(*find_planner(choice.id), lattice, choice.settings, recorder);
+  TouchCount touched(lattice.node_count());
+  FreshPlan fresh;
+  const auto timed = [&fresh](auto&& step) {
+    const auto begin = std::chrono::steady_clock::now();
+    const bool done = step();
+    fresh.ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    return done;
+  };
+  timed([&] {
+    planner->begin(state.node(Scalar::start), state.node(Scalar::goal));
+    return true;
+  });
+  for (bool done = false; !done && !stop.stop_requested();) {
+    done = timed([&] { return planner->advance(kSliceIterations); });
+    for (const Event& event : recorder.take()) touched.take(event);
+  }
+  fresh.touched = touched.count();
+  fresh.expansions = planner->counters().expansions;
+  return fresh;
+}
+
+FreshPlans::FreshPlans() : thread_([this](const std::stop_token& stop) { work(stop); }) {}
+
+std::optional<FreshPlan> FreshPlans::of(const Run& run, std::size_t number, bool wait) {
+  const Key key{run.log_id(), number};
+  std::unique_lock lock(mutex_);
+  const auto answer = [&]() -> std::optional<FreshPlan> {
+    const auto found = known_.find(key);
+    return found == known_.end() ? std::nullopt : std::optional(found->second);
+  };
+  if (const auto known = answer()) return known;
+  if (!next_ || next_->key != key)
+    next_ = Job{key, run.choice(), run.lattice().size(), run.timeline().state()};
+  wake_.notify_all();
+  if (wait) done_.wait(lock, [&] { return known_.contains(key); });
+  return answer();
+}
+
+bool FreshPlans::busy() const {
+  const std::scoped_lock lock(mutex_);
+  return working_ || next_.has_value();
+}
+
+void FreshPlans::work(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  while (wake_.wait(lock, stop, [this] { return next_.has_value(); })) {
+    const Job job = std::move(*next_);
+    next_.reset();
+    working_ = true;
+    lock.unlock();
+    const FreshPlan fresh = plan_from_scratch(job.choice, job.size, job.state, stop);
+    lock.lock();
+    working_ = false;
+    if (stop.stop_requested()) return;
+    if (known_.size() >= kMostKept) known_.erase(known_.begin());
+    known_.emplace(job.key, fresh);
+    done_.notify_all();
+  }
+}
+
+}  // namespace replan

@@ -1,0 +1,58 @@
+// What a plan from scratch would have cost where a planner repaired its old one.
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "core/session/run.hpp"
+
+namespace replan {
+
+struct FreshPlan {
+  std::int64_t touched = 0;  ///< vertices whose g or rhs was written or that were expanded
+  std::int64_t expansions = 0;
+  double ms = 0;  ///< wall time, recorded as the run itself
+};
+
+/// Plans from scratch on the map that the robot knows, with the same planner, and counts. The planner must be
+/// in the registry; a stop is heard between slices, what was counted until then is returned.
+FreshPlan plan_from_scratch(const PlannerChoice& choice, Grid2::Coordinates size, const SearchState& state,
+                            const std::stop_token& stop);
+
+/// Such figures for the replans of runs, worked out one at a time in the background and kept.
+class FreshPlans {
+ public:
+  FreshPlans();
+
+  /// For the plan that `number` plans of the run came before (0 is the first), with the cursor after its
+  /// beginning and before the next one's. Nothing while it is being worked out; ask again. With `wait` it is
+  /// worked out at once.
+  std::optional<FreshPlan> of(const Run& run, std::size_t number, bool wait);
+  /// Whether an answer is on its way: another frame is due for it.
+  [[nodiscard]] bool busy() const;
+
+ private:
+  using Key = std::pair<std::uint64_t, std::size_t>;  // log and number of the plan
+  struct Job {
+    Key key;
+    PlannerChoice choice;
+    Grid2::Coordinates size{};
+    SearchState state;
+  };
+
+  void work(const std::stop_token& stop);
+
+  mutable std::mutex mutex_;  // guards all but the thread
+  std::condition_variable_any wake_, done_;
+  std::optional<Job> next_;  // of several that are asked for the latest
+  bool working_ = false;
+  std::map<Key, FreshPlan> known_;
+  std::jthread thread_;  // last: it ends before what it uses
+};
+
+}  // namespace replan
