@@ -53,6 +53,7 @@ Remembered read_settings(const std::string& path) {
   result.view.panels = flag(json, "panels", true);
   result.view.legend = flag(json, "legend", true);
   result.view.brush = whole(json, "brush", 1, 64, 1);
+  result.view.editing.round = whole(json, "round_brush", 0, 1, 0) != 0;
   result.view.tab = whole(json, "tab", ui::kPlannerTab, ui::kLogTab, ui::kCellTab);
   result.side_width = static_cast<float>(number(json, "side_width", 280, 640, result.side_width));
   result.unit = static_cast<StepUnit>(whole(json, "step_unit", 0, 3, static_cast<int>(result.unit)));
@@ -72,6 +73,7 @@ Result<void> write_settings(const Remembered& settings, const std::string& path)
                      {"panels", settings.view.panels},
                      {"legend", settings.view.legend},
                      {"brush", settings.view.brush},
+                     {"round_brush", settings.view.editing.round ? 1 : 0},
                      {"tab", settings.view.tab},
                      {"side_width", settings.side_width},
                      {"step_unit", static_cast<int>(settings.unit)},

@@ -5,6 +5,7 @@
 
 #include "ui/canvas_chips.hpp"
 #include "ui/canvas_draw.hpp"
+#include "ui/canvas_overlay.hpp"
 #include "ui/canvas_tools.hpp"
 
 namespace replan::ui {
@@ -16,6 +17,7 @@ struct SceneKey {
   OverlaySet overlays;
   Camera camera;
   std::optional<Cell> hovered, pinned;
+  std::optional<std::size_t> mover, surprise;
   double scale = 0;
   Viewport viewport;
   ImU32 free = 0;
@@ -30,6 +32,13 @@ struct Glide {
   bool active = false;
 };
 
+/// In a world of another size, what was selected is no longer where it was.
+void forget_places(ViewState& state) {
+  while (state.editing.escape()) {
+  }
+  state.view.pinned.reset();
+}
+
 }  // namespace
 
 struct Canvas::Parts {
@@ -42,7 +51,6 @@ struct Canvas::Parts {
   void glide(ViewState& state, ImVec2 min);
   void point(const Session& session, const Run& run, ViewState& state, ImVec2 min, bool hovered,
              std::vector<Command>& commands);
-  void draw_previews(const Look& look, ImDrawList& list, const ViewState& state, ImVec2 min) const;
 
   ImGuiRenderer& renderer;
   SceneMemory memory;
@@ -89,11 +97,14 @@ void Canvas::Parts::upload() {
 
 void Canvas::Parts::prepare(const Look& look, const Session& session, const Run& run, const ViewState& state,
                             Viewport viewport) {
-  const SceneKey now{session.revision(), run.log_id(),       state.view.overlays,
-                     state.view.camera,  state.view.hovered, state.view.pinned,
-                     state.view.scale,   viewport,           look.theme.free};
+  View view = state.view;
+  view.selected_mover = state.editing.mover;
+  view.selected_surprise = state.editing.surprise;
+  const SceneKey now{session.revision(), run.log_id(), view.overlays,       view.camera,
+                     view.hovered,       view.pinned,  view.selected_mover, view.selected_surprise,
+                     view.scale,         viewport,     look.theme.free};
   if (key == now) return;
-  scene = build_scene(run, state.view, viewport, scene_palette(look.theme), memory);
+  scene = build_scene(run, view, viewport, scene_palette(look.theme), memory);
   key = now;
   upload();
 }
@@ -164,29 +175,9 @@ void Canvas::Parts::point(const Session& session, const Run& run, ViewState& sta
                         .left_down = ImGui::IsMouseDown(ImGuiMouseButton_Left),
                         .right_down = ImGui::IsMouseDown(ImGuiMouseButton_Right),
                         .reach = std::max(0.5, radius)};
-  if (hand.holds() || (!hand.busy() && Hand::could_hold(session, pointer)))
+  if (hand.holds() || (!hand.busy() && Hand::could_hold(run, pointer)))
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   hand.update(session, run, state, pointer, commands);
-}
-
-void Canvas::Parts::draw_previews(const Look& look, ImDrawList& list, const ViewState& state,
-                                  ImVec2 min) const {
-  const Projection screen(scene, min);
-  const auto frame = [&](const CellRect& area, ImU32 colour, bool filled) {
-    const ImVec2 a = screen({static_cast<double>(area.low.x), static_cast<double>(area.low.y)});
-    const ImVec2 b = screen({area.high.x + 1.0, area.high.y + 1.0});
-    if (filled) list.AddRectFilled(a, b, with_alpha(colour, 0.3f));
-    list.AddRect(a, b, colour, 0, 0, look.px(1.5f));
-  };
-  const ImU32 colour = state.tool == Tool::surprise ? look.theme.surprise : look.theme.accent;
-  if (const auto area = hand.preview()) {
-    frame(*area, hand.adds() ? colour : look.theme.dim, hand.adds());
-    return;
-  }
-  const bool brushes = state.tool == Tool::paint || state.tool == Tool::erase;
-  if (brushes && hovered && !hand.holds() && !panning)
-    frame(Hand::brush(*hovered, state.brush), state.tool == Tool::paint ? look.theme.accent : look.theme.dim,
-          false);
 }
 
 void Canvas::draw(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
@@ -200,6 +191,7 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
   if (parts.fit || (other_world && parts.columns != 0)) {
     state.view.camera = {};
     parts.zooming.active = false;
+    if (other_world) forget_places(state);
   }
   parts.fit = false;
   parts.columns = run.lattice().width();
@@ -229,7 +221,13 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
   const ImVec2 used(static_cast<float>(raster.columns) / static_cast<float>(std::max(1, parts.texture_width)),
                     static_cast<float>(raster.rows) / static_cast<float>(std::max(1, parts.texture_height)));
   draw_scene(list, look, parts.scene, min, {parts.texture, used});
-  if (interactive) parts.draw_previews(look, list, state, min);
+  if (interactive) {
+    const Projection screen(parts.scene, min);
+    const bool idle = !parts.hand.holds() && !parts.panning;
+    const auto hovered = idle ? parts.hovered : std::nullopt;
+    draw_tool_overlay(look, list, screen, state, session.scenario().map,
+                      {parts.hand.preview(state, hovered), parts.hand.adds(), parts.hand.busy(), hovered});
+  }
   draw_chips(look, list, run, parts.scene, parts.memory, parts.plans, state, min, max);
   list.PopClipRect();
 }

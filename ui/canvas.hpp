@@ -10,19 +10,18 @@
 
 #include "core/scene/view.hpp"
 #include "core/session/session.hpp"
+#include "ui/editing.hpp"
 #include "ui/gl/imgui_renderer.hpp"
 #include "ui/look.hpp"
 
 namespace replan::ui {
-
-/// What the mouse does on the canvas.
-enum class Tool : std::uint8_t { select, paint, erase, rectangle, start, goal, surprise };
 
 /// What the window remembers of itself; no part of the document.
 struct ViewState {
   View view;
   Tool tool = Tool::paint;
   int brush = 1;  ///< side of the brush in cells, 1 to 64
+  Editing editing;
   bool dark = true;
   bool panels = true;  ///< side panel and tool strip shown
   int tab = 1;         ///< chosen side tab

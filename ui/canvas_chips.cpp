@@ -21,6 +21,8 @@ struct SignEntry {
 constexpr std::array<SignEntry, static_cast<std::size_t>(Sign::count)> kSigns = {{
     {Sign::repair, Mark::outline, &Theme::warning, "last repair"},
     {Sign::surprise, Mark::square, &Theme::surprise, "surprise"},
+    {Sign::to_come, Mark::outline, &Theme::surprise, "to come"},
+    {Sign::mover, Mark::dashed, &Theme::mover, "moving"},
     {Sign::lp, Mark::arrow, &Theme::dim, "lp"},
     {Sign::rp, Mark::long_arrow, &Theme::accent, "rp"},
     {Sign::queue, Mark::corners, &Theme::accent, "open list"},

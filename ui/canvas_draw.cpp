@@ -83,6 +83,10 @@ class Painter {
     const auto stroke = [&](Colour colour, float width) {
       list_.AddPolyline(points_.data(), static_cast<int>(points_.size()), colour, ImDrawFlags_None, width);
     };
+    if (line.dash > 0) {
+      dashes(line);
+      return;
+    }
     if (line.casing >> 24 != 0) stroke(line.casing, line.width + look_.px(2));
     stroke(line.colour, line.width);
   }
@@ -125,6 +129,30 @@ class Painter {
   }
 
  private:
+  /// points_ as dashes; where they would be too many to be told apart, as a line.
+  void dashes(const Polyline& line) {
+    double on = 0;  // how far into a dash and its gap
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+      const ImVec2 a = points_[i - 1], b = points_[i];
+      const float dx = b.x - a.x, dy = b.y - a.y, length = std::sqrt(dx * dx + dy * dy);
+      if (length > line.dash * 2000) {
+        list_.AddLine(a, b, line.colour, line.width);
+        continue;
+      }
+      for (float at = 0; at < length;) {
+        const auto rest = static_cast<float>(line.dash - std::fmod(on, static_cast<double>(line.dash)));
+        const float end = std::min(length, at + std::max(rest, 0.1f));
+        const bool drawn =
+            std::fmod(on, 2.0 * static_cast<double>(line.dash)) < static_cast<double>(line.dash);
+        if (drawn)
+          list_.AddLine({a.x + dx * at / length, a.y + dy * at / length},
+                        {a.x + dx * end / length, a.y + dy * end / length}, line.colour, line.width);
+        on += static_cast<double>(end - at);
+        at = end;
+      }
+    }
+  }
+
   /// A square frame of whole pixels.
   void frame(ImVec2 a, ImVec2 b, ImU32 colour, float stroke) {
     const float w = std::max(1.0f, std::round(stroke));
@@ -181,6 +209,7 @@ Palette scene_palette(const Theme& theme) {
   palette.free = theme.free;
   palette.obstacle = theme.obstacle;
   palette.surprise = theme.surprise;
+  palette.mover = theme.mover;
   palette.grid = theme.grid;
   palette.arrow = theme.arrow;
   palette.path = theme.path;

@@ -6,14 +6,10 @@
 #include <unordered_set>
 #include <vector>
 
+#include "core/world/brush.hpp"
 #include "ui/canvas.hpp"
 
 namespace replan::ui {
-
-/// A rectangle of cells, both ends included.
-struct CellRect {
-  Cell low, high;
-};
 
 /// What the mouse does in one frame.
 struct Pointer {
@@ -32,34 +28,70 @@ class Hand {
 
   /// A drag is under way.
   [[nodiscard]] bool busy() const { return action_ != Action::none; }
-  /// A start or goal is held.
-  [[nodiscard]] bool holds() const { return action_ == Action::start || action_ == Action::goal; }
-  /// Whether a press at this cell would take hold of the start or the goal.
-  [[nodiscard]] static bool could_hold(const Session& session, const Pointer& pointer);
-  /// The rectangle that would be filled if the button were let go now.
-  [[nodiscard]] std::optional<CellRect> preview() const;
+  /// Start, goal, robot or the corner of a way are held.
+  [[nodiscard]] bool holds() const {
+    return action_ == Action::start || action_ == Action::goal || action_ == Action::robot ||
+           action_ == Action::corner;
+  }
+  /// Whether a press at this cell would take hold of the start, the goal or the robot.
+  [[nodiscard]] static bool could_hold(const Run& run, const Pointer& pointer);
+  /// The cells that would be written if the button were let go now, or pressed at `hovered`; empty if the
+  /// tool writes none.
+  [[nodiscard]] std::vector<CellSpan> preview(const ViewState& state, std::optional<Cell> hovered) const;
   /// Whether what is being drawn is an obstacle.
-  [[nodiscard]] bool adds() const { return blocked_; }
-  /// The cells that a brush covers around a cell.
-  static CellRect brush(Cell cell, int side);
+  [[nodiscard]] bool adds() const { return adds_; }
 
  private:
-  enum class Action : std::uint8_t { none, brush, rectangle, surprise, start, goal, pin };
+  enum class Action : std::uint8_t {
+    none,
+    brush,
+    rectangle,
+    line,
+    surprise,
+    start,
+    goal,
+    robot,
+    region,
+    measure,
+    corner,
+    idle,  ///< what the press was for is done
+  };
 
-  void press(const Session& session, const Run& run, const ViewState& state, const Pointer& pointer);
-  void move(const Run& run, const ViewState& state, const Pointer& pointer, std::vector<Command>& commands);
-  void release(const Run& run, ViewState& state, std::vector<Command>& commands);
-  void dab(const Run& run, Cell cell, int side, std::vector<CellChange>& changes);
-  [[nodiscard]] std::vector<CellChange> filled(const Run& run) const;
-  [[nodiscard]] bool protects(const Run& run, Cell cell) const;
+  void press(const Session& session, const Run& run, ViewState& state, const Pointer& pointer,
+             std::vector<Command>& commands);
+  void press_tool(const Session& session, const Run& run, ViewState& state, const Pointer& pointer,
+                  std::vector<Command>& commands);
+  void press_way(const Session& session, const Run& run, ViewState& state, const Pointer& pointer,
+                 std::vector<Command>& commands);
+  void move(const Session& session, const Run& run, ViewState& state, const Pointer& pointer,
+            std::vector<Command>& commands);
+  void move_held(const Session& session, const Run& run, const ViewState& state, Cell to,
+                 std::vector<Command>& commands);
+  void release(const Session& session, const Run& run, ViewState& state, std::vector<Command>& commands);
+  void release_region(const Session& session, const Run& run, ViewState& state) const;
+  void drop_surprise(const Session& session, const Run& run, ViewState& state,
+                     std::vector<Command>& commands);
+  void write(const Run& run, const std::vector<CellSpan>& spans, std::vector<CellChange>& changes);
+  [[nodiscard]] static std::optional<Action> grabbed(const Run& run, const Pointer& pointer);
 
   Action action_ = Action::none;
-  bool right_ = false;    // held by the right button
-  bool blocked_ = false;  // paints rather than erases
+  bool right_ = false;  // held by the right button
+  bool adds_ = false;   // paints rather than erases
   bool moved_ = false;
   Cell first_, last_;
+  std::size_t corner_ = 0;  // of the selected moving obstacle's way
   std::uint64_t stroke_ = 0;
   std::unordered_set<std::uint32_t> done_;  // nodes of this stroke
 };
+
+/// Selects cells, and nothing else.
+void select_region(Editing& editing, const CellRect& region);
+/// Ends the way that is being drawn: it becomes a moving obstacle, which is selected. Nothing if there is
+/// none.
+void finish_way(const Session& session, ViewState& state, std::vector<Command>& commands);
+/// The corner of the box's upper left cell for a box of this side with its middle at a cell, on the map.
+Cell box_corner(Cell middle, int side, const GridMap& map);
+/// The scheduled surprise that has a cell there and has not happened yet at the cursor, the latest first.
+std::optional<std::size_t> surprise_at(const Run& run, Cell cell);
 
 }  // namespace replan::ui

@@ -24,6 +24,7 @@ struct Theme {
   ImU32 goal;
   ImU32 robot;
   ImU32 surprise;  ///< dropped obstacles
+  ImU32 mover;     ///< ways of moving obstacles
   ImU32 warning;   ///< last repair, underconsistent
   ImU32 bad;
   ImU32 good;

@@ -69,6 +69,9 @@ bool button(const Look& look, const char* label, ButtonKind kind = ButtonKind::p
 /// Flat text tabs with an accent underline; returns whether `current` changed.
 bool tabs(const Look& look, const char* id, std::span<const char* const> names, int& current);
 
+/// One of a few choices, side by side in a box of the content's width; returns whether `current` changed.
+bool segments(const Look& look, const char* id, std::span<const char* const> names, int& current);
+
 // --- Structure ------------------------------------------------------------------------------------------
 
 void section_title(const Look& look, std::string_view title);

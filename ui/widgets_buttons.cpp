@@ -139,6 +139,27 @@ bool tabs(const Look& look, const char* id, std::span<const char* const> names, 
   return current != before;
 }
 
+bool segments(const Look& look, const char* id, std::span<const char* const> names, int& current) {
+  ImGui::PushID(id);
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float whole = ImGui::GetContentRegionAvail().x, width = whole / static_cast<float>(names.size());
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(origin, {origin.x + whole, origin.y + look.px.control}, look.theme.raised,
+                     look.px.radius);
+  const int before = current;
+  for (int i = 0; i < static_cast<int>(names.size()); ++i) {
+    const char* name = names[static_cast<std::size_t>(i)];
+    ImGui::SetCursorScreenPos({origin.x + width * static_cast<float>(i), origin.y});
+    const Pressed area = press(name, {width, look.px.control}, true);
+    if (area.clicked) current = i;
+    if (i == current) list.AddRectFilled(area.min, area.max, look.theme.selected, look.px.radius);
+    draw_text_centred(list, look.fonts.ui, area.min, area.max,
+                      i == current || area.hovered ? look.theme.text : look.theme.dim, name);
+  }
+  ImGui::PopID();
+  return current != before;
+}
+
 void section_title(const Look& look, std::string_view title) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, look.px(6)));
   text(look.fonts.section, look.theme.dim, title);

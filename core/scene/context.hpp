@@ -66,6 +66,7 @@ void build_hatches(SceneContext& context);
 void build_arrows(SceneContext& context);
 void build_outlines(SceneContext& context);
 void build_numbers(SceneContext& context);
+void build_script(SceneContext& context);
 void build_routes(SceneContext& context);
 void build_things(SceneContext& context);
 

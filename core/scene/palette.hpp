@@ -16,6 +16,7 @@ struct Palette {
   Colour free = 0;
   Colour obstacle = 0;
   Colour surprise = 0;
+  Colour mover = 0;  ///< ways of moving obstacles
   Colour grid = 0;   ///< translucent
   Colour arrow = 0;  ///< translucent
   Colour path = 0;

@@ -99,6 +99,7 @@ Scene build_scene(const Run& run, const View& view, Viewport viewport, const Pal
   build_arrows(context);
   build_outlines(context);
   build_numbers(context);
+  build_script(context);
   build_routes(context);
   build_things(context);
   return scene;

@@ -55,8 +55,9 @@ struct Outline {
 struct Polyline {
   std::vector<Point> points;
   Colour colour;
-  float width;    ///< pixels
-  Colour casing;  ///< a rim, so that the line stands off any field; 0 alpha: none
+  float width;     ///< pixels
+  Colour casing;   ///< a rim, so that the line stands off any field; 0 alpha: none
+  float dash = 0;  ///< pixels, the gaps alike; 0: a line without gaps
 };
 struct Ring {
   Point centre;
@@ -107,6 +108,8 @@ enum class Sign : std::uint8_t {
   sight_free,
   sight_stopped,
   robot,
+  to_come,
+  mover,
   count
 };
 

@@ -79,7 +79,8 @@ class Writer {
     std::string points;
     for (const Point& point : line.points) points += (points.empty() ? "" : " ") + pair(x(point), y(point));
     out_ += "<polyline points=\"" + points + "\" fill=\"none\" stroke-linejoin=\"round\"" +
-            stroke(line.colour, line.width) + "/>\n";
+            stroke(line.colour, line.width) +
+            (line.dash > 0 ? attribute("stroke-dasharray", line.dash) : "") + "/>\n";
   }
   void operator()(const Ring& ring) {
     out_ += "<circle" + attribute("cx", x(ring.centre)) + attribute("cy", y(ring.centre)) +

@@ -34,6 +34,8 @@ constexpr std::array<OverlayInfo, static_cast<std::size_t>(Overlay::count)> kOve
      "Obstacles that the robot does not know yet, and those that are gone."},
     {Overlay::sight, "sight", "sight",
      "The sight checks of the current expansion: free, or stopped by an obstacle."},
+    {Overlay::script, "script", "what is to come",
+     "Surprises that have not happened yet, with what sets them off, and the ways of moving obstacles."},
     {Overlay::grid, "grid", "grid", "Lines between the cells."},
 }};
 
@@ -78,8 +80,9 @@ Result<OverlaySet> parse_overlays(std::span<const std::string> ids) {
 
 OverlaySet default_overlays() {
   OverlaySet set;
-  for (const Overlay overlay : {Overlay::g, Overlay::lp, Overlay::rp, Overlay::path, Overlay::trail,
-                                Overlay::sensor, Overlay::repair, Overlay::unknown, Overlay::grid})
+  for (const Overlay overlay :
+       {Overlay::g, Overlay::lp, Overlay::rp, Overlay::path, Overlay::trail, Overlay::sensor, Overlay::repair,
+        Overlay::unknown, Overlay::script, Overlay::grid})
     set.set(overlay, true);
   return set;
 }

@@ -34,6 +34,7 @@ enum class Overlay : std::uint8_t {
   sensor,
   unknown,
   sight,
+  script,
   grid,
   count
 };
@@ -67,7 +68,7 @@ class OverlaySet {
 
 /// Reads ids as written by a user; the error for an unknown one suggests the nearest.
 Result<OverlaySet> parse_overlays(std::span<const std::string> ids);
-/// What the window shows at first: g, lp, rp, path, trail, sensor, repair, unknown, grid.
+/// What the window shows at first: g, lp, rp, path, trail, sensor, repair, unknown, script, grid.
 OverlaySet default_overlays();
 
 /// Which part of the world a view shows. Zero zoom: fit the whole world.
@@ -83,6 +84,9 @@ struct View {
   Camera camera;
   std::optional<Cell> hovered;
   std::optional<Cell> pinned;
+  // By their numbers in the scenario.
+  std::optional<std::size_t> selected_mover;
+  std::optional<std::size_t> selected_surprise;
   double scale = 1;  ///< device pixels per design pixel
 };
 

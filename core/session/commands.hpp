@@ -1,12 +1,14 @@
 // The commands of commands.def, as plain data.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "core/session/stepping.hpp"
 #include "core/world/scenario.hpp"
+#include "core/world/transform.hpp"
 
 namespace replan {
 
@@ -45,6 +47,37 @@ struct ChangeMover {
 struct RemoveMover {
   std::size_t index = 0;
 };
+/// Changes cells at a later step, or when the robot comes near a place. The run goes on from where it is.
+struct ScheduleSurprise {
+  Surprise surprise;
+};
+/// `index` into Scenario::surprises.
+struct RemoveSurprise {
+  std::size_t index = 0;
+};
+struct TurnWorld {
+  Turn turn = Turn::left;
+};
+struct ResizeWorld {
+  NewSize size;
+};
+/// But for the cells of the start, the goal and the robot, which stay free.
+struct InvertWorld {};
+struct ClearWorld {};
+/// Takes the place of the map, and of the surprises and moving obstacles in it. Without ends they are put far
+/// apart in its largest open region.
+struct ReplaceMap {
+  GridMap map;
+  std::optional<Cell> start;
+  std::optional<Cell> goal;
+};
+/// As ReplaceMap, with a map made by a generator (core/world/generator_list.hpp).
+struct GenerateWorld {
+  std::string generator;
+  Settings settings;
+  int width = 0, height = 0;
+  std::uint64_t seed = 1;
+};
 struct ChoosePlanner {
   std::size_t pane = 0;
   std::string id;
@@ -68,6 +101,10 @@ struct ReplaceScenario {
 };
 struct Undo {};
 struct Redo {};
+/// How many of the edits in Session::history() shall have been made.
+struct GoToHistory {
+  std::size_t position = 0;
+};
 struct Restart {};
 /// 1 forwards, -1 backwards, 0 pause.
 struct Play {

@@ -47,6 +47,12 @@ class Session {
   /// What undo would take back and redo bring back; empty if nothing.
   [[nodiscard]] std::string undo_text() const;
   [[nodiscard]] std::string redo_text() const;
+  /// Every edit that can be taken back or brought back, oldest first; the first history_position() of them
+  /// are made.
+  [[nodiscard]] std::vector<std::string> history() const;
+  [[nodiscard]] std::size_t history_position() const { return undo_.size(); }
+  /// The walls of the true world at the cursor, without what moves.
+  [[nodiscard]] GridMap world() const;
   /// One line each, oldest first: what was done and what went wrong.
   [[nodiscard]] std::span<const std::string> log() const { return log_; }
 
@@ -80,6 +86,7 @@ class Session {
     std::vector<CellValue> cells;
     std::vector<std::uint8_t> map_before, map_after;          // empty if the size stayed
     std::shared_ptr<const Scenario> rest_before, rest_after;  // without the map's cells
+    std::size_t scripted_before = 0, scripted_after = 0;      // how many surprises were no edits
   };
 
   Result<void> run_command(const std::monostate&) { return {}; }
@@ -88,13 +95,21 @@ class Session {
 #undef REPLAN_COMMAND
 
   [[nodiscard]] std::vector<CellChange> real_changes(const std::vector<CellChange>& cells, const Mark* mark);
-  Result<void> edit_cells(const std::vector<CellChange>& cells, bool announced, std::uint64_t stroke);
-  void commit(std::string label, std::uint64_t stroke, Scenario changed);
+  Result<void> edit_cells(const std::vector<CellChange>& cells, bool announced, std::uint64_t stroke,
+                          std::string label = {});
+  void commit(std::string label, std::uint64_t stroke, Scenario changed) {
+    commit(std::move(label), stroke, std::move(changed), scripted_);
+  }
+  void commit(std::string label, std::uint64_t stroke, Scenario changed, std::size_t scripted);
+  void relabel(const std::string& label);
+  void commit_in_place(std::string label, Scenario changed, std::size_t scripted);
+  Result<void> replace_map(std::string label, GridMap map, std::optional<Cell> start,
+                           std::optional<Cell> goal);
   void replace(std::shared_ptr<const Scenario> scenario);
   void restart_runs();
   void rebase_runs(const std::shared_ptr<const Scenario>& scenario, std::size_t common);
-  [[nodiscard]] std::shared_ptr<const Scenario> with_edit(const Edit& edit) const;
-  [[nodiscard]] std::shared_ptr<const Scenario> without_edit(const Edit& edit) const;
+  [[nodiscard]] std::shared_ptr<const Scenario> take_back(const Scenario& from);
+  [[nodiscard]] std::shared_ptr<const Scenario> bring_back(const Scenario& from);
   void commit_movers(std::string label, std::uint64_t stroke, std::vector<MovingObstacle> movers);
   [[nodiscard]] bool under_way() const;
   Result<void> edit_script(std::string label, std::uint64_t stroke, Surprise surprise);
@@ -118,6 +133,7 @@ class Session {
   bool follow_ = true;       // the cursor stays at the end of the log
   std::uint64_t serials_ = 0, saved_at_ = 0;
   std::size_t scripted_ = 0;  // surprises that came with the scenario
+  std::size_t stroke_cells_ = 0;  // changed so far by the last stroke of a brush
   std::uint64_t revision_ = 1;
   std::vector<std::string> log_;
 };

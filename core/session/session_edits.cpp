@@ -1,6 +1,7 @@
 // The session's edits: what changes the document, and how it is taken back and saved.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/session/session.hpp"
 
@@ -31,7 +32,7 @@ std::string count_text(std::size_t count, const char* what) {
 
 }  // namespace
 
-void Session::commit(std::string label, std::uint64_t stroke, Scenario changed) {
+void Session::commit(std::string label, std::uint64_t stroke, Scenario changed, std::size_t scripted) {
   Edit edit;
   const std::vector<std::uint8_t>&before = scenario_->map.blocked, &after = changed.map.blocked;
   if (changed.map.width != scenario_->map.width || changed.map.height != scenario_->map.height) {
@@ -46,11 +47,14 @@ void Session::commit(std::string label, std::uint64_t stroke, Scenario changed) 
   edit.rest_before = rest_of(*scenario_);
   edit.rest_after = rest_of(changed);
   edit.serial = ++serials_;
+  edit.scripted_before = std::exchange(scripted_, scripted);
+  edit.scripted_after = scripted;
   redo_.clear();
   if (stroke != 0 && !undo_.empty() && undo_.back().stroke == stroke && edit.map_before.empty()) {
     Edit& whole = undo_.back();
     whole.serial = edit.serial;
     whole.rest_after = edit.rest_after;
+    whole.scripted_after = edit.scripted_after;
     whole.cells.insert(whole.cells.end(), edit.cells.begin(), edit.cells.end());
   } else {
     say(edit.label);
@@ -59,48 +63,18 @@ void Session::commit(std::string label, std::uint64_t stroke, Scenario changed) 
   replace(std::make_shared<const Scenario>(std::move(changed)));
 }
 
-std::shared_ptr<const Scenario> Session::with_edit(const Edit& edit) const {
-  auto scenario = std::make_shared<Scenario>(*edit.rest_after);
-  scenario->map.blocked = edit.map_after.empty() ? scenario_->map.blocked : edit.map_after;
-  for (const CellValue& each : edit.cells) scenario->map.blocked[each.cell] = each.after;
-  return scenario;
-}
-
-std::shared_ptr<const Scenario> Session::without_edit(const Edit& edit) const {
-  auto scenario = std::make_shared<Scenario>(*edit.rest_before);
-  scenario->map.blocked = edit.map_before.empty() ? scenario_->map.blocked : edit.map_before;
-  // Backwards: a cell may have been written several times in one stroke.
-  for (auto each = edit.cells.rbegin(); each != edit.cells.rend(); ++each)
-    scenario->map.blocked[each->cell] = each->before;
-  return scenario;
-}
-
-Result<void> Session::run_command(const Undo&) {
-  if (undo_.empty()) return Error{"there is nothing to undo"};
-  Edit edit = std::move(undo_.back());
-  undo_.pop_back();
-  say("undo: " + edit.label);
-  replace(without_edit(edit));
-  redo_.push_back(std::move(edit));
-  return {};
-}
-
-Result<void> Session::run_command(const Redo&) {
-  if (redo_.empty()) return Error{"there is nothing to redo"};
-  Edit edit = std::move(redo_.back());
-  redo_.pop_back();
-  say("redo: " + edit.label);
-  replace(with_edit(edit));
-  undo_.push_back(std::move(edit));
-  return {};
-}
-
 Result<void> Session::run_command(const PaintCells& command) {
   return edit_cells(command.cells, true, command.stroke);
 }
 
 Result<void> Session::run_command(const DropSurprise& command) {
   return edit_cells(command.cells, false, command.stroke);
+}
+
+/// The last edit has grown: it is told by another text, in the log too.
+void Session::relabel(const std::string& label) {
+  if (!log_.empty() && log_.back() == undo_.back().label) log_.back() = label;
+  undo_.back().label = label;
 }
 
 /// Of `cells` those that differ from the world where the edit will happen, row by row.
@@ -121,7 +95,8 @@ std::vector<CellChange> Session::real_changes(const std::vector<CellChange>& cel
   return real;
 }
 
-Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool announced, std::uint64_t stroke) {
+Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool announced, std::uint64_t stroke,
+                                 std::string label) {
   for (const CellChange& change : cells)
     if (!scenario_->map.contains(change.cell))
       return Error{"cell (" + std::to_string(change.cell.x) + ", " + std::to_string(change.cell.y) +
@@ -136,8 +111,12 @@ Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool anno
   const std::vector<CellChange> real = real_changes(cells, mark);
   if (real.empty()) return {};
   Scenario changed = *scenario_;
-  const std::string label = (announced ? real.front().blocked ? "paint " : "erase " : "surprise of ") +
-                            count_text(real.size(), "cell");
+  const bool goes_on = stroke != 0 && !undo_.empty() && undo_.back().stroke == stroke;
+  stroke_cells_ = real.size() + (goes_on ? stroke_cells_ : 0);
+  if (label.empty())
+    label = (announced ? real.front().blocked ? "paint " : "erase " : "surprise of ") +
+            count_text(stroke_cells_, "cell");
+  if (goes_on) relabel(label);
   if (mark == nullptr) {
     for (const CellChange& change : real) changed.map.set(change.cell, change.blocked);
   } else {
@@ -146,7 +125,7 @@ Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool anno
     edit.cells = real;
     edit.announced = announced;
   }
-  commit(label, stroke, std::move(changed));
+  commit(std::move(label), stroke, std::move(changed));
   return {};
 }
 

@@ -3,20 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/world/brush.hpp"
+
 namespace replan {
 namespace {
 
 /// From `from` to `to` without `from`, each cell next to the one before.
 void append_line(Cell from, Cell to, std::vector<Cell>& cells) {
-  const int dx = to.x - from.x, dy = to.y - from.y;
-  const int steps = std::max(std::abs(dx), std::abs(dy));
-  // In whole numbers: halves are rounded up, whichever machine it is.
-  const auto between = [steps](int start, int whole, int i) {
-    const std::int64_t twice = std::int64_t{2} * whole * i + steps;
-    const std::int64_t floor = twice >= 0 ? twice / (2 * steps) : -((-twice + 2 * steps - 1) / (2 * steps));
-    return start + static_cast<int>(floor);
-  };
-  for (int i = 1; i <= steps; ++i) cells.push_back({between(from.x, dx, i), between(from.y, dy, i)});
+  const std::vector<Cell> line = line_cells(from, to);
+  cells.insert(cells.end(), line.begin() + 1, line.end());
 }
 
 }  // namespace

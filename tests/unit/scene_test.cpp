@@ -20,6 +20,8 @@ Palette palette() {
   colours.free = 0xFF020202;
   colours.obstacle = 0xFF0000AA;
   colours.surprise = 0xFF00AA00;
+  colours.mover = 0xFFAA00AA;
+  colours.accent = 0xFFFFAA00;
   colours.path = 0xFFFFFFFF;
   colours.text = 0xFFEEEEEE;
   colours.arrow = 0x80FFFFFF;
@@ -311,6 +313,38 @@ TEST(SceneSvg, IsWellFormedAndHasEveryPolyline) {
   EXPECT_TRUE(well_formed(scene_svg(scene, palette()), "polyline", polylines));
   EXPECT_EQ(static_cast<std::size_t>(polylines), shapes_of<Polyline>(scene).size());
   EXPECT_GT(polylines, 0);
+}
+
+TEST(Scene, ShowsWhatIsToComeUntilItHasHappened) {
+  Scenario scenario = world();
+  MovingObstacle mover;
+  mover.way = {{1, 1}, {6, 1}, {6, 4}};
+  mover.width = mover.height = 2;
+  mover.at_end = WayEnd::loop;
+  scenario.movers = {mover};
+  Session session(scenario);
+  session.settle();
+  View view = plain_view();
+  EXPECT_TRUE(shapes_of<Label>(build_scene(session.run(), view, kView, palette())).empty());
+  view.overlays.set(Overlay::script, true);
+  view.selected_mover = 0;
+  const Scene before = build_scene(session.run(), view, kView, palette());
+  EXPECT_TRUE(before.shows(Sign::to_come) && before.shows(Sign::mover));
+  const auto labels = shapes_of<Label>(before);
+  ASSERT_EQ(labels.size(), 1u);
+  EXPECT_EQ(labels[0].text, "step 3");
+  const auto ways = shapes_of<Polyline>(before);
+  ASSERT_EQ(ways.size(), 1u);
+  EXPECT_GT(ways[0].dash, 0);
+  // Through the middle of the box, and home again.
+  EXPECT_EQ(ways[0].points, (std::vector<Point>{{2, 2}, {7, 2}, {7, 5}, {2, 2}}));
+  EXPECT_EQ(ways[0].colour, palette().accent);
+  EXPECT_NE(scene_svg(before, palette()).find("stroke-dasharray"), std::string::npos);
+  ASSERT_TRUE(session.apply(Step{StepUnit::move, 4}).ok());
+  const Scene after = build_scene(session.run(), view, kView, palette());
+  EXPECT_FALSE(after.shows(Sign::to_come));
+  EXPECT_TRUE(shapes_of<Label>(after).empty());
+  EXPECT_TRUE(after.shows(Sign::mover));
 }
 
 }  // namespace

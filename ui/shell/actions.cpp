@@ -53,6 +53,8 @@ std::string key_name(int key) {
       return "Home";
     case key::kEnd:
       return "End";
+    case key::kDelete:
+      return "Del";
     default:
       break;
   }
@@ -143,14 +145,6 @@ void ActionContext::resize_brush(int by) {
   view.brush = std::clamp(view.brush + by, 1, kLargestBrush);
 }
 
-void ActionContext::clear_world() {
-  const Run& run = session.run();
-  PaintCells erase;
-  for (NodeId n = 0; n < run.lattice().node_count(); ++n)
-    if (run.timeline().state().truly_blocked(n)) erase.cells.push_back({run.lattice().position(n), false});
-  if (!erase.cells.empty()) push(std::move(erase));
-}
-
 void ActionContext::move_pin(int dx, int dy) {
   const std::optional<Cell>& from = view.view.pinned ? view.view.pinned : view.view.hovered;
   if (!from) return;
@@ -175,7 +169,14 @@ bool available(const Action& action, const ActionContext& context) {
     case ActionId::redo:
       return !session.redo_text().empty();
     case ActionId::unpin:
-      return context.view.view.pinned.has_value();
+      return context.view.view.pinned || context.view.editing.holds_something();
+    case ActionId::finish_way:
+      return !context.view.editing.way.empty();
+    case ActionId::copy:
+    case ActionId::cut:
+      return context.view.editing.region.has_value();
+    case ActionId::delete_selected:
+      return context.view.editing.region || context.view.editing.mover || context.view.editing.surprise;
     case ActionId::pin_left:
     case ActionId::pin_right:
     case ActionId::pin_up:
@@ -215,6 +216,16 @@ bool checked(const Action& action, const ActionContext& context) {
       return view.tool == Tool::goal;
     case ActionId::tool_surprise:
       return view.tool == Tool::surprise;
+    case ActionId::tool_line:
+      return view.tool == Tool::line;
+    case ActionId::tool_fill:
+      return view.tool == Tool::fill;
+    case ActionId::tool_mover:
+      return view.tool == Tool::mover;
+    case ActionId::tool_measure:
+      return view.tool == Tool::measure;
+    case ActionId::round_brush:
+      return view.editing.round;
     case ActionId::panels:
       return view.panels;
     case ActionId::legend:

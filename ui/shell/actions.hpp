@@ -51,7 +51,16 @@ struct ActionContext {
   void step(StepUnit unit, int count) { push(Step{unit, count}); }
   void toggle_play(int direction);
   void resize_brush(int by);
-  void clear_world();
+  void choose_tool(Tool tool);
+  void let_go();
+  void finish_drawing();
+  void delete_selected();
+  void show_history();
+  // Through the clipboard, as text (core/world/ascii_map.hpp).
+  void copy_world();
+  void copy_region();
+  void cut_region();
+  void paste();
   void move_pin(int dx, int dy);
   void toggle_overlay(Overlay overlay);
   void show_tab(int tab);

@@ -37,7 +37,9 @@ enum class Wish : std::uint8_t {
   record_canvas,
   record_window,
   picture_canvas,
-  picture_window
+  picture_window,
+  generate,
+  resize
 };
 
 /// Path figures of one pane, kept until another plan stands.
@@ -62,13 +64,17 @@ struct PanelState {
   std::vector<FigureCache> figures;
   std::vector<QueueCount> queues;
   std::map<std::string, Result<PlannerPage>, std::less<>> pages;
-  std::size_t log_lines = 0;         ///< how many the Log showed: it follows its end
-  int code_line = 0;                 ///< the line that the Code page scrolled to
-  bool animated = false;             ///< something on it moves by itself
-  double zoom = 0;                   ///< device pixels per cell on the canvas, as fitted or chosen
-  RecordingState recording;          ///< told by the owner of the pixels
-  PixelArea canvas;                  ///< where the canvas was drawn last
-  double frame_ms = 0;               ///< CPU time of a frame, smoothed; 0: not measured
+  std::size_t log_lines = 0;  ///< how many the Log showed: it follows its end
+  int code_line = 0;          ///< the line that the Code page scrolled to
+  bool animated = false;      ///< something on it moves by itself
+  double zoom = 0;            ///< device pixels per cell on the canvas, as fitted or chosen
+  RecordingState recording;   ///< told by the owner of the pixels
+  PixelArea canvas;           ///< where the canvas was drawn last
+  double frame_ms = 0;        ///< CPU time of a frame, smoothed; 0: not measured
+  float tool_height = 0;      ///< what the tool's choices took in the last frame, in pixels
+  bool history = false;       ///< the Log tab lists the edits
+  std::string said;           ///< a sentence for the user, to be shown over the canvas
+  bool said_bad = false;
   std::vector<std::string> notices;  ///< for the Log: what the platform had to say (missing fonts)
 };
 

@@ -16,6 +16,9 @@ void draw_menu_bar(Frame& frame);
 /// A red dot and the length of the film while one is recorded; a click stops it.
 void draw_recording(Frame& frame);
 void draw_tool_strip(Frame& frame);
+/// Whether the tool, or what is selected, has something to choose.
+bool has_tool_options(const Frame& frame);
+void draw_tool_options(Frame& frame);
 void draw_transport(Frame& frame);
 void draw_timeline(Frame& frame, ImVec2 min, ImVec2 max);
 void draw_status_bar(Frame& frame);

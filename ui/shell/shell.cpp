@@ -46,6 +46,8 @@ void Shell::draw(const Look& look, Session& session, double) {
     tell(failure, true);
   drawn_ = session.revision();
   const Decision decision = dialogs_.draw(look);
+  world_dialogs_.draw(look, session, commands);
+  if (!panels_.said.empty()) tell(std::exchange(panels_.said, {}), panels_.said_bad);
   take_commands(session, commands);
   take_wish(session, wish);
   take_decision(session, decision);
@@ -61,11 +63,13 @@ bool Shell::wants_frames(const Session& session) const {
 
 void Shell::take_keys(Frame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool elsewhere = dialogs_.open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  const bool elsewhere =
+      dialogs_.open() || world_dialogs_.open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   held_ = !elsewhere && key_is_held(io);
   if (elsewhere) {
     // ImGui closes popups by Escape only together with its own keyboard navigation, which takes our keys.
-    if (!dialogs_.open() && ImGui::IsKeyPressed(key::kEscape, false)) ImGui::ClosePopupToLevel(0, true);
+    if (!dialogs_.open() && !world_dialogs_.open() && ImGui::IsKeyPressed(key::kEscape, false))
+      ImGui::ClosePopupToLevel(0, true);
     return;
   }
   for (const ActionId id : pressed_actions(io)) perform(frame, id);
@@ -92,9 +96,14 @@ void Shell::draw_parts(Frame& frame) {
   draw_canvas(frame, {left, look.px.menu}, {split, under});
   area("transport", {0, under}, {split, look.px.transport}, look.theme.panel, {look.px.l, look.px(14)},
        [&] { draw_transport(frame); });
-  if (panels)
-    area("side", {split, look.px.menu}, {side, bottom - look.px.menu}, look.theme.panel, {0, 0},
+  if (panels) {
+    const float tool = has_tool_options(frame) ? panels_.tool_height : 0;
+    area("side", {split, look.px.menu}, {side, bottom - tool - look.px.menu}, look.theme.panel, {0, 0},
          [&] { draw_side(frame); });
+    if (has_tool_options(frame))
+      area("tool options", {split, bottom - tool}, {side, tool}, look.theme.panel, {look.px.l, look.px.m},
+           [&] { draw_tool_options(frame); });
+  }
   area("status", {0, bottom}, {size.x, look.px.status}, look.theme.raised, {look.px(14), look.px(5)},
        [&] { draw_status_bar(frame); });
   if (panels) draw_splitter(frame, split, look.px.menu, bottom);
@@ -126,8 +135,8 @@ void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
                            {static_cast<int>(row.width()), static_cast<int>(max.y - min.y)})
                        .zoom;
     for (std::size_t i = 0; i < count; ++i) {
-      canvas(first + i).draw(look, frame.session, first + i, view_, row.min(i), row.max(i), !dialogs_.open(),
-                             frame.commands);
+      canvas(first + i).draw(look, frame.session, first + i, view_, row.min(i), row.max(i),
+                             !dialogs_.open() && !world_dialogs_.open(), frame.commands);
       row.draw_parting(i);
     }
   });

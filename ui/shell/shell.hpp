@@ -12,6 +12,7 @@
 #include "ui/gl/imgui_renderer.hpp"
 #include "ui/shell/actions.hpp"
 #include "ui/shell/dialogs.hpp"
+#include "ui/shell/dialogs/world_dialogs.hpp"
 #include "ui/shell/frame.hpp"
 
 namespace replan::ui {
@@ -86,6 +87,7 @@ class Shell {
   ViewState view_;
   PanelState panels_;
   Dialogs dialogs_;
+  WorldDialogs world_dialogs_;
   Pending pending_;
   Message message_;
   CaptureRequest asked_;  // while its dialog is open

@@ -40,6 +40,12 @@ void Shell::take_wish(Session& session, Wish wish) {
     case Wish::fit:
       fit();
       break;
+    case Wish::generate:
+      world_dialogs_.show_generate(session);
+      break;
+    case Wish::resize:
+      world_dialogs_.show_resize(session);
+      break;
     case Wish::keys:
       dialogs_.show(DialogKind::keys);
       break;

@@ -151,6 +151,10 @@ void draw_status_bar(Frame& frame) {
               {"Cell", "", "Column and row, from (0, 0) at the top left."});
     line.word(cell_state(frame, *cell));
   }
+  const StrokeKind stroke = frame.view.editing.stroke;
+  if (stroke == StrokeKind::erases_wall) line.word("erasing, since the first cell was an obstacle");
+  if (stroke == StrokeKind::erases) line.word("erasing");
+  if (stroke == StrokeKind::paints) line.word("painting, since the first cell was free");
   line.dot(verdict(look.theme, run));
   busy(frame, line);
   const replan::Mark* mark = run.mark_at(run.timeline().cursor());

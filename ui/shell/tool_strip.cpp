@@ -24,8 +24,9 @@ void brush_size(Frame& frame) {
   if (ImGui::InvisibleButton("brush", {look.px.tool, look.px.tool})) ImGui::OpenPopup("brush size");
   const bool hovered = ImGui::IsItemHovered();
   const std::string keys = action(ActionId::brush_smaller).keys + " " + action(ActionId::brush_larger).keys;
-  hint(look, {"Brush size", keys.c_str(),
-              "Side of the square that paint, erase and surprise write. The wheel changes it."});
+  hint(look,
+       {"Brush size", keys.c_str(),
+        "How wide paint, erase and line write, and how large a moving obstacle is. The wheel changes it."});
   if (hovered && ImGui::GetIO().MouseWheel != 0)
     context_of(frame).resize_brush(ImGui::GetIO().MouseWheel > 0 ? 1 : -1);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -35,13 +36,17 @@ void brush_size(Frame& frame) {
   const std::string size = std::to_string(frame.view.brush);
   draw_text_centred(list, look.fonts.mono, origin, {origin.x + look.px.tool, origin.y + look.px(22)},
                     look.theme.dim, size);
-  const float bar = look.px(3) + static_cast<float>(frame.view.brush) / 64.0f * look.px(15);
-  const float middle = origin.x + look.px.tool * 0.5f;
-  list.AddRectFilled({middle - bar * 0.5f, origin.y + look.px(24)},
-                     {middle + bar * 0.5f, origin.y + look.px(27)}, look.theme.dim, look.px(1));
+  const float half = (look.px(3) + static_cast<float>(frame.view.brush) / 64.0f * look.px(7)) * 0.5f;
+  const ImVec2 middle(origin.x + look.px.tool * 0.5f, origin.y + look.px(26));
+  if (frame.view.editing.round)
+    list.AddCircleFilled(middle, half + look.px(0.5f), look.theme.dim);
+  else
+    list.AddRectFilled({middle.x - half, middle.y - half}, {middle.x + half, middle.y + half}, look.theme.dim,
+                       look.px(1));
+  ImGui::SetNextWindowPos({origin.x + look.px.tool + look.px(14), origin.y}, ImGuiCond_Always);
   if (ImGui::BeginPopup("brush size")) {
     double value = frame.view.brush;
-    ImGui::BeginChild("slider", {look.px(200), look.px(40)});
+    ImGui::BeginChild("slider", {look.px(200), look.px(60)});
     if (slider(look,
                {.label = "Brush",
                 .min = 1,
@@ -52,6 +57,7 @@ void brush_size(Frame& frame) {
                 .logarithmic = true},
                value))
       frame.view.brush = static_cast<int>(value);
+    toggle(look, "Round", frame.view.editing.round);
     ImGui::EndChild();
     ImGui::EndPopup();
   }
@@ -83,12 +89,17 @@ void draw_tool_strip(Frame& frame) {
   tool(frame, ActionId::tool_paint);
   tool(frame, ActionId::tool_erase);
   tool(frame, ActionId::tool_rectangle);
+  tool(frame, ActionId::tool_line);
+  tool(frame, ActionId::tool_fill);
   brush_size(frame);
   tool_separator(look);
   tool(frame, ActionId::tool_start, look.theme.start);
   tool(frame, ActionId::tool_goal, look.theme.goal);
   tool_separator(look);
   tool(frame, ActionId::tool_surprise, look.theme.surprise);
+  tool(frame, ActionId::tool_mover, look.theme.mover);
+  tool_separator(look);
+  tool(frame, ActionId::tool_measure);
   tool_separator(look);
   overlays_button(frame);
   ImGui::PopStyleVar();

@@ -1,0 +1,64 @@
+// The session's history: how edits are taken back and brought back.
+#include "core/session/session.hpp"
+
+namespace replan {
+
+/// The last edit undone in `from`; it can be brought back afterwards.
+std::shared_ptr<const Scenario> Session::take_back(const Scenario& from) {
+  Edit edit = std::move(undo_.back());
+  undo_.pop_back();
+  auto scenario = std::make_shared<Scenario>(*edit.rest_before);
+  scenario->map.blocked = edit.map_before.empty() ? from.map.blocked : edit.map_before;
+  // Backwards: a cell may have been written several times in one stroke.
+  for (auto each = edit.cells.rbegin(); each != edit.cells.rend(); ++each)
+    scenario->map.blocked[each->cell] = each->before;
+  scripted_ = edit.scripted_before;
+  redo_.push_back(std::move(edit));
+  return scenario;
+}
+
+std::shared_ptr<const Scenario> Session::bring_back(const Scenario& from) {
+  Edit edit = std::move(redo_.back());
+  redo_.pop_back();
+  auto scenario = std::make_shared<Scenario>(*edit.rest_after);
+  scenario->map.blocked = edit.map_after.empty() ? from.map.blocked : edit.map_after;
+  for (const CellValue& each : edit.cells) scenario->map.blocked[each.cell] = each.after;
+  scripted_ = edit.scripted_after;
+  undo_.push_back(std::move(edit));
+  return scenario;
+}
+
+Result<void> Session::run_command(const Undo&) {
+  if (undo_.empty()) return Error{"there is nothing to undo"};
+  say("undo: " + undo_.back().label);
+  replace(take_back(*scenario_));
+  return {};
+}
+
+Result<void> Session::run_command(const Redo&) {
+  if (redo_.empty()) return Error{"there is nothing to redo"};
+  say("redo: " + redo_.back().label);
+  replace(bring_back(*scenario_));
+  return {};
+}
+
+Result<void> Session::run_command(const GoToHistory& command) {
+  if (command.position > undo_.size() + redo_.size()) return Error{"the history has no such edit"};
+  if (command.position == undo_.size()) return {};
+  const bool back = command.position < undo_.size();
+  std::shared_ptr<const Scenario> scenario = scenario_;
+  while (undo_.size() > command.position) scenario = take_back(*scenario);
+  while (undo_.size() < command.position) scenario = bring_back(*scenario);
+  say(undo_.empty() ? "back to the beginning" : (back ? "back to: " : "on to: ") + undo_.back().label);
+  replace(std::move(scenario));
+  return {};
+}
+
+std::vector<std::string> Session::history() const {
+  std::vector<std::string> labels;
+  for (const Edit& edit : undo_) labels.push_back(edit.label);
+  for (auto edit = redo_.rbegin(); edit != redo_.rend(); ++edit) labels.push_back(edit->label);
+  return labels;
+}
+
+}  // namespace replan

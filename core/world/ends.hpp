@@ -1,0 +1,12 @@
+// Where the robot sets out and where it goes, in a world that does not say.
+#pragma once
+
+#include "core/world/scenario.hpp"
+
+namespace replan {
+
+/// Puts start and goal at the ends of the largest open region, at its upper left and its lower right. A world
+/// without a free cell keeps what it has.
+void place_ends(Scenario& scenario);
+
+}  // namespace replan

@@ -1,0 +1,54 @@
+// The whole world turned, mirrored or given another size, with everything that stands in it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/world/scenario.hpp"
+
+namespace replan {
+
+/// A way to turn or mirror a world.
+enum class Turn : std::uint8_t {
+  left,        ///< a quarter turn against the clock
+  right,       ///< a quarter turn with the clock
+  left_right,  ///< mirrored: what was left is right
+  top_bottom,  ///< mirrored: what was at the top is at the bottom
+};
+
+/// Where the old world lies in the new one, along one axis.
+enum class Side : std::uint8_t { low, middle, high };
+
+/// Another size of the world.
+struct NewSize {
+  int width = 1, height = 1;                  ///< cells
+  Side across = Side::low, down = Side::low;  ///< low: what is at the left (top) stays there
+  bool blocked = false;                       ///< new cells are obstacles
+  friend bool operator==(const NewSize&, const NewSize&) = default;
+};
+
+/// A scenario after a change of size, and what did not fit.
+struct Resized {
+  Scenario scenario;
+  std::size_t cells_lost = 0;               ///< of surprises
+  std::vector<std::size_t> surprises_lost;  ///< by their number before: nothing of them was left
+  bool ends_moved = false;  ///< the start or a goal was outside and moved to the nearest cell inside
+};
+
+/// Where a cell of a world of this size comes to lie.
+Cell turned(Cell cell, int width, int height, Turn turn);
+/// Turns the map with start, goal, surprises, the ways of moving obstacles and the camera. The map keeps its
+/// place in its own frame (GridMap::origin) when it is turned; a mirrored one has none.
+Scenario turned(const Scenario& scenario, Turn turn);
+
+/// Gives the map another size. Start, goal, triggers and ways that would fall off move to the nearest cell;
+/// cells of surprises that fall off are dropped. The error names the limits.
+Result<Resized> resized(const Scenario& scenario, const NewSize& size);
+
+/// Every cell the other way round, but for `keep_free`, as changes in the order of rows.
+std::vector<CellChange> inversion(const GridMap& map, std::span<const Cell> keep_free);
+
+}  // namespace replan

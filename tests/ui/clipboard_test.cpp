@@ -1,0 +1,116 @@
+// Cells through the clipboard as text, and what is deleted.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "ui/shell/actions.hpp"
+
+namespace replan::ui {
+namespace {
+
+class ClipboardTest : public testing::Test {
+ protected:
+  ClipboardTest() : context_(ImGui::CreateContext()) {
+    // ImGui's own clipboard needs no window; a desktop's would be shared with the user.
+    static std::string held;
+    ImGui::GetIO().SetClipboardTextFn = [](void*, const char* text) { held = text; };
+    ImGui::GetIO().GetClipboardTextFn = [](void*) { return held.c_str(); };
+    ImGui::GetIO().IniFilename = nullptr;
+  }
+  ~ClipboardTest() override { ImGui::DestroyContext(context_); }
+
+  void SetUp() override {
+    Scenario scenario;
+    scenario.map = GridMap(8, 4);
+    for (int y = 0; y < 3; ++y) scenario.map.set({4, y}, true);
+    scenario.start = {1, 1};
+    scenario.goal = {6, 1};
+    scenario.planners = {{"dstar-lite", {}}};
+    session_ = std::make_unique<Session>(scenario);
+    session_->settle();
+  }
+  void perform(ActionId id) {
+    ActionContext context{*session_, view_, panels_, commands_, wish_};
+    ASSERT_TRUE(available(action(id), context)) << action(id).name;
+    action(id).effect(context);
+    for (const Command& command : commands_) ASSERT_TRUE(session_->apply(command).ok());
+    commands_.clear();
+    session_->settle();
+  }
+  static std::string clipboard() { return ImGui::GetClipboardText(); }
+
+  ImGuiContext* context_;
+  std::unique_ptr<Session> session_;
+  ViewState view_;
+  PanelState panels_;
+  std::vector<Command> commands_;
+  Wish wish_ = Wish::none;
+};
+
+TEST_F(ClipboardTest, TheWorldGoesOutAndComesBack) {
+  perform(ActionId::copy_world);
+  EXPECT_EQ(clipboard(), "....@...\n.S..@.G.\n....@...\n........\n");
+  const Scenario before = session_->scenario();
+  perform(ActionId::clear_world);
+  EXPECT_FALSE(session_->world().at({4, 0}));
+  perform(ActionId::paste);  // of the same size and ends: cell by cell, so that the plan is repaired
+  EXPECT_EQ(session_->world(), before.map);
+  EXPECT_EQ(session_->scenario().surprises.size(), 2u);
+  ImGui::SetClipboardText("S..\n..G\n");
+  perform(ActionId::paste);
+  EXPECT_EQ(session_->scenario().map.width, 3);
+  EXPECT_EQ(session_->scenario().goal, (Cell{2, 1}));
+  perform(ActionId::undo);
+  EXPECT_EQ(session_->world(), before.map);
+}
+
+TEST_F(ClipboardTest, ARegionIsCutAndPastedWhereThePinIs) {
+  ActionContext context{*session_, view_, panels_, commands_, wish_};
+  EXPECT_FALSE(available(action(ActionId::copy), context));
+  view_.editing.region = CellRect{{3, 0}, {5, 1}};
+  perform(ActionId::copy);
+  EXPECT_EQ(clipboard(), ".@.\n.@.\n");
+  perform(ActionId::cut);
+  EXPECT_FALSE(session_->world().at({4, 0}) || session_->world().at({4, 1}));
+  EXPECT_TRUE(session_->world().at({4, 2}));
+  view_.editing.region.reset();
+  view_.view.pinned = Cell{0, 1};
+  perform(ActionId::paste);
+  EXPECT_TRUE(session_->world().at({1, 2}));
+  EXPECT_FALSE(session_->world().at({1, 1})) << "the start stays free";
+  EXPECT_EQ(view_.editing.region, (CellRect{{0, 1}, {2, 2}}));
+}
+
+TEST_F(ClipboardTest, WhatReachesOverTheEdgeIsLeftOut) {
+  ImGui::SetClipboardText("@@@@\n@@@@\n");
+  view_.view.hovered = Cell{6, 3};
+  perform(ActionId::paste);
+  EXPECT_TRUE(session_->world().at({6, 3}) && session_->world().at({7, 3}));
+  EXPECT_NE(panels_.said.find("left out"), std::string::npos);
+  EXPECT_EQ(session_->world().width, 8);
+}
+
+TEST_F(ClipboardTest, WhatIsNoMapIsRefusedInWords) {
+  ImGui::SetClipboardText("..@\n.q.\n");
+  perform(ActionId::paste);
+  EXPECT_TRUE(panels_.said_bad);
+  EXPECT_NE(panels_.said.find("clipboard"), std::string::npos) << panels_.said;
+  ImGui::SetClipboardText("");
+  perform(ActionId::paste);
+  EXPECT_TRUE(panels_.said_bad);
+  EXPECT_EQ(session_->history().size(), 0u);
+}
+
+TEST_F(ClipboardTest, DeleteTakesWhatIsSelected) {
+  ASSERT_TRUE(session_->apply(AddMover{{.way = {{2, 3}, {6, 3}}}}).ok());
+  view_.editing.mover = 0;
+  perform(ActionId::delete_selected);
+  EXPECT_TRUE(session_->scenario().movers.empty());
+  EXPECT_FALSE(view_.editing.holds_something());
+  view_.editing.region = CellRect{{4, 0}, {4, 1}};
+  perform(ActionId::delete_selected);
+  EXPECT_FALSE(session_->world().at({4, 1}));
+  EXPECT_TRUE(session_->world().at({4, 2}));
+}
+
+}  // namespace
+}  // namespace replan::ui

@@ -1,0 +1,275 @@
+// The session's commands for the world as a whole, for what is to happen, and its history.
+#include <gtest/gtest.h>
+
+#include "core/session/session.hpp"
+
+namespace replan {
+namespace {
+
+/// A free strip on which the robot drives from left to right.
+Scenario strip() {
+  Scenario scenario;
+  scenario.map = GridMap(24, 9);
+  scenario.start = {2, 4};
+  scenario.goal = {21, 4};
+  scenario.planners = {{"dstar-lite", {}}};
+  scenario.robot.sensor_radius = 3;
+  return scenario;
+}
+
+Surprise wall_at(int x, Trigger when) {
+  Surprise surprise;
+  surprise.at = when;
+  for (int y = 2; y < 7; ++y) surprise.cells.push_back({{x, y}, true});
+  return surprise;
+}
+Trigger at_step(std::int64_t step) {
+  return {step, std::nullopt, 0};
+}
+
+void run_to_end(Session& session) {
+  ASSERT_TRUE(session.apply(RunToEnd{}).ok());
+  while (session.run().busy()) session.update(0);
+  session.update(0);
+}
+
+std::int64_t clock_now(const Session& session) {
+  const Mark* mark = session.run().mark_at(session.run().timeline().cursor());
+  return mark == nullptr ? -1 : mark->clock;
+}
+
+TEST(SessionWorld, AScheduledSurpriseHappensAtItsStepAndNotBefore) {
+  Session session(strip());
+  session.settle();
+  ASSERT_TRUE(session.apply(ScheduleSurprise{wall_at(15, at_step(6))}).ok());
+  run_to_end(session);
+  const auto& run = session.run();
+  EXPECT_EQ(run.marks().back().state, MissionState::arrived);
+  EXPECT_EQ(run.marks().back().figures.collisions, 0);
+  const NodeId cell = run.lattice().node(Cell{15, 4});
+  for (const Mark& mark : run.marks()) {
+    ASSERT_TRUE(session.apply(Seek{mark.event}).ok());
+    if (mark.clock == 6) continue;  // before it and after it
+    EXPECT_EQ(run.timeline().state().wall(cell), mark.clock > 6);
+  }
+}
+
+TEST(SessionWorld, SchedulingLeavesTheRobotWhereItIs) {
+  Session session(strip());
+  session.settle();
+  ASSERT_TRUE(session.apply(Step{StepUnit::move, 3}).ok());
+  const std::size_t cursor = session.run().timeline().cursor();
+  ASSERT_EQ(clock_now(session), 3);
+  ASSERT_TRUE(session.apply(ScheduleSurprise{wall_at(15, at_step(9))}).ok());
+  session.update(0);
+  EXPECT_EQ(session.run().timeline().cursor(), cursor);
+  ASSERT_TRUE(session.apply(RemoveSurprise{0}).ok());
+  session.update(0);
+  EXPECT_EQ(session.run().timeline().cursor(), cursor);
+  EXPECT_TRUE(session.scenario().surprises.empty());
+}
+
+TEST(SessionWorld, SchedulingLeavesEveryPaneWhereItIs) {
+  Scenario scenario = strip();
+  scenario.planners.push_back({"dld-star-lite", {}});
+  Session session(scenario);
+  session.settle();
+  ASSERT_TRUE(session.apply(ScheduleSurprise{wall_at(15, at_step(9))}).ok());
+  for (int i = 0; i < 50; ++i) {
+    session.settle();
+    session.update(0);
+  }
+  for (const auto& run : session.runs()) {
+    const Mark* mark = run->mark_at(run->timeline().cursor());
+    ASSERT_NE(mark, nullptr);
+    EXPECT_EQ(mark->clock, 0);
+  }
+}
+
+TEST(SessionWorld, ASurpriseNearAPlaceBringsTheRobotBackToWhereItWas) {
+  Session session(strip());
+  session.settle();
+  ASSERT_TRUE(session.apply(Step{StepUnit::move, 3}).ok());
+  Trigger near;
+  near.near = Cell{14, 4};
+  near.within = 3;
+  ASSERT_TRUE(session.apply(ScheduleSurprise{wall_at(16, near)}).ok());
+  while (session.run().busy()) session.update(0);
+  session.update(0);
+  EXPECT_EQ(clock_now(session), 3);
+  run_to_end(session);
+  EXPECT_EQ(session.run().marks().back().state, MissionState::arrived);
+}
+
+TEST(SessionWorld, ASurpriseThatCannotBeIsRefused) {
+  Session session(strip());
+  session.settle();
+  const auto refused = [&](const Surprise& surprise, const char* words) {
+    const Result<void> done = session.apply(ScheduleSurprise{surprise});
+    return !done.ok() && done.error().find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(refused(wall_at(40, at_step(3)), "(40, 2) lies outside"));
+  EXPECT_TRUE(refused(wall_at(5, {}), "when"));
+  EXPECT_TRUE(refused(wall_at(5, at_step(-1)), "from 0"));
+  EXPECT_TRUE(refused(wall_at(5, {std::nullopt, Cell{99, 0}, 2}), "on the map"));
+  Surprise empty;
+  empty.at = at_step(3);
+  EXPECT_TRUE(refused(empty, "change nothing"));
+  EXPECT_FALSE(session.apply(RemoveSurprise{0}).ok());
+  EXPECT_FALSE(session.modified());
+}
+
+TEST(SessionWorld, RemovingAScriptedSurpriseAndUndoKeepSavingRight) {
+  Scenario scenario = strip();
+  scenario.surprises = {wall_at(15, at_step(6))};
+  Session session(scenario);
+  session.settle();
+  ASSERT_TRUE(session.apply(PaintCells{{{{8, 4}, true}}, 1}).ok());
+  ASSERT_TRUE(session.apply(RemoveSurprise{0}).ok());
+  // What was painted before the robot moved is part of the map, with or without the script.
+  EXPECT_TRUE(session.to_save().map.at({8, 4}));
+  EXPECT_TRUE(session.to_save().surprises.empty());
+  ASSERT_TRUE(session.apply(Undo{}).ok());
+  EXPECT_TRUE(session.to_save().map.at({8, 4}));
+  EXPECT_EQ(session.to_save().surprises, scenario.surprises);
+  ASSERT_TRUE(session.apply(Undo{}).ok());
+  EXPECT_EQ(session.scenario(), scenario);
+}
+
+TEST(SessionWorld, TurnsAndSizesAreTakenBack) {
+  Scenario scenario = strip();
+  scenario.map.set({10, 4}, true);
+  scenario.surprises = {wall_at(22, at_step(6))};
+  Session session(scenario);
+  session.settle();
+  ASSERT_TRUE(session.apply(PaintCells{{{{11, 4}, true}}, 1}).ok());
+  ASSERT_TRUE(session.apply(TurnWorld{Turn::right}).ok());
+  EXPECT_EQ(session.scenario().map.width, 9);
+  EXPECT_TRUE(session.scenario().map.at({4, 10}) && session.scenario().map.at({4, 11}));
+  ASSERT_TRUE(session.apply(TurnWorld{Turn::left}).ok());
+  ASSERT_TRUE(session.apply(ResizeWorld{{22, 9, Side::low, Side::low, false}}).ok());
+  EXPECT_TRUE(session.scenario().surprises.empty());
+  EXPECT_EQ(session.log().back(), "5 cells of surprises lay outside and are gone");
+  session.settle();
+  EXPECT_EQ(session.run().marks().back().state, MissionState::driving);
+  EXPECT_EQ(session.undo_text(), "resize to 22 x 9");
+  for (int i = 0; i < 4; ++i) ASSERT_TRUE(session.apply(Undo{}).ok());
+  EXPECT_EQ(session.scenario(), scenario);
+  EXPECT_FALSE(session.modified());
+  for (int i = 0; i < 4; ++i) ASSERT_TRUE(session.apply(Redo{}).ok());
+  EXPECT_EQ(session.scenario().map.width, 22);
+  EXPECT_FALSE(session.apply(ResizeWorld{{0, 4, Side::low, Side::low, false}}).ok());
+  EXPECT_TRUE(session.apply(ResizeWorld{{22, 9, Side::high, Side::high, true}}).ok());
+  EXPECT_EQ(session.history().size(), 4u);  // the same size is no edit
+}
+
+TEST(SessionWorld, InvertAndClearRepairThePlan) {
+  Scenario scenario = strip();
+  scenario.map.set({10, 4}, true);
+  Session session(scenario);
+  session.settle();
+  const auto plans = [&] {
+    return std::count_if(session.run().markers().begin(), session.run().markers().end(),
+                         [](const Marker& marker) { return marker.kind == EventKind::plan_end; });
+  };
+  ASSERT_EQ(plans(), 1);
+  ASSERT_TRUE(session.apply(ClearWorld{}).ok());
+  session.settle();
+  EXPECT_EQ(plans(), 2);
+  EXPECT_FALSE(session.world().at({10, 4}));
+  ASSERT_TRUE(session.apply(Undo{}).ok());
+  ASSERT_TRUE(session.apply(InvertWorld{}).ok());
+  session.settle();
+  const GridMap world = session.world();
+  EXPECT_FALSE(world.at({10, 4}) || world.at(scenario.start) || world.at(scenario.goal));
+  EXPECT_TRUE(world.at({11, 4}));
+  EXPECT_EQ(session.undo_text(), "invert the world");
+}
+
+TEST(SessionWorld, AGeneratedWorldHasEndsThatMeet) {
+  Scenario scenario = strip();
+  scenario.surprises = {wall_at(15, at_step(6))};
+  Session session(scenario);
+  session.settle();
+  ASSERT_TRUE(session.apply(GenerateWorld{"maze", {}, 31, 21, 7}).ok());
+  session.settle();
+  EXPECT_EQ(session.undo_text(), "generate maze, seed 7");
+  EXPECT_EQ(session.scenario().map.width, 31);
+  EXPECT_TRUE(session.scenario().surprises.empty());
+  EXPECT_EQ(session.run().marks().back().state, MissionState::driving);
+  EXPECT_EQ(session.run().marks().back().route->status, PlanStatus::found);
+  const Scenario generated = session.scenario();
+  ASSERT_TRUE(session.apply(Undo{}).ok());
+  EXPECT_EQ(session.scenario(), scenario);
+  ASSERT_TRUE(session.apply(GenerateWorld{"maze", {}, 31, 21, 7}).ok());
+  EXPECT_EQ(session.scenario(), generated);
+  EXPECT_FALSE(session.apply(GenerateWorld{"mace", {}, 31, 21, 7}).ok());
+  EXPECT_FALSE(session.apply(GenerateWorld{"maze", {}, 0, 21, 7}).ok());
+  EXPECT_EQ(session.scenario(), generated);
+}
+
+TEST(SessionWorld, AMapTakesThePlaceOfAnother) {
+  Session session(strip());
+  session.settle();
+  GridMap map(6, 6);
+  map.blocked[map.index({3, 3})] = kUnmapped;
+  ASSERT_TRUE(session.apply(ReplaceMap{map, Cell{1, 1}, Cell{5, 5}}).ok());
+  EXPECT_EQ(session.scenario().map, map);
+  EXPECT_EQ(session.scenario().start, (Cell{1, 1}));
+  ASSERT_TRUE(session.apply(ReplaceMap{map, std::nullopt, std::nullopt}).ok());
+  EXPECT_EQ(session.scenario().start, (Cell{0, 0}));
+  EXPECT_FALSE(session.apply(ReplaceMap{map, Cell{6, 0}, std::nullopt}).ok());
+  EXPECT_FALSE(session.apply(ReplaceMap{}).ok());
+}
+
+TEST(SessionWorld, TheHistoryGoesToAnyEdit) {
+  Session session(strip());
+  session.settle();
+  std::vector<Scenario> states = {session.scenario()};
+  const std::vector<Command> edits = {
+      PaintCells{{{{8, 4}, true}}, 1},     TurnWorld{Turn::left},
+      AddMover{{.way = {{2, 2}, {6, 2}}}}, GenerateWorld{"caves", {}, 40, 30, 3},
+      SetRobot{{.sensor_radius = 9}},      ResizeWorld{{50, 30, Side::middle, Side::low, true}}};
+  for (const Command& edit : edits) {
+    ASSERT_TRUE(session.apply(edit).ok());
+    states.push_back(session.scenario());
+  }
+  EXPECT_EQ(session.history().size(), edits.size());
+  EXPECT_EQ(session.history()[3], "generate caves, seed 3");
+  for (const std::size_t position : {0u, 6u, 3u, 5u, 1u, 4u, 2u, 6u}) {
+    ASSERT_TRUE(session.apply(GoToHistory{position}).ok());
+    EXPECT_EQ(session.history_position(), position);
+    EXPECT_EQ(session.history().size(), edits.size());
+    EXPECT_EQ(session.scenario(), states[position]) << position;
+  }
+  EXPECT_FALSE(session.apply(GoToHistory{7}).ok());
+  ASSERT_TRUE(session.apply(GoToHistory{2}).ok());
+  ASSERT_TRUE(session.apply(ClearWorld{}).ok());  // another edit from here: the rest is gone
+  EXPECT_EQ(session.history().size(), 3u);
+}
+
+TEST(SessionWorld, AStrokeIsOneEditThatCountsItsCells) {
+  Session session(strip());
+  session.settle();
+  for (int x = 5; x < 9; ++x)
+    ASSERT_TRUE(session.apply(PaintCells{{{{x, 1}, true}, {{x, 2}, true}}, 7}).ok());
+  EXPECT_EQ(session.history(), (std::vector<std::string>{"paint 8 cells"}));
+  EXPECT_EQ(session.log().back(), "paint 8 cells");
+  ASSERT_TRUE(session.apply(PaintCells{{{{5, 1}, false}}, 8}).ok());
+  EXPECT_EQ(session.history().back(), "erase 1 cell");
+}
+
+TEST(SessionWorld, TheWorldIsThatAtTheCursor) {
+  Scenario scenario = strip();
+  scenario.map.blocked[scenario.map.index({5, 1})] = kUnmapped;
+  scenario.surprises = {wall_at(15, at_step(2))};
+  Session session(scenario);
+  session.settle();
+  EXPECT_EQ(session.world(), scenario.map);
+  ASSERT_TRUE(session.apply(Step{StepUnit::move, 4}).ok());
+  EXPECT_TRUE(session.world().at({15, 4}));
+  EXPECT_EQ(session.world().blocked[scenario.map.index({5, 1})], kUnmapped);
+}
+
+}  // namespace
+}  // namespace replan

@@ -1,0 +1,153 @@
+// Worlds turned, mirrored and given another size, with all that stands in them.
+#include "core/world/transform.hpp"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace replan {
+namespace {
+
+/// 5 x 3 with something of every kind in it.
+Scenario furnished() {
+  Scenario scenario;
+  scenario.map = GridMap(5, 3);
+  scenario.map.set({1, 0}, true);
+  scenario.map.blocked[scenario.map.index({4, 2})] = kUnmapped;
+  scenario.map_file = "five.map";
+  scenario.start = {0, 0};
+  scenario.goal = {4, 1};
+  Surprise near;
+  near.at.near = Cell{3, 1};
+  near.at.within = 2;
+  near.cells = {{{2, 0}, true}, {{1, 1}, false}};
+  Surprise moves;
+  moves.at.move = 4;
+  moves.goal = Cell{2, 2};
+  scenario.surprises = {near, moves};
+  MovingObstacle mover;
+  mover.way = {{1, 1}, {3, 1}};
+  mover.width = 2;
+  mover.height = 1;
+  scenario.movers = {mover};
+  scenario.view.camera = ViewSetup::Camera{1.5, 0.5, 20};
+  return scenario;
+}
+
+TEST(Transform, ATurnCarriesEverythingAlong) {
+  const Scenario left = turned(furnished(), Turn::left);
+  EXPECT_EQ(left.map.width, 3);
+  EXPECT_EQ(left.map.height, 5);
+  EXPECT_TRUE(left.map.at({0, 3}));
+  EXPECT_EQ(left.map.blocked[left.map.index({2, 0})], kUnmapped);
+  EXPECT_EQ(left.start, (Cell{0, 4}));
+  EXPECT_EQ(left.goal, (Cell{1, 0}));
+  EXPECT_EQ(left.surprises[0].at.near, (Cell{1, 1}));
+  EXPECT_EQ(left.surprises[0].cells, (std::vector<CellChange>{{{0, 2}, true}, {{1, 3}, false}}));
+  EXPECT_EQ(left.surprises[1].goal, (Cell{2, 2}));
+  EXPECT_TRUE(left.map_file.empty());
+  // A box 2 x 1 lies on its end now; its upper left cell is another one.
+  EXPECT_EQ(left.movers[0].width, 1);
+  EXPECT_EQ(left.movers[0].height, 2);
+  EXPECT_EQ(left.movers[0].way, (std::vector<Cell>{{1, 2}, {1, 0}}));
+  EXPECT_DOUBLE_EQ(left.view.camera->x, 0.5);
+  EXPECT_DOUBLE_EQ(left.view.camera->y, 3.5);
+}
+
+TEST(Transform, SurpriseCellsStayInTheOrderOfRows) {
+  for (const Turn turn : {Turn::left, Turn::right, Turn::left_right, Turn::top_bottom}) {
+    const auto cells = turned(furnished(), turn).surprises[0].cells;
+    EXPECT_TRUE(std::is_sorted(cells.begin(), cells.end(), [](const CellChange& a, const CellChange& b) {
+      return std::pair(a.cell.y, a.cell.x) < std::pair(b.cell.y, b.cell.x);
+    }));
+  }
+}
+
+TEST(Transform, WhatIsTurnedBackIsAsItWas) {
+  Scenario before = furnished();
+  before.map_file.clear();
+  EXPECT_EQ(turned(turned(before, Turn::left), Turn::right), before);
+  EXPECT_EQ(turned(turned(before, Turn::right), Turn::left), before);
+  EXPECT_EQ(turned(turned(before, Turn::top_bottom), Turn::top_bottom), before);
+  before.movers[0].way = {{1, 1}, {2, 1}};  // the box does not reach over the edge
+  EXPECT_EQ(turned(turned(before, Turn::left_right), Turn::left_right), before);
+  Scenario round = before;
+  for (int i = 0; i < 4; ++i) round = turned(round, Turn::right);
+  EXPECT_EQ(round, before);
+  EXPECT_EQ(turned(turned(before, Turn::left), Turn::left),
+            turned(turned(before, Turn::left_right), Turn::top_bottom));
+}
+
+TEST(Transform, ATurnedRosMapKeepsItsPlace) {
+  Scenario scenario = furnished();
+  scenario.map.resolution = 0.5;
+  scenario.map.origin = {10, 20, 0};
+  const GridMap left = turned(scenario, Turn::left).map;
+  EXPECT_DOUBLE_EQ(left.origin[0], 10);
+  EXPECT_DOUBLE_EQ(left.origin[1], 21.5);
+  EXPECT_DOUBLE_EQ(left.origin[2], -std::numbers::pi / 2);
+  const GridMap right = turned(scenario, Turn::right).map;
+  EXPECT_DOUBLE_EQ(right.origin[0], 12.5);
+  EXPECT_DOUBLE_EQ(right.origin[1], 20);
+}
+
+TEST(Transform, AResizeKeepsWhatFits) {
+  const Result<Resized> larger = resized(furnished(), {9, 5, Side::middle, Side::high, true});
+  ASSERT_TRUE(larger.ok());
+  const Scenario& scenario = larger->scenario;
+  EXPECT_EQ(scenario.start, (Cell{2, 2}));
+  EXPECT_EQ(scenario.goal, (Cell{6, 3}));
+  EXPECT_TRUE(scenario.map.at({3, 2}) && scenario.map.at({0, 0}));
+  EXPECT_FALSE(scenario.map.at({2, 2}));
+  EXPECT_EQ(scenario.map.blocked[scenario.map.index({6, 4})], kUnmapped);
+  EXPECT_EQ(scenario.surprises[0].cells[0].cell, (Cell{4, 2}));
+  EXPECT_FALSE(larger->ends_moved);
+  EXPECT_EQ(larger->cells_lost, 0u);
+}
+
+TEST(Transform, AResizeSaysWhatIsLost) {
+  const Result<Resized> smaller = resized(furnished(), {1, 3, Side::low, Side::low, false});
+  ASSERT_TRUE(smaller.ok());
+  EXPECT_TRUE(smaller->ends_moved);
+  EXPECT_EQ(smaller->scenario.goal, (Cell{0, 1}));
+  EXPECT_EQ(smaller->cells_lost, 2u);
+  EXPECT_EQ(smaller->surprises_lost, (std::vector<std::size_t>{0}));
+  ASSERT_EQ(smaller->scenario.surprises.size(), 1u);
+  EXPECT_EQ(smaller->scenario.surprises[0].goal, (Cell{0, 2}));
+  for (const Cell corner : smaller->scenario.movers[0].way)
+    EXPECT_TRUE(smaller->scenario.map.contains(corner));
+}
+
+TEST(Transform, AResizedRosMapKeepsItsPlace) {
+  Scenario scenario = furnished();
+  scenario.map.resolution = 2;
+  scenario.map.origin = {1, 1, 0};
+  const GridMap map = resized(scenario, {7, 4, Side::high, Side::low, false})->scenario.map;
+  EXPECT_DOUBLE_EQ(map.origin[0], 1 - 2 * 2);
+  EXPECT_DOUBLE_EQ(map.origin[1], 1 - 1 * 2);
+}
+
+TEST(Transform, ImpossibleSizesAreRefused) {
+  for (const auto& [width, height] : {std::pair(0, 5), std::pair(5, -1), std::pair(100000, 100000)}) {
+    const Result<Resized> result = resized(furnished(), {width, height, Side::low, Side::low, false});
+    ASSERT_FALSE(result.ok());
+    EXPECT_NE(result.error().find("give sides from 1"), std::string::npos) << result.error();
+  }
+}
+
+TEST(Transform, AnInversionSparesWhatStandsThere) {
+  const Scenario scenario = furnished();
+  const std::vector<Cell> keep = {scenario.start, scenario.goal};
+  const auto changes = inversion(scenario.map, keep);
+  EXPECT_EQ(changes.size(), 13u);
+  GridMap map = scenario.map;
+  for (const CellChange& change : changes) {
+    EXPECT_NE(map.at(change.cell), change.blocked);
+    map.set(change.cell, change.blocked);
+  }
+  EXPECT_FALSE(map.at({1, 0}) || map.at({4, 2}) || map.at({0, 0}) || map.at({4, 1}));
+  EXPECT_TRUE(map.at({2, 1}));
+}
+
+}  // namespace
+}  // namespace replan

@@ -1,0 +1,141 @@
+// What the editing actions do: tools, selection, and cells through the clipboard as text.
+#include <algorithm>
+
+#include "core/world/ascii_map.hpp"
+#include "ui/canvas_tools.hpp"
+#include "ui/shell/actions.hpp"
+
+namespace replan::ui {
+namespace {
+
+MapRegion as_region(const CellRect& rect) {
+  return {rect.low.x, rect.low.y, rect.high.x - rect.low.x + 1, rect.high.y - rect.low.y + 1};
+}
+
+std::string size_text(int width, int height) {
+  return std::to_string(width) + " x " + std::to_string(height) + " cells";
+}
+
+/// Every cell of a map as changes, with its upper left cell at a place; what falls outside `width` x `height`
+/// or would block a cell of `keep_free` is left out.
+std::vector<CellChange> placed(const GridMap& cells, Cell at, const GridMap& world,
+                               std::span<const Cell> keep_free) {
+  std::vector<CellChange> changes;
+  for (int y = 0; y < cells.height; ++y)
+    for (int x = 0; x < cells.width; ++x) {
+      const Cell to{at.x + x, at.y + y};
+      const bool blocked = cells.at({x, y});
+      if (!world.contains(to)) continue;
+      if (blocked && std::find(keep_free.begin(), keep_free.end(), to) != keep_free.end()) continue;
+      changes.push_back({to, blocked});
+    }
+  return changes;
+}
+
+/// Where start, goal and robot stand now.
+std::vector<Cell> standing(const Session& session) {
+  std::vector<Cell> cells = {session.scenario().start, session.scenario().goal};
+  const Run& run = session.run();
+  for (const Scalar which : {Scalar::robot, Scalar::goal})
+    if (const NodeId node = run.timeline().state().node(which); node != kNoNode)
+      cells.push_back(run.lattice().position(node));
+  return cells;
+}
+
+void say(PanelState& panels, std::string sentence, bool bad = false) {
+  panels.said = std::move(sentence);
+  panels.said_bad = bad;
+}
+
+}  // namespace
+
+void ActionContext::choose_tool(Tool tool) {
+  view.tool = tool;
+  view.editing.way.clear();
+  if (tool != Tool::select) view.editing.region.reset();
+  if (tool != Tool::measure) view.editing.measure.reset();
+  if (tool != Tool::mover) view.editing.mover.reset();
+  // Who works on what is to come must see it.
+  if (tool == Tool::surprise || tool == Tool::mover) view.view.overlays.set(Overlay::script, true);
+}
+
+void ActionContext::let_go() {
+  if (!view.editing.escape()) view.view.pinned.reset();
+}
+
+void ActionContext::finish_drawing() {
+  finish_way(session, view, commands);
+}
+
+void ActionContext::delete_selected() {
+  Editing& editing = view.editing;
+  if (editing.mover) {
+    push(RemoveMover{*editing.mover});
+  } else if (editing.surprise) {
+    push(RemoveSurprise{*editing.surprise});
+  } else if (editing.region) {
+    const MapRegion region = as_region(*editing.region);
+    push(PaintCells{
+        placed(GridMap(region.width, region.height), editing.region->low, session.scenario().map, {}), 0});
+    return;
+  }
+  editing.mover.reset();
+  editing.surprise.reset();
+}
+
+void ActionContext::show_history() {
+  show_tab(kLogTab);
+  panels.history = true;
+}
+
+void ActionContext::copy_world() {
+  const Scenario& scenario = session.scenario();
+  const MapFile world{session.world(), scenario.start, scenario.goal};
+  ImGui::SetClipboardText(ascii_text(world).c_str());
+  say(panels, "Copied the world as text: " + size_text(scenario.map.width, scenario.map.height));
+}
+
+void ActionContext::copy_region() {
+  const MapRegion region = as_region(*view.editing.region);
+  const MapFile world{session.world(), std::nullopt, std::nullopt};
+  ImGui::SetClipboardText(ascii_text(world, region).c_str());
+  say(panels, "Copied " + size_text(region.width, region.height) + " as text");
+}
+
+void ActionContext::cut_region() {
+  copy_region();
+  const MapRegion region = as_region(*view.editing.region);
+  push(PaintCells{
+      placed(GridMap(region.width, region.height), view.editing.region->low, session.scenario().map, {}), 0});
+}
+
+void ActionContext::paste() {
+  const char* text = ImGui::GetClipboardText();
+  if (text == nullptr || *text == '\0') return say(panels, "The clipboard holds no text", true);
+  const Result<MapFile> read = parse_ascii_map(text, "the clipboard");
+  if (!read) return say(panels, read.error(), true);
+  const Scenario& scenario = session.scenario();
+  const GridMap& cells = read->map;
+  if (read->start && read->goal) {
+    const bool same_frame = cells.width == scenario.map.width && cells.height == scenario.map.height &&
+                            read->start == scenario.start && read->goal == scenario.goal;
+    // Cell by cell if it can be, so that the plan is repaired.
+    if (same_frame)
+      push(PaintCells{placed(cells, {0, 0}, scenario.map, standing(session)), 0});
+    else
+      push(ReplaceMap{cells, read->start, read->goal});
+    return say(panels, "Pasted a world of " + size_text(cells.width, cells.height));
+  }
+  const Cell at = view.editing.region ? view.editing.region->low
+                                      : view.view.pinned.value_or(view.view.hovered.value_or(Cell{0, 0}));
+  push(PaintCells{placed(cells, at, scenario.map, standing(session)), 0});
+  const Cell end{std::min(at.x + cells.width, scenario.map.width) - 1,
+                 std::min(at.y + cells.height, scenario.map.height) - 1};
+  view.tool = Tool::select;
+  select_region(view.editing, {at, end});
+  const bool whole = end.x - at.x + 1 == cells.width && end.y - at.y + 1 == cells.height;
+  say(panels, "Pasted " + size_text(cells.width, cells.height) +
+                  (whole ? "" : "; what reached over the edge of the world was left out"));
+}
+
+}  // namespace replan::ui
