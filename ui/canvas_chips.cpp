@@ -22,7 +22,7 @@ constexpr std::array<SignEntry, static_cast<std::size_t>(Sign::count)> kSigns = 
     {Sign::repair, Mark::outline, &Theme::warning, "last repair"},
     {Sign::surprise, Mark::square, &Theme::surprise, "surprise"},
     {Sign::to_come, Mark::outline, &Theme::surprise, "to come"},
-    {Sign::mover, Mark::dashed, &Theme::mover, "moving"},
+    {Sign::mover, Mark::square, &Theme::mover, "moving"},
     {Sign::lp, Mark::arrow, &Theme::dim, "lp"},
     {Sign::rp, Mark::long_arrow, &Theme::accent, "rp"},
     {Sign::queue, Mark::corners, &Theme::accent, "open list"},
@@ -111,6 +111,21 @@ void draw_legend(const Look& look, ImDrawList& list, const Scene& scene, ImVec2 
     bottom -= legend(look, list, {foot.x, bottom}, LegendField{}, rows[i]).y + look.px.xs;
 }
 
+/// The settings that tell a pane from another one with the same planner; empty if there is none.
+std::string distinction(const Run& run) {
+  const PlannerChoice& own = run.choice();
+  std::string text;
+  for (const PlannerChoice& other : run.scenario().planners) {
+    if (other.id != own.id || other == own) continue;
+    for (const Parameter& parameter : run.info().parameters)
+      if (own.settings.get(parameter) != other.settings.get(parameter))
+        text += (text.empty() ? ", " : " · ") + std::string(parameter.label) + " " +
+                format_value(parameter, own.settings.get(parameter));
+    return text;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string grouped(std::int64_t number) {
@@ -152,8 +167,9 @@ void draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene&
   std::string figures = grouped(memory.expansions(run, cursor)) + " expansions";
   if (mark != nullptr && !mark->route->path.nodes.empty())
     figures += " · " + grouped(static_cast<std::int64_t>(mark->route->path.nodes.size())) + " nodes";
+  const std::string name = std::string(run.info().name) + distinction(run);
   const std::array<TextRun, 2> title = {
-      {{run.info().name, theme.text, look.fonts.title}, {figures, theme.dim, look.fonts.small}}};
+      {{name, theme.text, look.fonts.title}, {figures, theme.dim, look.fonts.small}}};
   const ImVec2 left = chip(look, list, {min.x + margin, min.y + margin}, title);
   float below = min.y + margin + left.y + look.px.s;
   if (const RepairFigures repair = memory.repair(run, cursor); repair.number > 0) {

@@ -24,6 +24,7 @@ class CellColours {
     const Palette& palette = context.palette;
     unknown_ = mix(palette.free, palette.obstacle, 0.5f);
     unknown_surprise_ = mix(palette.free, palette.surprise, 0.6f);
+    unseen_mover_ = mix(palette.free, palette.mover, 0.5f);
     gone_ = mix(palette.free, palette.obstacle, 0.3f);
     for (std::size_t i = 0; i < ramp_.size(); ++i)
       ramp_[i] = mix(palette.free, palette.field[i], palette.field_opacity);
@@ -54,6 +55,7 @@ class CellColours {
     const std::size_t at = node % SearchState::kPage;
     const bool truth = truth_ != nullptr && truth_[at] != 0, known = known_ != nullptr && known_[at] != 0;
     if (!truth && !known) return ground(node);
+    if (truth && truth_[at] >= kMoverUnit) return moving(known);
     // What the robot was told of is a wall like any other; an unseen surprise shows even where the rest of
     // the unknown world does not.
     const bool surprising =
@@ -65,6 +67,12 @@ class CellColours {
     context_.scene.show(truth ? Sign::unknown : Sign::gone);
     if (known) return gone_;
     return surprising ? unknown_surprise_ : unknown_;
+  }
+
+  /// Something that moves, in full where the robot has seen it there.
+  Colour moving(bool known) {
+    context_.scene.show(Sign::mover);
+    return known ? context_.palette.mover : unseen_mover_;
   }
 
   [[nodiscard]] bool shows_unknown() const { return shows_unknown_; }
@@ -84,7 +92,7 @@ class CellColours {
   std::span<const std::uint8_t> original_;
   std::vector<NodeId> surprises_;  // cells that some surprise blocks without telling the robot, ascending
   bool shows_unknown_;
-  Colour unknown_ = 0, unknown_surprise_ = 0, gone_ = 0;
+  Colour unknown_ = 0, unknown_surprise_ = 0, unseen_mover_ = 0, gone_ = 0;
   std::array<Colour, 256> ramp_{};
   FieldReader reader_ = FieldReader::of(Overlay::g);
   double low_ = 0, steps_ = 0;

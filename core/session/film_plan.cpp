@@ -9,6 +9,7 @@ namespace replan {
 namespace {
 
 constexpr double kSearchSeconds = 2, kEndSeconds = 1;
+constexpr double kLongestWait = 1;  ///< a robot waits at once for what is scripted for much later
 
 template <class T>
 std::optional<T> whole(std::string_view text) {
@@ -22,11 +23,21 @@ std::string counted(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
+bool takes_time(EventKind kind) {
+  return kind == EventKind::move || kind == EventKind::waiting;
+}
+
+/// The moment after a step that was told of at `event`.
+auto mark_after(const Run& run, std::size_t event) {
+  return std::upper_bound(run.marks().begin(), run.marks().end(), event,
+                          [](std::size_t at, const Mark& mark) { return at < mark.event; });
+}
+
 /// Where a marker's doing is done. A move is told by an event and carried out by those that follow it.
 std::size_t position_after(const Run& run, const Marker& marker) {
-  if (marker.kind != EventKind::move) return marker.event + 1;
-  const Mark* mark = run.mark_at(marker.event + 4);
-  return mark != nullptr ? std::max(marker.event + 1, mark->event) : marker.event + 1;
+  if (!takes_time(marker.kind)) return marker.event + 1;
+  const auto after = mark_after(run, marker.event);
+  return after != run.marks().end() ? after->event : marker.event + 1;
 }
 
 /// Collects the frames between two positions of a run.
@@ -55,9 +66,7 @@ class Cutter {
     frames_.insert(frames_.end(), std::min(times, kMostFrames + 1), {position, travel});
   }
   /// What a viewer has to read stands still for a moment.
-  static bool is_read(EventKind kind) {
-    return kind != EventKind::plan_begin && kind != EventKind::move && kind != EventKind::waiting;
-  }
+  static bool is_read(EventKind kind) { return kind != EventKind::plan_begin && !takes_time(kind); }
 
   void every_so_many_events() {
     const auto step = static_cast<std::size_t>(options_.speed.number);
@@ -80,10 +89,8 @@ class Cutter {
       if (marker.kind == EventKind::plan_end) search(begun, marker.event);
       if (marker.kind == EventKind::plan_begin || marker.kind == EventKind::plan_end)
         searching = marker.kind == EventKind::plan_begin;
-      if (marker.kind == EventKind::move)
-        move(position_after(run_, marker));
-      else if (marker.kind == EventKind::waiting)
-        add(marker.event + 1, 1);
+      if (takes_time(marker.kind))
+        step(marker);
       else if (is_read(marker.kind))
         add(marker.event + 1, frames_in(options_.hold));
     }
@@ -102,26 +109,41 @@ class Cutter {
     for (std::size_t i = 0; i < stops.size() && !too_long(); i += every) add(stops[i], 1);
   }
 
-  void move(std::size_t after) {
-    if (options_.speed.kind != FilmSpeed::Kind::moves_per_second) {
+  /// A move of the robot, or a wait.
+  void step(const Marker& marker) {
+    const std::size_t after = position_after(run_, marker);
+    const double seconds = seconds_of(marker);
+    if (seconds == 0) {
       add(after, 1);
       return;
     }
-    // Whole frames, so that after each second so many moves are over.
-    const double per_move = options_.fps / options_.speed.number;
-    const auto frames_until = [&](std::size_t moves) {
-      return static_cast<std::size_t>(std::floor(static_cast<double>(moves) * per_move + 1e-9));
+    // Whole frames, so that after each second of the drive a second of the film is over.
+    const double before = driven_;
+    driven_ += seconds;
+    const auto frames_until = [&](double time) {
+      return static_cast<std::size_t>(std::floor(time * options_.fps + 1e-9));
     };
-    const std::size_t count = frames_until(moves_ + 1) - frames_until(moves_);
-    ++moves_;
+    const std::size_t count = frames_until(driven_) - frames_until(before);
     for (std::size_t i = 1; i <= count && !too_long(); ++i)
       add(after, 1, static_cast<double>(i) / static_cast<double>(count));
+  }
+
+  /// How long the film shows a step of the robot; 0: for one frame.
+  [[nodiscard]] double seconds_of(const Marker& marker) const {
+    if (options_.speed.kind == FilmSpeed::Kind::moves_per_second) return 1 / options_.speed.number;
+    const bool timed =
+        options_.speed.kind == FilmSpeed::Kind::automatic && run_.scenario().robot.motion == Motion::smooth;
+    const auto after = mark_after(run_, marker.event);
+    const Mark* before = run_.mark_at(marker.event);
+    if (!timed || after == run_.marks().end() || before == nullptr) return 0;
+    const double seconds = static_cast<double>(after->time - before->time) / static_cast<double>(kSecond);
+    return std::min(seconds, kLongestWait);
   }
 
   const Run& run_;
   const FilmOptions& options_;
   std::size_t from_, to_;
-  std::size_t moves_ = 0;  // shown so far
+  double driven_ = 0;  // seconds of the drive shown so far
   std::vector<FilmFrame> frames_;
 };
 

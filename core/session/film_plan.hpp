@@ -23,10 +23,11 @@ struct FilmFrame {
 /// How much of the run goes by from frame to frame.
 struct FilmSpeed {
   enum class Kind : std::uint8_t {
-    automatic,         ///< a search in about two seconds, then one robot move per frame
-    events,            ///< so many events per frame
-    expansion,         ///< one expansion per frame
-    move,              ///< one robot move per frame; searches are passed over
+    automatic,  ///< a search in about two seconds, then one robot move per frame, or a smooth robot's at its
+                ///< speed
+    events,     ///< so many events per frame
+    expansion,  ///< one expansion per frame
+    move,       ///< one robot move per frame; searches are passed over
     moves_per_second,  ///< so many robot moves per second; a search in about two seconds
   } kind = Kind::automatic;
   double number = 0;  ///< for events and moves_per_second
