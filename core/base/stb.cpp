@@ -1,6 +1,6 @@
-// The one place where the stb headers are compiled. PNG, BMP, JPEG and TGA are enough for maps and pictures
-// (PGM and PPM are read in core/world/pnm.cpp); the rest stays out. The headers are system headers, so their
-// warnings are not ours.
+// The one place where the stb headers are compiled. PNG, BMP and TGA are read by them (JPEG in
+// core/world/jpeg.cpp, PGM and PPM in core/world/pnm.cpp); the rest stays out. The headers are system
+// headers, so their warnings are not ours.
 #include "core/base/stb.hpp"
 
 #include <cstdint>
@@ -32,7 +32,6 @@ PictureMemory::~PictureMemory() {
 #define STBI_FREE(block) std::free(block)
 #define STBI_ONLY_PNG
 #define STBI_ONLY_BMP
-#define STBI_ONLY_JPEG
 #define STBI_ONLY_TGA
 #define STBI_NO_STDIO
 #define STB_IMAGE_IMPLEMENTATION
