@@ -49,7 +49,13 @@ int done(const ConvertArguments& arguments, const std::string& what, std::span<c
 }
 
 /// Writes the one problem that a start and a goal are, with the length of a shortest path.
-Result<int> write_problem(const ConvertArguments& arguments, const MapFile& file, std::string map_name) {
+Result<int> write_problem(const ConvertArguments& arguments, const MapFile& file,
+                          std::span<const std::string> notes) {
+  const std::string stem = file_stem(arguments.out);
+  const bool from_file = !is_generator_spec(arguments.in) && find_map_format(arguments.in) != nullptr;
+  const std::string map_name = stem.ends_with(".map") ? stem : file_name(arguments.in);
+  if (!stem.ends_with(".map") && !from_file)
+    return Error{"a .scen names the map that it is for: call it NAME.map.scen, and make NAME.map too"};
   if (!file.start || !file.goal)
     return Error{"a .scen is a list of problems with start and goal: give --start X,Y and --goal X,Y"};
   const RunReport plan = plan_once(file.map, *file.start, *file.goal, {"astar", {}});
@@ -57,7 +63,6 @@ Result<int> write_problem(const ConvertArguments& arguments, const MapFile& file
     complain("no path leads from start to goal, so there is no problem to write to " + arguments.out);
     return kFailed;
   }
-  if (file_stem(arguments.out).ends_with(".map")) map_name = file_stem(arguments.out);
   ScenProblem problem;
   problem.bucket = static_cast<int>(plan.figures.length / 4);
   problem.width = file.map.width;
@@ -70,13 +75,13 @@ Result<int> write_problem(const ConvertArguments& arguments, const MapFile& file
   const auto written =
       write_file_atomically(arguments.out, scen_text({arguments.out, map_name, {problem}, {}}));
   if (!written) return Error{written.error()};
-  return done(arguments, "1 problem of length " + problem.printed + " on " + map_name, {});
+  return done(arguments, "1 problem of length " + problem.printed + " on " + map_name, notes);
 }
 
 Result<int> write_as_map(const ConvertArguments& arguments, const MapFile& file,
                          std::vector<std::string> notes) {
   const std::string extension = file_extension(arguments.out);
-  if (extension == ".scen") return write_problem(arguments, file, file_name(arguments.in));
+  if (extension == ".scen") return write_problem(arguments, file, notes);
   const bool voxels = extension == ".3dmap";
   const auto written =
       voxels ? write_voxel_map(voxels_of(file.map), arguments.out) : write_map_file(file, arguments.out);

@@ -1,10 +1,11 @@
-// The one place where the stb headers are compiled. PNG, BMP, JPEG and TGA are enough for maps and pictures
-// (PGM and PPM are read in core/world/pnm.cpp); the rest stays out. The headers are system headers, so their
-// warnings are not ours.
+// The one place where the stb headers are compiled. PNG, BMP and TGA are read by them (JPEG in
+// core/world/jpeg.cpp, PGM and PPM in core/world/pnm.cpp); the rest stays out. The headers are system
+// headers, so their warnings are not ours.
 #include "core/base/stb.hpp"
 
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 
 namespace replan {
 namespace {
@@ -13,6 +14,12 @@ thread_local std::size_t largest_picture_block = SIZE_MAX;
 
 void* picture_memory(void* old, std::size_t size) {
   return size > largest_picture_block ? nullptr : std::realloc(old, size);
+}
+
+/// stb_image copies the nothing of an empty PNG chunk to a null pointer, which memcpy() does not allow even
+/// then.
+void* copy_bytes(void* to, const void* from, std::size_t count) {
+  return count == 0 ? to : std::memcpy(to, from, count);
 }
 
 }  // namespace
@@ -32,11 +39,18 @@ PictureMemory::~PictureMemory() {
 #define STBI_FREE(block) std::free(block)
 #define STBI_ONLY_PNG
 #define STBI_ONLY_BMP
-#define STBI_ONLY_JPEG
 #define STBI_ONLY_TGA
 #define STBI_NO_STDIO
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO
 #define STB_IMAGE_WRITE_IMPLEMENTATION
+// What stb_image.h includes must have been read before memcpy becomes another word in it.
+#include <cassert>
+#include <climits>
+#include <cmath>
+#include <cstdarg>
+#include <cstddef>
+#define memcpy replan::copy_bytes
 #include <stb/stb_image.h>
+#undef memcpy
 #include <stb/stb_image_write.h>

@@ -8,6 +8,7 @@
 #include "core/base/cell.hpp"
 #include "core/base/file.hpp"
 #include "core/base/stb.hpp"
+#include "core/world/jpeg.hpp"
 #include "core/world/pnm.hpp"
 #include "core/world/text_lines.hpp"
 
@@ -46,6 +47,7 @@ Error too_many_pixels(const std::string& origin, std::int64_t width, std::int64_
 Result<Picture> decode_picture(std::string_view bytes, const std::string& origin, std::int64_t most) {
   if (bytes.empty()) return Error{origin + ": the file is empty"};
   if (is_pnm(bytes)) return decode_pnm(bytes, origin, most);
+  if (is_jpeg(bytes)) return decode_jpeg(bytes, origin, most);
   if (bytes.size() > static_cast<std::size_t>(kMaxPictureBytes))
     return Error{origin + ": the picture has more than " + std::to_string(kMaxPictureBytes) + " bytes"};
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());

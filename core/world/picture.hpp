@@ -30,9 +30,9 @@ struct Picture {
   friend bool operator==(const Picture&, const Picture&) = default;
 };
 
-/// Decodes a PNG, BMP, JPEG or TGA, or a PGM or PPM (see pnm.hpp). A picture of more than `most` pixels is
-/// refused before it is decoded, and one whose compressed data swell beyond what its pixels need while they
-/// do. The error begins with `origin` and gives the reason.
+/// Decodes a PNG, BMP or TGA, a JPEG (see jpeg.hpp), a PGM or PPM (see pnm.hpp). A picture of more than
+/// `most` pixels is refused before it is decoded, and one whose compressed data swell beyond what its pixels
+/// need while they do. The error begins with `origin` and gives the reason.
 Result<Picture> decode_picture(std::string_view bytes, const std::string& origin,
                                std::int64_t most = kMaxCells);
 /// As decode_picture() from a file.

@@ -120,6 +120,11 @@ TEST_F(Convert, writesAProblemWithItsOptimalLength) {
   EXPECT_EQ(run_program({"batch", scen, "--planner", "astar,dstar-lite"}).code, 0);
   const std::string wall = folder_.with("w.txt", "S@G\n");
   EXPECT_EQ(run_program({"convert", wall, folder_.file("w.scen")}).code, 1);
+  const std::string json = folder_.file("s.json");
+  EXPECT_EQ(run_program({"convert", map_, json, "--start", "0,0", "--goal", "3,2"}).code, 0);
+  expect_notes({json, folder_.file("b.map.scen")},
+               {".scen cannot hold the planner and the robot", ".scen cannot hold name, caption and view"});
+  expect_complaint({"convert", json, folder_.file("b.scen")}, {"call it NAME.map.scen"});
   expect_complaint({"convert", map_, scen}, {"give --start X,Y and --goal X,Y"});
   expect_complaint({"convert", scen, map_}, {"list of problems"});
 }

@@ -108,6 +108,34 @@ TEST(ImageMap, RefusesBrokenPictures) {
   EXPECT_FALSE(read_image_map("/nowhere/a.png").ok());
 }
 
+/// A JPEG of the fuzzers' corpus: 8 x 8, rows of white and of dark colours by turns.
+std::string small_jpeg() {
+  return *read_file(std::string(REPLAN_SOURCE_DIR) + "/tests/fuzz/corpus/picture/small.jpg");
+}
+
+TEST(ImageMap, ReadsJpegs) {
+  const auto map = decode_image_map(small_jpeg(), "a.jpg");
+  ASSERT_TRUE(map.ok()) << map.error();
+  EXPECT_EQ(map->width, 8);
+  EXPECT_EQ(map->height, 8);
+  EXPECT_TRUE(map->at({0, 0}));
+  for (int x = 0; x < 8; ++x) EXPECT_FALSE(map->at({x, 1}) || map->at({x, 3})) << x;
+}
+
+TEST(ImageMap, RefusesBrokenJpegs) {
+  const std::string whole = small_jpeg();
+  for (std::size_t length = 0; length < whole.size(); ++length)
+    EXPECT_FALSE(decode_image_map(whole.substr(0, length), "cut.jpg").ok()) << length;
+  const auto cut = decode_image_map(whole.substr(0, whole.size() - 20), "cut.jpg");
+  EXPECT_EQ(cut.error().rfind("cut.jpg: not a picture that can be read (JPEG): ", 0), 0u) << cut.error();
+  std::string huge = whole;
+  const std::size_t frame = huge.find("\xFF\xC0");
+  huge.replace(frame + 5, 4, "\xEA\x60\xEA\x60");
+  EXPECT_EQ(
+      decode_image_map(huge, "huge.jpg").error(),
+      "huge.jpg: the picture is too large: 60000 x 60000 pixels, at most 67108864 (8192 x 8192) are read");
+}
+
 TEST(ImageMap, ReadsRosPictures) {
   REPLAN_NEED_SHARED_DATA();
   const auto map = read_map((test::shared_data() / "ros" / "lse_arena.pgm").string());
