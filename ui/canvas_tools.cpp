@@ -180,7 +180,7 @@ void Hand::press_tool(const Session& session, const Run& run, ViewState& state, 
       state.editing.measure = Measure{first_, first_};
       break;
     case Tool::mover:
-      press_way(session, run, state, pointer, commands);
+      press_way(session, state, pointer, commands);
       break;
     default:
       break;
@@ -249,7 +249,7 @@ void Hand::release(const Session& session, const Run& run, ViewState& state, std
       drop_surprise(session, run, state, commands);
       break;
     case Action::region:
-      release_region(session, run, state);
+      release_region(run, state);
       break;
     case Action::measure:
       if (!moved_) state.editing.measure.reset();
@@ -257,7 +257,7 @@ void Hand::release(const Session& session, const Run& run, ViewState& state, std
     case Action::start:
     case Action::goal:
     case Action::robot:
-      if (!moved_ && state.tool == Tool::select) release_region(session, run, state);
+      if (!moved_ && state.tool == Tool::select) release_region(run, state);
       break;
     default:
       break;
@@ -266,7 +266,7 @@ void Hand::release(const Session& session, const Run& run, ViewState& state, std
 }
 
 /// A click pins a cell, or unpins it, and selects what is to happen there; a drag has selected a region.
-void Hand::release_region(const Session&, const Run& run, ViewState& state) const {
+void Hand::release_region(const Run& run, ViewState& state) const {
   if (moved_) return;
   const bool again = state.view.pinned == first_;
   state.view.pinned = again ? std::nullopt : std::optional<Cell>(first_);

@@ -61,14 +61,14 @@ class Hand {
              std::vector<Command>& commands);
   void press_tool(const Session& session, const Run& run, ViewState& state, const Pointer& pointer,
                   std::vector<Command>& commands);
-  void press_way(const Session& session, const Run& run, ViewState& state, const Pointer& pointer,
+  void press_way(const Session& session, ViewState& state, const Pointer& pointer,
                  std::vector<Command>& commands);
   void move(const Session& session, const Run& run, ViewState& state, const Pointer& pointer,
             std::vector<Command>& commands);
   void move_held(const Session& session, const Run& run, const ViewState& state, Cell to,
                  std::vector<Command>& commands);
   void release(const Session& session, const Run& run, ViewState& state, std::vector<Command>& commands);
-  void release_region(const Session& session, const Run& run, ViewState& state) const;
+  void release_region(const Run& run, ViewState& state) const;
   void drop_surprise(const Session& session, const Run& run, ViewState& state,
                      std::vector<Command>& commands);
   void write(const Run& run, const std::vector<CellSpan>& spans, std::vector<CellChange>& changes);

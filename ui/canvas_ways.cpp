@@ -68,7 +68,7 @@ void finish_way(const Session& session, ViewState& state, std::vector<Command>& 
 
 /// Each press adds a corner; one on the last corner ends the way, so that a double click does. With no way
 /// begun, a press on another's way selects that, and its corners can be dragged.
-void Hand::press_way(const Session& session, const Run&, ViewState& state, const Pointer& pointer,
+void Hand::press_way(const Session& session, ViewState& state, const Pointer& pointer,
                      std::vector<Command>& commands) {
   Editing& editing = state.editing;
   action_ = Action::idle;

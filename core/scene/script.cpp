@@ -88,9 +88,10 @@ class ComingSurprise {
     const CellChange* first = &surprise_.cells.front();
     if (!context_.in_sight(first->cell)) return;
     const std::string words = at.move ? "step " + std::to_string(*at.move) : "when near";
-    // A ground of its own, or it could not be read over a field. The small digits are six pixels wide.
+    // A ground of its own, or it could not be read over a field. The small digits are less than seven pixels
+    // wide.
     const auto x = static_cast<double>(first->cell.x), y = static_cast<double>(first->cell.y);
-    const double width = context_.world(6.3 * static_cast<double>(words.size()) + 8),
+    const double width = context_.world(6.8 * static_cast<double>(words.size()) + 8),
                  height = context_.world(15);
     context_.add(Outline{x, y - height, width, height, OutlineShape::filled,
                          faded(context_.palette.background, 0.8), 0, 0});

@@ -166,7 +166,7 @@ TEST(Scenario, KeepsHowItsMapFileIsRead) {
     json document = full_document();
     document["map"] = map;
     document["goal"] = {2, 0};
-    document["surprises"] = json::array();
+    document["surprises"] = document["movers"] = json::array();
     return parse_scenario(document.dump(), "s.json", folder.path());
   };
   const json picture = {{"file", "x.pgm"}, {"threshold", 80}, {"invert", true}};

@@ -7,6 +7,8 @@
 namespace replan::ui {
 namespace {
 
+constexpr float kRoomyStrip = 640;  // what all tools take with space between them
+
 void tool(Frame& frame, ActionId id, ImU32 colour = 0) {
   const Action& each = action(id);
   if (tool_button(frame.look, each.name,
@@ -83,24 +85,32 @@ void overlays_button(Frame& frame) {
 void draw_tool_strip(Frame& frame) {
   const Look& look = frame.look;
   edge(look, Edge::right);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, look.px.xs));
+  // In a low window the tools stand closer, so that all of them are there.
+  const bool tight = ImGui::GetContentRegionAvail().y < look.px(kRoomyStrip);
+  const auto part = [&] {
+    if (tight)
+      ImGui::Dummy({0, look.px(2)});
+    else
+      tool_separator(look);
+  };
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, tight ? 0 : look.px.xs));
   tool(frame, ActionId::tool_select);
-  tool_separator(look);
+  part();
   tool(frame, ActionId::tool_paint);
   tool(frame, ActionId::tool_erase);
   tool(frame, ActionId::tool_rectangle);
   tool(frame, ActionId::tool_line);
   tool(frame, ActionId::tool_fill);
   brush_size(frame);
-  tool_separator(look);
+  part();
   tool(frame, ActionId::tool_start, look.theme.start);
   tool(frame, ActionId::tool_goal, look.theme.goal);
-  tool_separator(look);
+  part();
   tool(frame, ActionId::tool_surprise, look.theme.surprise);
   tool(frame, ActionId::tool_mover, look.theme.mover);
-  tool_separator(look);
+  part();
   tool(frame, ActionId::tool_measure);
-  tool_separator(look);
+  part();
   overlays_button(frame);
   ImGui::PopStyleVar();
 }
