@@ -1,68 +1,48 @@
 #include "core/world/image_map.hpp"
 
-#include <memory>
-
-#include <stb/stb_image.h>
-#include <stb/stb_image_write.h>
-
 #include "core/base/file.hpp"
 
 namespace replan {
 namespace {
 
-/// An uncompressed picture of the largest map, four bytes a pixel, and a header.
-constexpr std::int64_t kMaxImageBytes = 4 * kMaxCells + 65536;
-
-Error broken(const std::string& origin) {
-  const char* reason = stbi_failure_reason();
-  return {origin + ": not a picture that can be read (PNG, BMP, JPEG, PGM, PPM): " +
-          (reason != nullptr ? reason : "unknown format")};
-}
-
-void append_bytes(void* context, void* data, int size) {
-  static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+/// How bright a pixel is, 0..255, on a white ground.
+int brightness(const Picture& picture, const std::uint8_t* pixel) {
+  // The weights of red, green and blue in 1/256, as stb_image has them.
+  const int grey = picture.channels < 3 ? pixel[0] : (77 * pixel[0] + 150 * pixel[1] + 29 * pixel[2]) / 256;
+  const int alpha = picture.has_alpha() ? pixel[picture.channels - 1] : 255;
+  return (grey * alpha + 255 * (255 - alpha) + 127) / 255;
 }
 
 }  // namespace
 
-Result<GridMap> decode_image_map(std::string_view bytes, const std::string& origin,
-                                 const ImageMapOptions& options) {
-  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-  const int size = static_cast<int>(bytes.size());
-  int width = 0, height = 0, channels = 0;
-  if (bytes.empty()) return Error{origin + ": the file is empty"};
-  if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0) return broken(origin);
-  if (width <= 0 || height <= 0) return Error{origin + ": the picture has no pixels"};
-  if (std::int64_t{width} * height > kMaxCells)
-    return Error{origin + ": the picture is too large: " + std::to_string(width) + " x " +
-                 std::to_string(height) + " pixels, at most " + std::to_string(kMaxCells) +
-                 " (8192 x 8192) are read"};
-  constexpr int kGreyAndAlpha = 2;
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
-      stbi_load_from_memory(data, size, &width, &height, &channels, kGreyAndAlpha), &stbi_image_free);
-  if (!pixels) return broken(origin);
-  GridMap map(width, height);
-  for (std::size_t i = 0; i < map.blocked.size(); ++i) {
-    const int grey = pixels.get()[2 * i], alpha = pixels.get()[2 * i + 1];
-    const int brightness = (grey * alpha + 255 * (255 - alpha) + 127) / 255;
-    map.blocked[i] = (brightness < options.threshold) != options.invert ? 1 : 0;
-  }
+GridMap image_cells(const Picture& picture, const ImageMapOptions& options) {
+  GridMap map(picture.width, picture.height);
+  for (std::size_t i = 0; i < map.blocked.size(); ++i)
+    if ((brightness(picture, picture.pixel(i)) < options.threshold) != options.invert)
+      map.blocked[i] = kObstacle;
   return map;
 }
 
-Result<GridMap> read_image_map(const std::string& path, const ImageMapOptions& options) {
-  const Result<std::string> bytes = read_file(path, kMaxImageBytes);
-  if (!bytes) return Error{bytes.error()};
-  return decode_image_map(*bytes, path, options);
+Result<GridMap> decode_image_map(std::string_view bytes, const std::string& origin,
+                                 const ImageMapOptions& options) {
+  const Result<Picture> picture = decode_picture(bytes, origin);
+  if (!picture) return Error{picture.error()};
+  return image_cells(*picture, options);
 }
 
-Result<void> write_map_png(const GridMap& map, const std::string& path) {
-  std::vector<unsigned char> pixels(map.blocked.size());
-  for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = map.blocked[i] != 0 ? 0 : 255;
-  std::string bytes;
-  if (stbi_write_png_to_func(append_bytes, &bytes, map.width, map.height, 1, pixels.data(), map.width) == 0)
-    return Error{"cannot write '" + path + "': the picture could not be encoded"};
-  return write_file_atomically(path, bytes);
+Result<GridMap> read_image_map(const std::string& path, const ImageMapOptions& options) {
+  const Result<Picture> picture = read_picture(path);
+  if (!picture) return Error{picture.error()};
+  return image_cells(*picture, options);
+}
+
+Result<void> write_image_map(const GridMap& map, const std::string& path) {
+  Picture picture{map.width, map.height, 1, std::vector<std::uint8_t>(map.blocked.size())};
+  for (std::size_t i = 0; i < picture.values.size(); ++i)
+    picture.values[i] = map.blocked[i] != kFree ? 0 : 255;
+  const Result<std::string> bytes = encode_grey(picture, file_extension(path));
+  if (!bytes) return Error{"cannot write '" + path + "': " + bytes.error()};
+  return write_file_atomically(path, *bytes);
 }
 
 }  // namespace replan

@@ -10,6 +10,7 @@
 #include "core/base/result.hpp"
 #include "core/plan/parameters.hpp"
 #include "core/world/grid_map.hpp"
+#include "core/world/map_reading.hpp"
 
 namespace replan {
 
@@ -106,7 +107,8 @@ struct Scenario {
   std::string name;
   std::string caption;
   GridMap map;
-  std::string map_file;  ///< as written in the file, relative to it; empty = the map is held inline
+  std::string map_file;    ///< as written in the file, relative to it; empty = the map is held inline
+  MapReading map_reading;  ///< how that file is read
   Cell start;
   Cell goal;
   std::vector<PlannerChoice> planners;  ///< at least one

@@ -69,21 +69,39 @@ class ScenarioReader {
   }
 
   void read_map_of(const JsonNode& node) {
-    if (!node.expect_object({"file", "rows", "resolution", "origin"})) return;
+    if (!node.expect_object({"file", "rows", "resolution", "origin", "threshold", "invert", "unknown"}))
+      return;
     const auto file = node.find("file"), rows = node.find("rows");
     const auto resolution = node.find("resolution"), origin = node.find("origin");
     if (file.has_value() == rows.has_value()) return node.fail("needs either 'file' or 'rows'");
     if (rows) read_rows(*rows);
     if (rows && resolution) scenario_.map.resolution = resolution->number(kMinResolution, kMaxResolution);
     if (rows && origin) read_origin(*origin);
+    const MapReading reading = read_reading(node, rows.has_value());
     if (rows) return;
     if (resolution) return resolution->fail("goes with 'rows'; a map file has its own");
     if (origin) return origin->fail("goes with 'rows'; a map file has its own");
     scenario_.map_file = file->text();
     if (scenario_.map_file.empty()) return file->fail("must name a file");
-    Result<GridMap> map = replan::read_map((std::filesystem::path(folder_) / scenario_.map_file).string());
+    scenario_.map_reading = reading;
+    Result<GridMap> map =
+        replan::read_map((std::filesystem::path(folder_) / scenario_.map_file).string(), reading);
     if (!map) return file->fail(map.error());
     scenario_.map = std::move(map.value());
+  }
+
+  /// How a map file is to be read.
+  static MapReading read_reading(const JsonNode& node, bool rows) {
+    MapReading reading;
+    const auto threshold = node.find("threshold"), invert = node.find("invert"),
+               unknown = node.find("unknown");
+    for (const auto& option : {threshold, invert, unknown})
+      if (rows && option) option->fail("goes with 'file'");
+    if (threshold) reading.image.threshold = static_cast<int>(threshold->whole(1, 255));
+    if (invert) reading.image.invert = invert->toggle();
+    if (unknown)
+      reading.unknown = static_cast<UnknownCells>(unknown->one_of({"blocked", "free", "unmapped"}));
+    return reading;
   }
 
   void read_origin(const JsonNode& node) {

@@ -15,7 +15,13 @@ Json cell_json(Cell cell) {
 Json map_json(const Scenario& scenario) {
   Json map = Json::object();
   if (!scenario.map_file.empty()) {
+    const MapReading& reading = scenario.map_reading;
+    constexpr const char* kUnknown[] = {"blocked", "free", "unmapped"};
     map["file"] = scenario.map_file;
+    if (reading.image.threshold != ImageMapOptions{}.threshold) map["threshold"] = reading.image.threshold;
+    if (reading.image.invert) map["invert"] = true;
+    if (reading.unknown != UnknownCells::blocked)
+      map["unknown"] = kUnknown[static_cast<std::size_t>(reading.unknown)];
     return map;
   }
   Json& rows = map["rows"] = Json::array();

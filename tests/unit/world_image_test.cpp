@@ -32,7 +32,7 @@ TEST(ImageMap, ReadsBackTheWrittenPng) {
   const auto back = read_map(folder.file("a.png"));
   ASSERT_TRUE(back.ok()) << back.error();
   EXPECT_EQ(*back, map);
-  EXPECT_FALSE(write_map_png(map, folder.file("no/a.png")).ok());
+  EXPECT_FALSE(write_image_map(map, folder.file("no/a.png")).ok());
   EXPECT_FALSE(write_map(map, folder.file("a.jpg")).ok());
 }
 
@@ -52,16 +52,59 @@ TEST(ImageMap, RefusesTooManyPixelsBeforeDecoding) {
   EXPECT_FALSE(decode_image_map(png_header(0x7FFFFFFF, 0x7FFFFFFF), "big.png").ok());
 }
 
+std::string big_endian(std::uint32_t value) {
+  std::string bytes;
+  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xFF);
+  return bytes;
+}
+
+/// A grey PNG of 8 x 8 pixels whose one block of compressed data says `count` times "258 bytes as before": a
+/// few kilobytes that swell to a thousand times as much. stb_image looks at no checksums.
+std::string png_bomb(int count) {
+  std::string bits = std::string(1, '\x03');  // the last block, with the fixed codes: 3 bits
+  int used = 3;
+  const auto put = [&](unsigned value, int length) {
+    for (int i = 0; i < length; ++i, ++used) {
+      if (used % 8 == 0) bits += '\0';
+      if ((value >> i & 1u) != 0) bits.back() = static_cast<char>(bits.back() | 1 << used % 8);
+    }
+  };
+  put(0x0C, 8);                                             // the literal 0: code 00110000, first bit first
+  for (int i = 0; i < count; ++i) put(0xA3, 8), put(0, 5);  // length 258: code 11000101; distance 1
+  put(0, 7);                                                // the end of the block
+  const std::string data = std::string("\x78\x01") + bits;
+  return png_header(8, 8) + big_endian(static_cast<std::uint32_t>(data.size())) + "IDAT" + data +
+         std::string(4, '\0') + big_endian(0) + "IEND" + std::string(4, '\0');
+}
+
+TEST(ImageMap, RefusesAPngThatSwells) {
+  const auto small = decode_image_map(png_bomb(20), "b.png");
+  EXPECT_TRUE(small.ok()) << small.error();  // more data than pixels, but in bounds
+  const auto map = decode_image_map(png_bomb(100'000), "b.png");
+  ASSERT_FALSE(map.ok());
+  EXPECT_NE(map.error().find("outofmem"), std::string::npos) << map.error();
+}
+
+TEST(ImageMap, ReadsColoursAndTransparencyByBrightness) {
+  const Picture picture{3, 1, 4, {255, 0, 0, 255, /**/ 0, 255, 0, 255, /**/ 0, 0, 0, 100}};
+  // Red is 76, green 149, black seen through to white 155.
+  EXPECT_EQ(image_cells(picture).blocked, (std::vector<std::uint8_t>{1, 0, 0}));
+  EXPECT_EQ(image_cells(picture, {.threshold = 76}).blocked, (std::vector<std::uint8_t>{0, 0, 0}));
+  EXPECT_EQ(image_cells(picture, {.threshold = 155}).blocked, (std::vector<std::uint8_t>{1, 1, 0}));
+  EXPECT_EQ(image_cells(picture, {.threshold = 156}).blocked, (std::vector<std::uint8_t>{1, 1, 1}));
+}
+
 TEST(ImageMap, RefusesBrokenPictures) {
   GridMap map(64, 64);
   const test::TemporaryFolder folder;
-  ASSERT_TRUE(write_map_png(map, folder.file("a.png")).ok());
+  ASSERT_TRUE(write_image_map(map, folder.file("a.png")).ok());
   const std::string whole = *read_file(folder.file("a.png"));
   for (std::size_t length = 0; length + 20 < whole.size(); ++length)
     EXPECT_FALSE(decode_image_map(whole.substr(0, length), "cut.png").ok()) << length;
   EXPECT_EQ(decode_image_map("", "a.png").error(), "a.png: the file is empty");
   const auto text = decode_image_map("no picture at all", "a.png");
-  EXPECT_EQ(text.error().rfind("a.png: not a picture that can be read (PNG, BMP, JPEG, PGM, PPM): ", 0), 0u);
+  EXPECT_EQ(text.error().rfind("a.png: not a picture that can be read (PNG, BMP, JPEG, TGA, PGM, PPM): ", 0),
+            0u);
   EXPECT_FALSE(read_image_map("/nowhere/a.png").ok());
 }
 

@@ -156,6 +156,46 @@ TEST(Scenario, ReadsMapFilesBesideIt) {
   EXPECT_NE(error_with("/map", {{"file", "absent.doc"}}).find("must end in .map"), std::string::npos);
 }
 
+TEST(Scenario, KeepsHowItsMapFileIsRead) {
+  const test::TemporaryFolder folder;
+  folder.with("x.pgm", std::string("P5\n4 1\n255\n\x00\x40\x60\xFF", 15));
+  folder.with("x.yaml",
+              "image: x.pgm\nresolution: 0.5\norigin: [1, 2, 0]\nnegate: 0\noccupied_thresh: "
+              "0.9\nfree_thresh: 0.1\n");
+  const auto parse_here = [&](const json& map) {
+    json document = full_document();
+    document["map"] = map;
+    document["goal"] = {2, 0};
+    document["surprises"] = json::array();
+    return parse_scenario(document.dump(), "s.json", folder.path());
+  };
+  const json picture = {{"file", "x.pgm"}, {"threshold", 80}, {"invert", true}};
+  const json ros = {{"file", "x.yaml"}, {"unknown", "unmapped"}};
+  for (const json& map : {picture, ros}) {
+    const auto scenario = parse_here(map);
+    ASSERT_TRUE(scenario.ok()) << scenario.error();
+    const json text = json::parse(scenario_text(*scenario));
+    EXPECT_EQ(text["map"], map);
+    EXPECT_EQ(test::SchemaCheck(schema()).check(text), "");
+    EXPECT_EQ(*parse_scenario(text.dump(), "s.json", folder.path()), *scenario);
+  }
+  EXPECT_EQ(parse_here(picture)->map.blocked, (std::vector<std::uint8_t>{0, 0, 1, 1}));
+  EXPECT_EQ(parse_here(ros)->map.blocked, (std::vector<std::uint8_t>{1, 2, 2, 0}));
+  EXPECT_EQ(parse_here(ros)->map.origin, (std::array<double, 3>{1, 2, 0}));
+  const auto refused = [&](const json& map, const std::string& why) {
+    const auto scenario = parse_here(map);
+    ASSERT_FALSE(scenario.ok()) << map;
+    EXPECT_NE(scenario.error().find(why), std::string::npos) << scenario.error();
+  };
+  refused({{"file", "x.pgm"}, {"threshold", 0}}, "from 1 to 255, not 0");
+  refused({{"file", "x.pgm"}, {"threshold", 256}}, "from 1 to 255, not 256");
+  refused({{"file", "x.pgm"}, {"invert", 1}}, "true or false");
+  refused({{"file", "x.yaml"}, {"unknown", "occupied"}}, "must be one of: blocked, free, unmapped");
+  refused({{"file", "x.pgm"}, {"unknown", "free"}}, "only a ROS map");
+  refused({{"file", "x.yaml"}, {"threshold", 3}}, "are for pictures");
+  refused({{"rows", {"...."}}, {"threshold", 3}}, "goes with 'file'");
+}
+
 TEST(Scenario, SyntaxErrorsNameLineAndColumn) {
   const auto broken = [](const std::string& text) { return parse_scenario(text, "s.json", ".").error(); };
   EXPECT_EQ(broken("{\n  \"replan\": 1,\n  \"name\" \"x\"\n}").rfind("s.json:3:12: not JSON: ", 0), 0u)

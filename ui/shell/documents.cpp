@@ -65,7 +65,7 @@ Scenario world_of(GridMap map, const Scenario& current) {
 /// Whether the file that a scenario names for its map would still hold that map, seen from `folder`.
 bool map_file_holds(const Scenario& scenario, const std::string& folder) {
   const std::filesystem::path path = std::filesystem::path(folder) / scenario.map_file;
-  const Result<GridMap> map = read_map(path.string());
+  const Result<GridMap> map = read_map(path.string(), scenario.map_reading);
   return map && *map == scenario.map;
 }
 

@@ -1,0 +1,31 @@
+// Worlds as plain text, to paste into a report or a test: one letter a cell, start and goal in place. Not the
+// MovingAI `.map`, where S is swamp and G is ground.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/base/result.hpp"
+#include "core/world/map_reading.hpp"
+
+namespace replan {
+
+/// Reads rows of letters: `.` `0` `-` `_` and the blank are free, `@` `#` `X` `x` `1` obstacles, `?` an
+/// obstacle that nobody has mapped, `S` the start and `G` the goal (each at most once, on free cells). Empty
+/// lines before and after are passed over. All rows must be equally long: what a short one lacks is not
+/// guessed at. The error names line and column.
+Result<MapFile> parse_ascii_map(std::string_view text, const std::string& origin);
+/// As parse_ascii_map() from a file.
+Result<MapFile> read_ascii_map(const std::string& path);
+
+/// A part of a map, in cells.
+struct MapRegion {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+/// The world as text: `.` free, `@` obstacle, `?` unmapped, `S`, `G`. An end that lies in an obstacle, and a
+/// goal that is the start, does not show.
+std::string ascii_text(const MapFile& world);
+/// As ascii_text(), of a part: what of `region` lies on the map.
+std::string ascii_text(const MapFile& world, const MapRegion& region);
+
+}  // namespace replan

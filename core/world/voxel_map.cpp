@@ -1,0 +1,185 @@
+#include "core/world/voxel_map.hpp"
+
+#include <cmath>
+#include <span>
+
+#include "core/base/file.hpp"
+#include "core/world/text_lines.hpp"
+
+namespace replan {
+namespace {
+
+/// Reads the words of one line as whole numbers from 0; false if there are others, or more or fewer.
+bool read_numbers(std::string_view line, std::span<int* const> numbers) {
+  for (int* const number : numbers) {
+    const auto value = number_from<int>(take_word(line));
+    if (!value || *value < 0) return false;
+    *number = *value;
+  }
+  return take_word(line).empty();
+}
+
+class VoxelMapParser {
+ public:
+  VoxelMapParser(std::string_view text, const std::string& origin) : lines_(text), origin_(origin) {}
+
+  Result<VoxelMap> parse() {
+    std::string_view header = lines_.next().value_or("");
+    int width = 0, height = 0, depth = 0;
+    int* const sides[] = {&width, &height, &depth};
+    if (take_word(header) != "voxel" || !read_numbers(header, sides) || width == 0 || height == 0 ||
+        depth == 0)
+      return wrong("not a voxel map: the first line must be 'voxel X Y Z', three whole numbers from 1");
+    if (height > kMaxCells / width || depth > kMaxCells / (std::int64_t{width} * height))
+      return wrong("the map is too large: at most " + std::to_string(kMaxCells) + " voxels are read");
+    VoxelMap map(width, height, depth);
+    while (const auto line = lines_.next()) {
+      if (line->empty()) continue;
+      Voxel voxel;
+      int* const parts[] = {&voxel.x, &voxel.y, &voxel.z};
+      if (!read_numbers(*line, parts))
+        return wrong("a line must be three whole numbers from 0, x y z, not " + shown(*line));
+      if (!map.contains(voxel))
+        return wrong("voxel " + shown(*line) + " lies outside the box of " + std::to_string(width) + " x " +
+                     std::to_string(height) + " x " + std::to_string(depth));
+      map.blocked[map.index(voxel)] = kObstacle;
+    }
+    return map;
+  }
+
+ private:
+  Error wrong(const std::string& what) const {
+    return {origin_ + ":" + std::to_string(lines_.number()) + ": " + what};
+  }
+
+  LineReader lines_;
+  const std::string& origin_;
+};
+
+class VoxelScenParser {
+ public:
+  VoxelScenParser(std::string_view text, const std::string& origin) : lines_(text) { scen_.path = origin; }
+
+  Result<VoxelScen> parse() {
+    std::string_view first = lines_.next().value_or("");
+    if (take_word(first) != "version" || take_word(first) != "1" || !take_word(first).empty())
+      return wrong("not a 3D scenario: the first line must be 'version 1'");
+    std::string_view second = lines_.next().value_or("");
+    scen_.map_name = take_word(second);
+    if (scen_.map_name.empty() || !take_word(second).empty())
+      return wrong("the second line must name the map, without blanks");
+    while (const auto line = lines_.next()) {
+      if (line->empty()) continue;
+      if (Result<void> problem = read_problem(*line); !problem) return Error{problem.error()};
+    }
+    return std::move(scen_);
+  }
+
+ private:
+  Error wrong(const std::string& what) const {
+    return {scen_.path + ":" + std::to_string(lines_.number()) + ": " + what};
+  }
+
+  Result<void> read_problem(std::string_view line) {
+    VoxelProblem problem;
+    problem.line = lines_.number();
+    Voxel &start = problem.start, &goal = problem.goal;
+    for (int* const part : {&start.x, &start.y, &start.z, &goal.x, &goal.y, &goal.z}) {
+      const std::string_view word = take_word(line);
+      const auto number = number_from<int>(word);
+      if (!number || *number < 0)
+        return wrong("start and goal must be six whole numbers from 0, not " + shown(word));
+      *part = *number;
+    }
+    problem.printed = take_word(line);
+    problem.printed_ratio = take_word(line);
+    for (const std::string& text : {problem.printed, problem.printed_ratio}) {
+      const auto number = number_from<double>(text);
+      if (!number || !std::isfinite(*number) || *number < 0)
+        return wrong("the optimal length and its ratio must be numbers from 0, not " + shown(text));
+    }
+    problem.length = *number_from<double>(problem.printed);
+    if (const std::string_view extra = take_word(line); !extra.empty())
+      return wrong("the line goes on after its 8 fields: " + shown(extra));
+    scen_.problems.push_back(std::move(problem));
+    return {};
+  }
+
+  LineReader lines_;
+  VoxelScen scen_;
+};
+
+std::string voxel_text(Voxel v) {
+  return std::to_string(v.x) + " " + std::to_string(v.y) + " " + std::to_string(v.z);
+}
+
+}  // namespace
+
+Result<VoxelMap> parse_voxel_map(std::string_view text, const std::string& origin) {
+  return VoxelMapParser(text, origin).parse();
+}
+
+Result<VoxelMap> read_voxel_map(const std::string& path) {
+  const Result<std::string> text = read_file(path);
+  if (!text) return Error{text.error()};
+  return parse_voxel_map(*text, path);
+}
+
+std::string voxel_map_text(const VoxelMap& map) {
+  std::string text = "voxel " + voxel_text({map.width, map.height, map.depth}) + "\n";
+  for (int x = 0; x < map.width; ++x)
+    for (int y = 0; y < map.height; ++y)
+      for (int z = 0; z < map.depth; ++z)
+        if (map.at({x, y, z})) text += voxel_text({x, y, z}) + "\n";
+  return text;
+}
+
+Result<void> write_voxel_map(const VoxelMap& map, const std::string& path) {
+  return write_file_atomically(path, voxel_map_text(map));
+}
+
+Result<GridMap> voxel_slice(const VoxelMap& map, int z) {
+  if (z < 0 || z >= map.depth)
+    return Error{"there is no slice " + std::to_string(z) + ": z goes from 0 to " +
+                 std::to_string(map.depth - 1)};
+  GridMap slice(map.width, map.height);
+  const auto* from = map.blocked.data() + map.index({0, 0, z});
+  std::copy(from, from + slice.blocked.size(), slice.blocked.begin());
+  return slice;
+}
+
+VoxelMap voxels_of(const GridMap& map) {
+  VoxelMap voxels(map.width, map.height, 1);
+  for (std::size_t i = 0; i < map.blocked.size(); ++i)
+    voxels.blocked[i] = map.blocked[i] != kFree ? kObstacle : kFree;
+  return voxels;
+}
+
+Result<VoxelScen> parse_voxel_scen(std::string_view text, const std::string& origin) {
+  return VoxelScenParser(text, origin).parse();
+}
+
+Result<VoxelScen> read_voxel_scen(const std::string& path) {
+  const Result<std::string> text = read_file(path);
+  if (!text) return Error{text.error()};
+  return parse_voxel_scen(*text, path);
+}
+
+std::string voxel_scen_text(const VoxelScen& scen) {
+  std::string text = "version 1\n" + scen.map_name + "\n";
+  for (const VoxelProblem& problem : scen.problems)
+    text += voxel_text(problem.start) + " " + voxel_text(problem.goal) + " " + problem.printed + " " +
+            problem.printed_ratio + "\n";
+  return text;
+}
+
+Result<void> check_scen_fits(const VoxelScen& scen, const VoxelMap& map, const std::string& map_path) {
+  for (const VoxelProblem& problem : scen.problems)
+    for (const Voxel end : {problem.start, problem.goal})
+      if (!map.contains(end))
+        return Error{scen.path + ":" + std::to_string(problem.line) + ": (" + voxel_text(end) +
+                     ") lies outside the box of '" + map_path + "': give the right map with --map"};
+  return {};
+}
+
+}  // namespace replan
