@@ -1,0 +1,41 @@
+#include "ui/shell/dialogs/parts.hpp"
+
+#include <algorithm>
+
+#include "ui/keys.hpp"
+#include "ui/widgets.hpp"
+
+namespace replan::ui {
+
+bool escape_pressed() {
+  return ImGui::IsKeyPressed(key::kEscape, false);
+}
+
+bool enter_pressed() {
+  return ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false);
+}
+
+void heading(const Look& look, std::string_view words) {
+  text(look.fonts.heading, look.theme.text, words);
+  ImGui::Dummy({0, look.px(2)});
+}
+
+void align_right(float width) {
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
+}
+
+float button_width(const Look& look, const char* label) {
+  return text_width(look.fonts.ui, label) + look.px(24);
+}
+
+Answer confirm(const Look& look, const char* yes, const char* no) {
+  ImGui::Dummy({0, look.px.xs});
+  align_right(button_width(look, no) + look.px.s + button_width(look, yes));
+  Answer answer = Answer::none;
+  if (button(look, no, ButtonKind::quiet) || escape_pressed()) answer = Answer::no;
+  ImGui::SameLine(0, look.px.s);
+  if (button(look, yes, ButtonKind::primary) || enter_pressed()) answer = Answer::yes;
+  return answer;
+}
+
+}  // namespace replan::ui

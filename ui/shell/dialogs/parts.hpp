@@ -1,0 +1,25 @@
+// What the dialogs are made of: heading, the row of buttons, and the keys that answer them.
+#pragma once
+
+#include <string_view>
+
+#include "ui/look.hpp"
+
+namespace replan::ui {
+
+bool escape_pressed();
+bool enter_pressed();
+
+/// The dialog's name, in the largest face.
+void heading(const Look& look, std::string_view words);
+/// Puts the cursor so that controls of this total width end at the right edge.
+void align_right(float width);
+/// How wide button() draws that label.
+float button_width(const Look& look, const char* label);
+
+/// What the row of buttons at the bottom of a dialog was answered with.
+enum class Answer : std::uint8_t { none, yes, no };
+/// "Cancel" and the primary button at the lower right; Escape and Enter are the same.
+Answer confirm(const Look& look, const char* yes, const char* no = "Cancel");
+
+}  // namespace replan::ui
