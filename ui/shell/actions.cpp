@@ -213,6 +213,8 @@ bool checked(const Action& action, const ActionContext& context) {
       return view.panels;
     case ActionId::legend:
       return view.legend;
+    case ActionId::caption:
+      return context.panels.caption;
     default:
       break;
   }

@@ -6,57 +6,161 @@ namespace replan::ui {
 namespace {
 
 constexpr const char* kPopup = "dialog";
+/// What is read faster than this is not announced.
+constexpr auto kAMoment = std::chrono::milliseconds(150);
+
+/// Of the design.
+float width_of(DialogKind kind) {
+  switch (kind) {
+    case DialogKind::file:
+      return 1040;
+    case DialogKind::worlds:
+      return 1080;
+    case DialogKind::keys:
+      return 880;
+    case DialogKind::recover:
+      return 600;
+    default:
+      return 460;
+  }
+}
+
+/// Decisions that may yet fail: their dialog stays until its owner closes it.
+bool may_fail(Decision::Kind kind) {
+  return kind == Decision::Kind::open || kind == Decision::Kind::open_world || kind == Decision::Kind::save ||
+         kind == Decision::Kind::recover || kind == Decision::Kind::forget;
+}
 
 }  // namespace
 
-void Dialogs::show(DialogKind kind, std::string text) {
+void Dialogs::show(DialogKind kind) {
   kind_ = kind;
   fresh_ = true;
-  text_ = std::move(text);
-  error_.clear();
+}
+
+void Dialogs::ask(Question question) {
+  question_ = std::move(question);
+  show(DialogKind::question);
+}
+
+void Dialogs::choose_file(FileDialogSpec spec, const WorkPlace& place) {
+  file_ = std::make_unique<FileDialog>(renderer_, place, std::move(spec));
+  show(DialogKind::file);
+}
+
+void Dialogs::choose_world(WorldLibrary& library) {
+  worlds_ = std::make_unique<WorldPicker>(renderer_, library);
+  show(DialogKind::worlds);
+}
+
+void Dialogs::offer(std::vector<AutosaveNote> notes) {
+  notes_ = std::move(notes);
+  show(DialogKind::recover);
+}
+
+void Dialogs::wait_for(std::string name) {
+  name_ = std::move(name);
+  since_ = std::chrono::steady_clock::now();
+  show(DialogKind::opening);
+}
+
+void Dialogs::close() {
+  kind_ = DialogKind::none;
+  if (file_) folder_ = file_->folder();
+  file_.reset();
+  worlds_.reset();
+}
+
+bool Dialogs::complain(const std::string& sentence) {
+  if (file_) {
+    file_->complain(sentence);
+    kind_ = DialogKind::file;
+  } else if (worlds_) {
+    worlds_->complain(sentence);
+    kind_ = DialogKind::worlds;
+  }
+  return file_ || worlds_;
+}
+
+std::string Dialogs::words() const {
+  if (kind_ == DialogKind::file) return file_->words();
+  if (kind_ == DialogKind::worlds) return worlds_->words();
+  std::string words = kind_ == DialogKind::question ? question_.words : "";
+  if (kind_ == DialogKind::recover)
+    for (const AutosaveNote& note : notes_) words += note.file + note.name;
+  return words;
 }
 
 Decision Dialogs::draw(const Look& look) {
   if (kind_ == DialogKind::none) return {};
+  // Before its moment has passed a dialog that only waits keeps the hands off the world, unseen.
+  const bool unseen = kind_ == DialogKind::opening && std::chrono::steady_clock::now() - since_ < kAMoment;
   if (!ImGui::IsPopupOpen(kPopup)) ImGui::OpenPopup(kPopup);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float width =
-      std::min(kind_ == DialogKind::keys ? look.px(880) : look.px(460), screen.x - look.px(32));
+  const float width = std::min(look.px(width_of(kind_)), screen.x - look.px(32));
   ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.45f}, ImGuiCond_Always, {0.5f, 0.45f});
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - look.px(32)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(24), look.px(20)));
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, unseen ? 0.0f : 1.0f);
+  if (unseen) ImGui::PushStyleColor(ImGuiCol_ModalWindowDimBg, IM_COL32_BLACK_TRANS);
   const bool shown =
       ImGui::BeginPopupModal(kPopup, nullptr,
                              ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
-  ImGui::PopStyleVar();
-  if (!shown) return {};
-  Decision decision = content(look);
-  fresh_ = false;
-  if (decision.kind != Decision::Kind::none && decision.kind != Decision::Kind::open &&
-      decision.kind != Decision::Kind::save)
-    close();
-  if (kind_ == DialogKind::none) ImGui::CloseCurrentPopup();
-  ImGui::EndPopup();
+  if (unseen) ImGui::PopStyleColor();
+  Decision decision;
+  if (shown) {
+    decision = content(look);
+    fresh_ = false;
+    if (decision.kind != Decision::Kind::none && !may_fail(decision.kind)) close();
+    if (kind_ == DialogKind::none) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar(2);
   return decision;
 }
 
 Decision Dialogs::content(const Look& look) {
+  const float tallest = ImGui::GetIO().DisplaySize.y - look.px(32) - look.px(40);
   switch (kind_) {
-    case DialogKind::open:
-      return path_dialog(look, false);
-    case DialogKind::save:
-      return path_dialog(look, true);
+    case DialogKind::file:
+      return file_dialog(look, std::min(tallest, look.px(600)));
+    case DialogKind::worlds:
+      return world_dialog(look, std::min(tallest, look.px(680)));
+    case DialogKind::opening:
+      return opening_dialog(look);
     case DialogKind::new_world:
       return new_world_dialog(look);
-    case DialogKind::unsaved:
-      return unsaved_dialog(look);
+    case DialogKind::question:
+      return question_dialog(look);
+    case DialogKind::recover:
+      return recover_dialog(look);
     case DialogKind::keys:
       return keys_dialog(look);
     case DialogKind::none:
       break;
   }
   return {};
+}
+
+Decision Dialogs::file_dialog(const Look& look, float height) {
+  const FileChoice choice = file_->draw(look, height);
+  Decision decision;
+  decision.path = choice.path;
+  decision.reading = choice.reading;
+  if (choice.answer == Answer::no) decision.kind = Decision::Kind::cancel;
+  if (choice.answer == Answer::yes)
+    decision.kind = file_->saving() ? Decision::Kind::save : Decision::Kind::open;
+  return decision;
+}
+
+Decision Dialogs::world_dialog(const Look& look, float height) {
+  const FileChoice choice = worlds_->draw(look, height);
+  Decision decision;
+  decision.path = choice.path;
+  if (choice.answer == Answer::no) decision.kind = Decision::Kind::cancel;
+  if (choice.answer == Answer::yes) decision.kind = Decision::Kind::open_world;
+  return decision;
 }
 
 }  // namespace replan::ui

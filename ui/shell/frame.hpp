@@ -24,7 +24,19 @@ inline constexpr int kFiguresTab = 3;
 inline constexpr int kLogTab = 4;
 
 /// What an action asks of the shell itself; done after drawing.
-enum class Wish : std::uint8_t { none, new_world, open, save, save_as, quit, fit, keys };
+enum class Wish : std::uint8_t {
+  none,
+  new_world,
+  open,
+  worlds,
+  recent,  ///< PanelState::wished
+  forget_recent,
+  save,
+  save_as,
+  quit,
+  fit,
+  keys
+};
 
 /// Path figures of one pane, kept until another plan stands.
 struct FigureCache {
@@ -52,6 +64,9 @@ struct PanelState {
   bool animated = false;             ///< something on it moves by itself
   double zoom = 0;                   ///< device pixels per cell on the canvas, as fitted or chosen
   double frame_ms = 0;               ///< CPU time of a frame, smoothed; 0: not measured
+  std::vector<std::string> recent;   ///< files that were opened last, the latest first
+  std::string wished;                ///< the file that a wish is about
+  bool caption = false;              ///< what the world is about is told over the canvas, if it says so
   std::vector<std::string> notices;  ///< for the Log: what the platform had to say (missing fonts)
 };
 

@@ -67,7 +67,7 @@ Decision Dialogs::keys_dialog(const Look& look) {
   align_right(button_width(look, "Close"));
   const bool closed = button(look, "Close", ButtonKind::plain) || escape_pressed() || enter_pressed() ||
                       (!fresh_ && ImGui::IsKeyPressed(key::kF1, false));
-  return {closed ? Decision::Kind::cancel : Decision::Kind::none, {}, 0, 0};
+  return closed ? Decision{.kind = Decision::Kind::cancel} : Decision{};
 }
 
 }  // namespace replan::ui

@@ -28,10 +28,11 @@ Decision Dialogs::new_world_dialog(const Look& look) {
          height_);
   const Answer answer = confirm(look, "Create");
   if (answer == Answer::none) return {};
-  return {answer == Answer::yes ? Decision::Kind::new_world : Decision::Kind::cancel,
-          {},
-          static_cast<int>(width_),
-          static_cast<int>(height_)};
+  Decision decision;
+  decision.kind = answer == Answer::yes ? Decision::Kind::new_world : Decision::Kind::cancel;
+  decision.width = static_cast<int>(width_);
+  decision.height = static_cast<int>(height_);
+  return decision;
 }
 
 }  // namespace replan::ui
