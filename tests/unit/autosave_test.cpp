@@ -200,7 +200,7 @@ TEST(Orphans, AreThoseWhoseProgramHasEnded) {
 
 TEST(Orphans, AreDiscardedWithTheirLock) {
   const test::TemporaryFolder folder;
-  folder.with("x.json", autosave_text({.edits = 3}, world()));
+  folder.with("x.json", autosave_text(AutosaveNote(), world()));
   std::vector<Orphan> orphans = find_orphans(folder.path());
   ASSERT_EQ(orphans.size(), 1u);
   discard(std::move(orphans[0]));

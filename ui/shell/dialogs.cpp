@@ -34,6 +34,11 @@ bool may_fail(Decision::Kind kind) {
 }  // namespace
 
 void Dialogs::show(DialogKind kind) {
+  close();
+  begin(kind);
+}
+
+void Dialogs::begin(DialogKind kind) {
   kind_ = kind;
   fresh_ = true;
 }
@@ -44,13 +49,15 @@ void Dialogs::ask(Question question) {
 }
 
 void Dialogs::choose_file(FileDialogSpec spec, const WorkPlace& place) {
+  close();
   file_ = std::make_unique<FileDialog>(renderer_, place, std::move(spec));
-  show(DialogKind::file);
+  begin(DialogKind::file);
 }
 
 void Dialogs::choose_world(WorldLibrary& library) {
+  close();
   worlds_ = std::make_unique<WorldPicker>(renderer_, library);
-  show(DialogKind::worlds);
+  begin(DialogKind::worlds);
 }
 
 void Dialogs::offer(std::vector<AutosaveNote> notes) {
@@ -61,14 +68,14 @@ void Dialogs::offer(std::vector<AutosaveNote> notes) {
 void Dialogs::wait_for(std::string name) {
   name_ = std::move(name);
   since_ = std::chrono::steady_clock::now();
-  show(DialogKind::opening);
+  begin(DialogKind::opening);  // the dialog that led here stays behind it
 }
 
 void Dialogs::close() {
   kind_ = DialogKind::none;
   if (file_) folder_ = file_->folder();
-  file_.reset();
-  worlds_.reset();
+  if (file_) closed_file_ = std::move(file_);
+  if (worlds_) closed_worlds_ = std::move(worlds_);
 }
 
 bool Dialogs::complain(const std::string& sentence) {
@@ -92,6 +99,8 @@ std::string Dialogs::words() const {
 }
 
 Decision Dialogs::draw(const Look& look) {
+  closed_file_.reset();
+  closed_worlds_.reset();
   if (kind_ == DialogKind::none) return {};
   // Before its moment has passed a dialog that only waits keeps the hands off the world, unseen.
   const bool unseen = kind_ == DialogKind::opening && std::chrono::steady_clock::now() - since_ < kAMoment;
@@ -124,7 +133,7 @@ Decision Dialogs::content(const Look& look) {
   const float tallest = ImGui::GetIO().DisplaySize.y - look.px(32) - look.px(40);
   switch (kind_) {
     case DialogKind::file:
-      return file_dialog(look, std::min(tallest, look.px(600)));
+      return file_dialog(look, std::min(tallest, look.px(640)));
     case DialogKind::worlds:
       return world_dialog(look, std::min(tallest, look.px(680)));
     case DialogKind::opening:

@@ -81,6 +81,7 @@ class Dialogs {
   Decision draw(const Look& look);
 
  private:
+  void begin(DialogKind kind);
   Decision content(const Look& look);
   Decision file_dialog(const Look& look, float height);
   Decision world_dialog(const Look& look, float height);
@@ -92,9 +93,9 @@ class Dialogs {
 
   ImGuiRenderer& renderer_;
   DialogKind kind_ = DialogKind::none;
-  bool fresh_ = false;  // to be opened by this draw
-  std::unique_ptr<FileDialog> file_;
-  std::unique_ptr<WorldPicker> worlds_;
+  bool fresh_ = false;                              // to be opened by this draw
+  std::unique_ptr<FileDialog> file_, closed_file_;  // a closed one holds textures that are still to be drawn
+  std::unique_ptr<WorldPicker> worlds_, closed_worlds_;
   Question question_;
   std::vector<AutosaveNote> notes_;
   std::string name_;  // of what is being opened

@@ -75,7 +75,6 @@ class Shell {
       none,
       open_dialog,
       open_file,
-      reload,
       worlds_dialog,
       new_world,
       quit
@@ -142,6 +141,7 @@ class Shell {
   std::vector<Orphan> orphans_;
   RecentFiles recent_;
   FileWatch watch_;
+  MapReading reading_;         // how the document's file was read
   bool disk_differs_ = false;  // the user keeps another version than the file's
   std::chrono::steady_clock::time_point looked_at_disk_;
   std::int64_t unsaved_since_ = 0;  // seconds since 1970; 0: all is saved

@@ -113,7 +113,7 @@ void Shell::take_decision(Session& session, const Decision& decision) {
       if (save(session, session.file())) go_on(session);
       break;
     case Decision::Kind::reload:
-      load(session, {Loading::From::file, session.file(), {}});
+      load(session, {Loading::From::file, session.file(), reading_});
       break;
     case Decision::Kind::keep_mine:
       watch_.accept();
@@ -161,9 +161,6 @@ void Shell::go_on(Session& session) {
       break;
     case Pending::Kind::open_file:
       load(session, {Loading::From::file, pending.path, {}});
-      break;
-    case Pending::Kind::reload:
-      load(session, {Loading::From::file, session.file(), {}});
       break;
     case Pending::Kind::worlds_dialog:
       if (library_) dialogs_.choose_world(*library_);
@@ -261,6 +258,7 @@ void Shell::replace(Session& session, ReplaceScenario document) {
   show(document.scenario.view);
   watch_.watch({});
   disk_differs_ = false;
+  reading_ = {};
   if (const Result<void> done = session.apply(std::move(document)); !done) tell(done.error(), true);
 }
 

@@ -118,6 +118,7 @@ void Shell::take_loaded(Session& session) {
   replace(session, std::move(loaded->document.value()));
   if (what.from == Loading::From::library) return;
   watch_.watch(std::move(loaded->files));
+  reading_ = what.reading;
   remember(what.path);
 }
 

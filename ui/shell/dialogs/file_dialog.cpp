@@ -169,13 +169,4 @@ void FileDialog::take_keys() {
   if (ImGui::GetIO().KeyCtrl && pressed('H', false)) list_.set_hidden(!list_.hidden());
 }
 
-std::string FileDialog::words() const {
-  std::string words = folder_ + text_;
-  for (const FileEntry& entry : list_.entries()) {
-    if (words.size() > 20000) break;
-    words += entry.name;
-  }
-  return words;
-}
-
 }  // namespace replan::ui

@@ -47,8 +47,8 @@ class FileDialog {
   /// Where the dialog stands: the next one begins there.
   [[nodiscard]] const std::string& folder() const { return folder_; }
   [[nodiscard]] bool saving() const { return spec_.saving; }
-  /// The names on show, for the fonts.
-  [[nodiscard]] std::string words() const;
+  /// All names of the folder, for the fonts: the same ones while the user types.
+  [[nodiscard]] std::string words() const { return folder_ + names_; }
 
  private:
   enum class Mode : std::uint8_t { browse, replace, new_folder };
@@ -82,6 +82,7 @@ class FileDialog {
   std::string folder_;
   std::string came_from_;          // the entry to choose once the folder is read
   std::string text_;               // what stands in the field
+  std::string names_;              // all that were found
   std::string error_;              // of the chosen file
   std::string unreadable_;         // why the folder is not shown
   std::vector<std::string> lost_;  // of a document in the chosen kind of file

@@ -17,6 +17,8 @@ namespace replan::ui {
 namespace {
 
 constexpr float kPlaces = 160, kPreview = 268, kSizeColumn = 84, kDateColumn = 104;
+/// The most bytes of names that fonts are asked to hold.
+constexpr std::size_t kMostWords = 20000;
 
 const char* icon_of(FileKind kind) {
   switch (kind) {
@@ -55,10 +57,16 @@ FileChoice FileDialog::draw(const Look& look, float height) {
   choice_ = {};
   if (std::optional<Result<std::vector<FileEntry>>> found = reader_.take()) {
     unreadable_ = *found ? "" : as_sentence(found->error());
+    names_.clear();
+    if (*found)
+      for (const FileEntry& entry : **found)
+        if (names_.size() < kMostWords) names_ += entry.name;
     list_.take(*found ? std::move(found->value()) : std::vector<FileEntry>());
     if (!std::exchange(came_from_, {}).empty()) scroll_ = true;
   }
   if (mode_ == Mode::browse) take_keys();
+  // Before anything is drawn: a picture that is on show must not be given back.
+  preview_.show(folder_, list_.selected());
   const float top = ImGui::GetCursorPosY();
   draw_head(look);
   draw_crumbs(look);
@@ -87,7 +95,6 @@ FileChoice FileDialog::draw(const Look& look, float height) {
     });
   }
   draw_foot(look);
-  preview_.show(folder_, list_.selected());
   return choice_;
 }
 

@@ -10,7 +10,7 @@
 namespace replan::ui {
 namespace {
 
-constexpr float kPictureHeight = 190;
+constexpr float kPictureHeight = 176;
 
 bool is_world(const FileEntry& entry) {
   return entry.kind == FileKind::scenario || entry.kind == FileKind::map || entry.kind == FileKind::picture;

@@ -14,7 +14,7 @@
 namespace replan::ui {
 namespace {
 
-constexpr float kCardWidth = 248, kPicture = 140, kCardHeight = 244;
+constexpr float kCardWidth = 248, kPicture = 140, kCardHeight = 250;
 constexpr int kCaptionLines = 3;
 
 /// At most so many lines, the last one with "…" if there is more.
