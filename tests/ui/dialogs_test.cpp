@@ -186,6 +186,7 @@ TEST_F(DialogsTest, APickedWorldIsNobodysFile) {
   EXPECT_EQ(session_->file(), "");
   press('O', true, true);
   press(key::kRight);
+  press(key::kLeft);
   press(key::kEnter);
   EXPECT_EQ(session_->scenario().name, "Hall");
 }

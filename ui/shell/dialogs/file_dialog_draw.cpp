@@ -62,7 +62,7 @@ FileChoice FileDialog::draw(const Look& look, float height) {
       for (const FileEntry& entry : **found)
         if (names_.size() < kMostWords) names_ += entry.name;
     list_.take(*found ? std::move(found->value()) : std::vector<FileEntry>());
-    if (!std::exchange(came_from_, {}).empty()) scroll_ = true;
+    scroll_ = list_.select(std::exchange(came_from_, {}));
   }
   if (mode_ == Mode::browse) take_keys();
   // Before anything is drawn: a picture that is on show must not be given back.
