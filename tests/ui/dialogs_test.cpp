@@ -205,7 +205,7 @@ TEST_F(DialogsTest, AFileThatChangedOnDiskIsReadAgainOrNotWrittenOverUnasked) {
   edit();
   folder_.with("first.json", world("Changed again"));
   wait_and_look();
-  press(key::kEnter);  // keep mine
+  press(key::kEscape);  // keep mine
   EXPECT_EQ(session_->scenario().name, "Changed");
   press('S', true);
   EXPECT_EQ(read_scenario(path_)->name, "Changed again") << "written over unasked";

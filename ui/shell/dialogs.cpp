@@ -90,8 +90,9 @@ bool Dialogs::complain(const std::string& sentence) {
 }
 
 std::string Dialogs::words() const {
-  if (kind_ == DialogKind::file) return file_->words();
-  if (kind_ == DialogKind::worlds) return worlds_->words();
+  // Also while it only waits behind another one: new fonts cost more than a frame.
+  if (file_) return file_->words();
+  if (worlds_) return worlds_->words();
   std::string words = kind_ == DialogKind::question ? question_.words : "";
   if (kind_ == DialogKind::recover)
     for (const AutosaveNote& note : notes_) words += note.file + note.name;

@@ -116,8 +116,8 @@ void Shell::take_decision(Session& session, const Decision& decision) {
       load(session, {Loading::From::file, session.file(), reading_});
       break;
     case Decision::Kind::keep_mine:
+      disk_differs_ = disk_differs_ || watch_.changed() == session.file();
       watch_.accept();
-      disk_differs_ = true;
       break;
     case Decision::Kind::recover:
       load(session, {Loading::From::autosave, orphans_[decision.index].path, {}, decision.index});

@@ -154,8 +154,7 @@ void Shell::look_at_disk(const Session& session) {
                     .primary = reload,
                     .quiet = keep};
   if (edits > 0) {
-    question.primary = keep;
-    question.quiet = {"Save as…", Decision::Kind::save_elsewhere};
+    question.primary = {"Save as…", Decision::Kind::save_elsewhere};
     question.danger = reload;
   }
   dialogs_.ask(std::move(question));
