@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "core/base/file.hpp"
+#include "core/world/map_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "ui/shell/file_list.hpp"
 #include "ui/shell/file_watch.hpp"
@@ -192,6 +193,32 @@ TEST(Previews, ShowWhatIsInAFileOrWhyNot) {
   EXPECT_NE(make_preview(folder.with("p.scen", ""), {}, {}).error, "");
   std::filesystem::resize_file(folder.with("huge.map", kMap), kMostPreviewBytes + 1);
   EXPECT_NE(make_preview(folder.file("huge.map"), {}, {}).error.find("Too large"), std::string::npos);
+}
+
+TEST(OpenDocument, PutsTheEndsFarApartInTheLargestRegion) {
+  const test::TemporaryFolder folder;
+  Scenario current;
+  current.planners = {{"astar", {}}};
+  // Two regions; the right one is the larger.
+  const std::string path =
+      folder.with("two.map", "type octile\nheight 4\nwidth 6\nmap\n.@....\n.@..@.\n.@....\n.@...@\n");
+  const Result<Scenario> opened = open_document(path, current);
+  ASSERT_TRUE(opened.ok()) << opened.error();
+  EXPECT_EQ(opened->start, (Cell{2, 0}));
+  EXPECT_EQ(opened->goal, (Cell{5, 2}));
+  EXPECT_EQ(opened->planners, current.planners);
+  // A format that knows its ends keeps them.
+  const Result<void> written = write_map_file({opened->map, Cell{3, 3}, Cell{0, 0}}, folder.file("ends.txt"));
+  ASSERT_TRUE(written.ok()) << written.error();
+  const Result<Scenario> again = open_document(folder.file("ends.txt"), current);
+  ASSERT_TRUE(again.ok()) << again.error();
+  EXPECT_EQ(again->start, (Cell{3, 3}));
+  EXPECT_EQ(again->goal, (Cell{0, 0}));
+  // Nothing is free: it opens all the same.
+  EXPECT_TRUE(
+      open_document(folder.with("full.map", "type octile\nheight 1\nwidth 2\nmap\n@@\n"), current).ok());
+  EXPECT_FALSE(open_document(folder.with("p.scen", "version 1\n"), current).ok());
+  EXPECT_FALSE(open_document(folder.file("gone.map"), current).ok());
 }
 
 TEST(RecentFiles, AreTheLatestTenAcrossPrograms) {
