@@ -205,7 +205,7 @@ TEST(OpenDocument, PutsTheEndsFarApartInTheLargestRegion) {
   const Result<Scenario> opened = open_document(path, current);
   ASSERT_TRUE(opened.ok()) << opened.error();
   EXPECT_EQ(opened->start, (Cell{2, 0}));
-  EXPECT_EQ(opened->goal, (Cell{5, 2}));
+  EXPECT_EQ(opened->goal, (Cell{4, 3}));
   EXPECT_EQ(opened->planners, current.planners);
   // A format that knows its ends keeps them.
   const Result<void> written = write_map_file({opened->map, Cell{3, 3}, Cell{0, 0}}, folder.file("ends.txt"));
