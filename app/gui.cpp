@@ -17,7 +17,9 @@
 #include "app/recording.hpp"
 #include "app/render.hpp"
 #include "core/base/file.hpp"
+#include "core/base/folders.hpp"
 #include "core/plan/pages.hpp"
+#include "core/world/library.hpp"
 #include "ui/shell/documents.hpp"
 #include "ui/shell/shell.hpp"
 
@@ -69,6 +71,7 @@ Result<void> dump_state(const Session& session, const std::string& path) {
   const replan::Mark* mark = session.run().mark_at(log.cursor());
   const nlohmann::json json = {{"file", session.file()},
                                {"modified", session.modified()},
+                               {"unsaved", session.unsaved_edits()},
                                {"undo", session.undo_text()},
                                {"obstacles", obstacles},
                                {"cursor", log.cursor()},
@@ -123,6 +126,7 @@ Result<void> Program::open() {
   shell_->view() = remembered_.view;
   shell_->panels().side_width = remembered_.side_width;
   shell_->panels().unit = remembered_.unit;
+  shell_->panels().caption = remembered_.caption;
   shell_->panels().notices = window_->stage().notices();
   ViewSetup view = session_.scenario().view;
   if (session_.file().empty()) view.theme.reset();  // the demo goes by the user's own choice
@@ -131,9 +135,12 @@ Result<void> Program::open() {
   dark_ = shell_->view().dark;
   window_->stage().set_theme(dark_ ? ui::dark() : ui::light());
   window_->on_drop([this](const std::vector<std::filesystem::path>& paths) {
-    if (!paths.empty()) shell_->open(session_, paths.front().string());
+    std::vector<std::string> names;
+    for (const std::filesystem::path& path : paths) names.push_back(path.string());
+    shell_->drop(session_, names);
   });
   window_->on_close([this] { return shell_->may_close(session_); });
+  shell_->settle_in(session_, {state_folder(), library_folder(), {false, [] { Window::wake(); }}});
   return {};
 }
 
@@ -222,7 +229,7 @@ void Program::follow() {
     dark_ = shell_->view().dark;
     window_->stage().set_theme(dark_ ? ui::dark() : ui::light());
   }
-  if (std::string words = ui::Shell::words(session_); words != words_) {
+  if (std::string words = ui::Shell::words(session_, shell_->names_on_show()); words != words_) {
     words_ = std::move(words);
     window_->stage().set_language(words_, false);
   }
@@ -250,10 +257,12 @@ Result<void> Program::close() {
     if (const auto outcome = recording_.end(); outcome && outcome->bad)
       std::fprintf(stderr, "replan: %s\n", outcome->sentence.c_str());
   }
+  shell_->leave();
   remembered_.window = window_->state();
   remembered_.view = shell_->view();
   remembered_.side_width = shell_->panels().side_width;
   remembered_.unit = shell_->panels().unit;
+  remembered_.caption = shell_->panels().caption;
   remembered_.speed = session_.playback().expansions_per_second;
   if (const Result<void> written = write_settings(remembered_, settings_path()); !written)
     std::fprintf(stderr, "replan: %s\n", written.error().c_str());

@@ -56,6 +56,7 @@ Remembered read_settings(const std::string& path) {
   result.view.editing.round = whole(json, "round_brush", 0, 1, 0) != 0;
   result.view.tab = whole(json, "tab", ui::kPlannerTab, ui::kLogTab, ui::kCellTab);
   result.side_width = static_cast<float>(number(json, "side_width", 280, 640, result.side_width));
+  result.caption = flag(json, "caption", true);
   result.unit = static_cast<StepUnit>(whole(json, "step_unit", 0, 3, static_cast<int>(result.unit)));
   result.speed = number(json, "speed", 0.1, Session::kFullSpeed, result.speed);
   return result;
@@ -76,6 +77,7 @@ Result<void> write_settings(const Remembered& settings, const std::string& path)
                      {"round_brush", settings.view.editing.round ? 1 : 0},
                      {"tab", settings.view.tab},
                      {"side_width", settings.side_width},
+                     {"caption", settings.caption},
                      {"step_unit", static_cast<int>(settings.unit)},
                      {"speed", settings.speed}};
   return write_file_atomically(path, json.dump(2) + "\n");

@@ -17,6 +17,7 @@ struct Remembered {
   WindowSettings window;
   ui::ViewState view;
   float side_width = 372;
+  bool caption = true;
   StepUnit unit = StepUnit::expansion;
   double speed = Playback{}.expansions_per_second;
 };

@@ -57,7 +57,8 @@ Result<void> render_film(const RenderRequest& request, Session& session, const u
   auto film = Film::open({request.output, request.width, request.height, request.film.fps});
   if (!film) return Error{film.error()};
   for (std::size_t i = 0; i < frames->size(); ++i) {
-    if (Result<void> sought = session.apply(Seek{(*frames)[i].position, (*frames)[i].travel}); !sought) return sought;
+    if (Result<void> sought = session.apply(Seek{(*frames)[i].position, (*frames)[i].travel}); !sought)
+      return sought;
     finish_runs();  // seeking may have asked the background for more; a frame shall not depend on when
     if (Result<void> added = (*film)->add((*studio)->shoot(session)); !added) return added;
     if (request.progress) request.progress(i + 1, frames->size());

@@ -38,7 +38,7 @@ This system is not Debian, so nothing was installed. If the build stops because 
   g++ 12 or clang 14 (or later), CMake 3.25, Ninja, pkg-config; ccache if you like
   Dear ImGui 1.86 as a library with a pkg-config file, GLFW 3.3, OSMesa (Mesa's off-screen OpenGL) and its headers
   stb (stb_image.h, stb_image_write.h, stb_truetype.h under stb/), nlohmann-json 3, yaml-cpp 0.7, libjpeg, CLI11 2
-  ffmpeg
+  the program ffmpeg, for films; the rest works without it
   the fonts Inter, JetBrains Mono, Font Awesome 4.7 and WenQuanYi Micro Hei (without them it falls back, and says so)
   for the tests: GoogleTest, Google Benchmark, Xvfb, xdotool
 TEXT

@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -8,10 +6,11 @@
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
-#include "core/plan/pages.hpp"
+#include "core/base/file.hpp"
 #include "core/plan/registry.hpp"
 #include "core/scene/view.hpp"
 #include "core/world/generator_list.hpp"
+#include "core/world/library.hpp"
 #include "core/world/map_file.hpp"
 #include "core/world/scenario.hpp"
 
@@ -115,8 +114,8 @@ Result<Listing> list_overlays() {
 }
 
 /// One file of the maps folder; nothing if it is no world.
-void list_world(const std::filesystem::path& file, Table& table, Json& json) {
-  const std::string path = file.string(), kind = file.extension() == ".json" ? "scenario" : "map";
+void list_world(const std::string& path, Table& table, Json& json) {
+  const std::string kind = file_extension(path) == ".json" ? "scenario" : "map";
   Scenario world;
   if (kind == "scenario") {
     auto scenario = read_scenario(path);
@@ -138,19 +137,13 @@ void list_world(const std::filesystem::path& file, Table& table, Json& json) {
 }
 
 Result<Listing> list_maps() {
-  namespace fs = std::filesystem;
-  std::error_code failed;
-  const fs::path folder = fs::weakly_canonical(fs::path(assets_folder()) / ".." / "maps", failed);
-  std::vector<fs::path> files;
-  for (auto entry = fs::recursive_directory_iterator(folder, failed); !failed && entry != fs::end(entry);
-       entry.increment(failed))
-    if (entry->is_regular_file(failed)) files.push_back(entry->path());
-  if (files.empty()) return Error{"no maps were found in '" + folder.string() + "'"};
-  std::sort(files.begin(), files.end());
+  const std::string folder = library_folder();
+  const std::vector<std::string> files = library_files(folder);
+  if (files.empty()) return Error{"no maps were found in '" + folder + "'"};
   Listing listing;
   listing.json["maps"] = Json::array();
   Table table({{"file", left}, {"kind", left}, {"cells"}, {"name", left}});
-  for (const fs::path& file : files) list_world(file, table, listing.json["maps"]);
+  for (const std::string& file : files) list_world(file, table, listing.json["maps"]);
   listing.text = table.text();
   return listing;
 }

@@ -94,10 +94,14 @@ struct ResetParameters {
 struct SetRobot {
   RobotSetup robot;
 };
-/// `file` is where it came from, empty for a new world.
+/// `file` is where it came from, empty for a new world. The other two are for work that is taken up again
+/// after a crash: how many edits of it are not in the file, and how many of its surprises were there before
+/// them (else all were).
 struct ReplaceScenario {
   Scenario scenario;
   std::string file;
+  std::size_t unsaved_edits = 0;
+  std::optional<std::size_t> scripted = {};
 };
 struct Undo {};
 struct Redo {};

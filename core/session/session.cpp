@@ -82,7 +82,8 @@ Result<void> Session::run_command(const ReplaceScenario& command) {
   undo_.clear();
   redo_.clear();
   saved_at_ = 0;
-  scripted_ = scenario_->surprises.size();
+  taken_up_ = command.unsaved_edits;
+  scripted_ = std::min(command.scripted.value_or(scenario_->surprises.size()), scenario_->surprises.size());
   playback_.direction = 0;
   restart_runs();
   say(file_.empty() ? "new world" : "opened " + file_);

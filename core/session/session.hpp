@@ -41,7 +41,16 @@ class Session {
   [[nodiscard]] const Playback& playback() const { return playback_; }
   [[nodiscard]] const std::string& file() const { return file_; }
   /// True if there are edits that were not saved.
-  [[nodiscard]] bool modified() const { return document_state() != saved_at_; }
+  [[nodiscard]] bool modified() const { return document_state() != saved_at_ || taken_up_ > 0; }
+  /// How many edits were not saved, counted as undo counts them; 0 if and only if nothing is modified.
+  [[nodiscard]] std::size_t unsaved_edits() const;
+  /// Another number after every edit, undo and redo; the same one when they have led back to the same
+  /// document.
+  [[nodiscard]] std::uint64_t document_state() const { return undo_.empty() ? 0 : undo_.back().serial; }
+  /// The scenario, to be read from another thread while this one goes on editing.
+  [[nodiscard]] std::shared_ptr<const Scenario> snapshot() const { return scenario_; }
+  /// How many of its surprises came with the file; the later ones are edits of the running mission.
+  [[nodiscard]] std::size_t scripted() const { return scripted_; }
   /// Counts every change of what a view could show: equal numbers, equal pictures.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   /// What undo would take back and redo bring back; empty if nothing.
@@ -113,9 +122,6 @@ class Session {
   void commit_movers(std::string label, std::uint64_t stroke, std::vector<MovingObstacle> movers);
   [[nodiscard]] bool under_way() const;
   Result<void> edit_script(std::string label, std::uint64_t stroke, Surprise surprise);
-  [[nodiscard]] std::uint64_t document_state() const {
-    return undo_.empty() ? 0 : undo_.back().serial;
-  }
   void seek(std::size_t position, double travel = 1);
   bool play(double seconds);
   [[nodiscard]] double seconds_of(const Run& run, std::size_t from, std::size_t to) const;
@@ -132,7 +138,8 @@ class Session {
   double step_seconds_ = 0;  // how long the last stop lasts in all
   bool follow_ = true;       // the cursor stays at the end of the log
   std::uint64_t serials_ = 0, saved_at_ = 0;
-  std::size_t scripted_ = 0;  // surprises that came with the scenario
+  std::size_t taken_up_ = 0;      // unsaved edits that came with the scenario
+  std::size_t scripted_ = 0;      // surprises that came with the scenario
   std::size_t stroke_cells_ = 0;  // changed so far by the last stroke of a brush
   std::uint64_t revision_ = 1;
   std::vector<std::string> log_;

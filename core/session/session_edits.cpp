@@ -1,6 +1,7 @@
 // The session's edits: what changes the document, and how it is taken back and saved.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "core/session/session.hpp"
@@ -301,9 +302,19 @@ Scenario Session::to_save() const {
   return folded;
 }
 
+std::size_t Session::unsaved_edits() const {
+  if (!modified()) return 0;
+  // What was saved and then taken back differs from the file just as what was done since.
+  const auto after = [this](const Edit& edit) { return edit.serial > saved_at_; };
+  const auto done = std::count_if(undo_.begin(), undo_.end(), after);
+  const auto taken_back = saved_at_ == 0 ? 0 : std::count_if(redo_.begin(), redo_.end(), std::not_fn(after));
+  return std::max<std::size_t>(1, taken_up_ + static_cast<std::size_t>(done + taken_back));
+}
+
 void Session::saved(const std::string& file) {
   file_ = file;
   saved_at_ = document_state();
+  taken_up_ = 0;
   say("saved " + file);
   ++revision_;
 }

@@ -1,53 +1,63 @@
 #include "core/world/ends.hpp"
 
-#include <algorithm>
 #include <vector>
 
 namespace replan {
 namespace {
 
-/// The free cells that can be reached from `from` by straight moves; marks them in `seen`.
-std::vector<std::size_t> region(const GridMap& map, std::size_t from, std::vector<std::uint8_t>& seen) {
-  std::vector<std::size_t> cells = {from};
-  seen[from] = 1;
+/// Free cells that can be reached from one another by straight moves.
+struct Region {
+  std::size_t cells = 0;
+  std::size_t first = 0, last = 0;  ///< those nearest to the upper left and to the lower right corner
+};
+
+/// The region around `from`, whose cells it marks in `seen`. Only the rim of what was reached is kept in
+/// memory: the largest maps have 2^26 cells.
+Region region_around(const GridMap& map, std::size_t from, std::vector<std::uint8_t>& seen,
+                     const std::stop_token& stop) {
   const auto width = static_cast<std::size_t>(map.width);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::size_t at = cells[i], x = at % width;
-    const auto visit = [&](bool inside, std::size_t next) {
-      if (!inside || seen[next] != 0 || map.blocked[next] != 0) return;
-      seen[next] = 1;
-      cells.push_back(next);
-    };
-    visit(x > 0, at - 1);
-    visit(x + 1 < width, at + 1);
-    visit(at >= width, at - width);
-    visit(at + width < map.blocked.size(), at + width);
-  }
-  return cells;
+  const auto diagonal = [width](std::size_t cell) { return cell % width + cell / width; };
+  Region region{0, from, from};
+  std::size_t nearest = diagonal(from), farthest = nearest;
+  std::vector<std::size_t> rim = {from}, next;
+  seen[from] = 1;
+  for (; !rim.empty() && !stop.stop_requested(); rim.swap(next), next.clear())
+    for (const std::size_t at : rim) {
+      const std::size_t x = at % width, here = x + at / width;
+      const auto visit = [&](bool inside, std::size_t cell) {
+        if (!inside || seen[cell] != 0 || map.blocked[cell] != 0) return;
+        seen[cell] = 1;
+        next.push_back(cell);
+      };
+      ++region.cells;
+      if (here < nearest) nearest = here, region.first = at;
+      if (here >= farthest) farthest = here, region.last = at;
+      visit(x > 0, at - 1);
+      visit(x + 1 < width, at + 1);
+      visit(at >= width, at - width);
+      visit(at + width < map.blocked.size(), at + width);
+    }
+  return region;
 }
 
 }  // namespace
 
-void place_ends(Scenario& scenario) {
+void place_ends(Scenario& scenario, const std::stop_token& stop) {
   const GridMap& map = scenario.map;
   std::vector<std::uint8_t> seen(map.blocked.size());
-  std::vector<std::size_t> largest;
-  for (std::size_t i = 0; i < map.blocked.size(); ++i) {
+  Region largest;
+  for (std::size_t i = 0; i < map.blocked.size() && !stop.stop_requested(); ++i) {
     if (seen[i] != 0 || map.blocked[i] != 0) continue;
-    std::vector<std::size_t> found = region(map, i, seen);
-    if (found.size() > largest.size()) largest = std::move(found);
+    const Region found = region_around(map, i, seen, stop);
+    if (found.cells > largest.cells) largest = found;
   }
-  if (largest.empty()) return;
+  if (largest.cells == 0) return;
   const auto width = static_cast<std::size_t>(map.width);
-  const auto diagonal = [width](std::size_t cell) { return cell % width + cell / width; };
-  const auto [first, last] =
-      std::minmax_element(largest.begin(), largest.end(),
-                          [&](std::size_t a, std::size_t b) { return diagonal(a) < diagonal(b); });
   const auto cell = [width](std::size_t index) {
     return Cell{static_cast<int>(index % width), static_cast<int>(index / width)};
   };
-  scenario.start = cell(*first);
-  scenario.goal = cell(*last);
+  scenario.start = cell(largest.first);
+  scenario.goal = cell(largest.last);
 }
 
 }  // namespace replan

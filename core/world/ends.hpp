@@ -1,12 +1,14 @@
 // Where the robot sets out and where it goes, in a world that does not say.
 #pragma once
 
+#include <stop_token>
+
 #include "core/world/scenario.hpp"
 
 namespace replan {
 
 /// Puts start and goal at the ends of the largest open region, at its upper left and its lower right. A world
-/// without a free cell keeps what it has.
-void place_ends(Scenario& scenario);
+/// without a free cell keeps what it has. A stop leaves the ends anywhere.
+void place_ends(Scenario& scenario, const std::stop_token& stop = {});
 
 }  // namespace replan

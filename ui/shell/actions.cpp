@@ -234,6 +234,8 @@ bool checked(const Action& action, const ActionContext& context) {
       return context.panels.recording.on && !context.panels.recording.window;
     case ActionId::record_window:
       return context.panels.recording.on && context.panels.recording.window;
+    case ActionId::caption:
+      return context.panels.caption;
     default:
       break;
   }

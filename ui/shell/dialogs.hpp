@@ -1,59 +1,125 @@
 // The window's dialogs: one at a time, over everything else.
 #pragma once
 
+#include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "core/session/autosave.hpp"
+#include "ui/shell/dialogs/file_dialog.hpp"
+#include "ui/shell/dialogs/world_picker.hpp"
 #include "ui/shell/frame.hpp"
 
 namespace replan::ui {
 
-enum class DialogKind : std::uint8_t { none, open, save, new_world, unsaved, keys, film, picture };
+enum class DialogKind : std::uint8_t {
+  none,
+  file,
+  worlds,
+  opening,
+  new_world,
+  question,
+  recover,
+  keys,
+  film,
+  picture
+};
 
 /// What the user decided.
 struct Decision {
   enum class Kind : std::uint8_t {
     none,
     open,
+    open_world,  ///< of the library: its file is not the user's own
     save,
+    save_elsewhere,
     new_world,
     capture,
     save_first,
     discard,
+    overwrite,
+    reload,
+    keep_mine,
+    recover,
+    forget,
     cancel
   } kind = Kind::none;
-  std::string path;  ///< for open, save and capture
-  int width = 0;     ///< for new_world
+  std::string path = {};    ///< for open, open_world, save and capture
+  MapReading reading = {};  ///< for open
+  int width = 0;            ///< for new_world
   int height = 0;
-  int fps = 0;  ///< for capture of a film
+  int fps = 0;            ///< for capture of a film
+  std::size_t index = 0;  ///< for recover and forget: which of those on offer
+};
+
+/// A question with two or three answers.
+struct Question {
+  struct Choice {
+    std::string label;
+    Decision::Kind decision = Decision::Kind::cancel;
+  };
+  std::string title, words;
+  Choice primary;                     ///< also by Enter
+  Choice quiet = {"Cancel"};          ///< also by Escape
+  std::optional<Choice> danger = {};  ///< what loses something; apart from the others
 };
 
 class Dialogs {
  public:
-  /// Shows a dialog at the next draw. `text`: the path to begin with, or for `unsaved` the name of what is
-  /// unsaved.
-  void show(DialogKind kind, std::string text = {});
-  void close() { kind_ = DialogKind::none; }
-  /// Shows a sentence in the open path dialog: what went wrong, and what now.
-  void complain(std::string sentence) { error_ = std::move(sentence); }
+  explicit Dialogs(ImGuiRenderer& renderer) : renderer_(renderer) {}
+
+  // Each is shown at the next draw.
+  void show(DialogKind kind);
+  void ask(Question question);
+  void choose_file(FileDialogSpec spec, const WorkPlace& place);
+  void choose_world(WorldLibrary& library);
+  void offer(std::vector<AutosaveNote> notes);
+  /// Asks for the name of a film or picture, `path` to begin with.
+  void ask_capture(bool film, std::string path);
+  /// Tells that a file is being read, once that takes longer than a moment.
+  void wait_for(std::string name);
+
+  void close();
+  /// Shows a sentence in the dialog that led here: what went wrong, and what now. False if there is none.
+  bool complain(const std::string& sentence);
   [[nodiscard]] bool open() const { return kind_ != DialogKind::none; }
+  /// Whether something moves in the open dialog.
+  [[nodiscard]] bool animated() const { return kind_ == DialogKind::opening; }
+  /// Where the last file dialog stood; empty if there was none.
+  [[nodiscard]] const std::string& folder() const { return folder_; }
+  /// What stands in the open dialog besides the program's own words, for the fonts.
+  [[nodiscard]] std::string words() const;
 
   /// Draws the open dialog, if any, and returns what was decided in this frame.
   Decision draw(const Look& look);
 
  private:
+  void begin(DialogKind kind);
   Decision content(const Look& look);
-  Decision path_dialog(const Look& look, bool saving);
+  Decision file_dialog(const Look& look, float height);
+  Decision world_dialog(const Look& look, float height);
   Decision capture_dialog(const Look& look, bool film);
   Decision new_world_dialog(const Look& look);
-  Decision unsaved_dialog(const Look& look);
+  Decision question_dialog(const Look& look);
+  Decision recover_dialog(const Look& look);
+  Decision opening_dialog(const Look& look);
   Decision keys_dialog(const Look& look);
 
+  ImGuiRenderer& renderer_;
   DialogKind kind_ = DialogKind::none;
-  bool fresh_ = false;  // to be opened by this draw
-  std::string text_;
-  std::string error_;
-  double width_ = 48, height_ = 32, fps_ = 30;
+  bool fresh_ = false;                              // to be opened by this draw
+  std::unique_ptr<FileDialog> file_, closed_file_;  // a closed one holds textures that are still to be drawn
+  std::unique_ptr<WorldPicker> worlds_, closed_worlds_;
+  Question question_;
+  std::vector<AutosaveNote> notes_;
+  std::string name_;  // of what is being opened
+  std::chrono::steady_clock::time_point since_;
+  std::string folder_;
+  double width_ = 48, height_ = 32;  // of the new world
+  std::string capture_path_;
+  double fps_ = 30;  // of the film
 };
 
 }  // namespace replan::ui

@@ -29,16 +29,19 @@ bool map_file_holds(const Scenario& scenario, const std::string& folder) {
 
 }  // namespace
 
-Result<Scenario> open_document(const std::string& path, const Scenario& current) {
+Result<Scenario> open_document(const std::string& path, const Scenario& current, const MapReading& reading,
+                               const std::stop_token& stop) {
   if (path.empty()) return Error{"Type the path of a scenario (.json), a map (.map) or a picture (.png)."};
   if (file_extension(path) == ".json") return read_scenario(path);
   if (file_extension(path) == ".scen")
     return Error{path + ": a .scen file lists problems, not a world; open the .map that it is for"};
-  Result<GridMap> map = read_map(path);
-  if (!map) return Error{map.error()};
-  Scenario scenario = world_of(*std::move(map), current);
+  Result<MapFile> file = read_map_file(path, reading);
+  if (!file) return Error{file.error()};
+  Scenario scenario = world_of(std::move(file->map), current);
   scenario.name = file_stem(path);
-  place_ends(scenario);
+  if (!file->start || !file->goal) place_ends(scenario, stop);
+  if (file->start) scenario.start = *file->start;
+  if (file->goal) scenario.goal = *file->goal;
   return scenario;
 }
 
@@ -55,13 +58,16 @@ bool saves_in_place(const std::string& path) {
 }
 
 Result<void> save_document(const Session& session, const ViewState& view, const std::string& path) {
-  const std::string kind = file_extension(path);
   if (path.empty())
     return Error{"Type the path of the file to write: NAME.json, or NAME.map for the cells alone."};
   Scenario scenario = session.to_save();
-  if (kind == ".map") return write_map(scenario.map, path);
-  if (kind != ".json")
-    return Error{"End the name with .json for the whole scenario, or with .map for the cells alone."};
+  if (file_extension(path) != ".json") {
+    const MapFormat* format = find_map_format(path);
+    if (format == nullptr || !format->writes)
+      return Error{"End the name with .json for the whole scenario, or with " + map_extensions(true) +
+                   " for the map alone."};
+    return write_map_file({std::move(scenario.map), scenario.start, scenario.goal}, path);
+  }
   if (!scenario.map_file.empty() && !map_file_holds(scenario, file_folder(path))) scenario.map_file.clear();
   scenario.view.overlays.clear();
   for (const OverlayInfo& info : overlays())
@@ -72,6 +78,31 @@ Result<void> save_document(const Session& session, const ViewState& view, const 
 std::string document_name(const Session& session) {
   if (!session.file().empty()) return file_name(session.file());
   return session.scenario().name.empty() ? "untitled" : session.scenario().name;
+}
+
+Dropped sort_out(const std::vector<std::string>& paths) {
+  const auto worth = [](const std::string& path) {
+    std::error_code failed;
+    if (std::filesystem::is_directory(path, failed)) return 1;
+    if (file_extension(path) == ".json") return 4;
+    const MapFormat* format = find_map_format(path);
+    return format == nullptr ? 0 : format->picture ? 2 : 3;
+  };
+  if (paths.empty()) return {};
+  const auto best =
+      std::max_element(paths.begin(), paths.end(),
+                       [&](const std::string& a, const std::string& b) { return worth(a) < worth(b); });
+  Dropped dropped{*best, worth(*best) == 1, ""};
+  if (worth(*best) == 0) {
+    dropped.path.clear();
+    dropped.sentence = "'" + file_name(*best) +
+                       "' is no world: drop a scenario (.json), or a map that ends in " +
+                       map_extensions(false) + ".";
+  } else if (paths.size() > 1) {
+    dropped.sentence = "One world is open at a time: of " + std::to_string(paths.size()) +
+                       " dropped files '" + file_name(*best) + "' was taken.";
+  }
+  return dropped;
 }
 
 std::string typed_path(const std::string& text) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 
 namespace replan::ui {
 namespace {
@@ -128,6 +129,21 @@ std::string bytes_text(std::size_t bytes) {
   if (size < 1e6) return fixed(size / 1e3, 1) + " kB";
   if (size < 1e9) return fixed(size / 1e6, 1) + " MB";
   return fixed(size / 1e9, 2) + " GB";
+}
+
+std::string date_text(std::int64_t seconds) {
+  constexpr const char* kMonths[] = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
+                                     "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+  const std::time_t then = static_cast<std::time_t>(seconds), now = std::time(nullptr);
+  std::tm at{}, today{};
+  if (::localtime_r(&then, &at) == nullptr || ::localtime_r(&now, &today) == nullptr) return "";
+  std::array<char, 64> text{};
+  if (at.tm_year != today.tm_year)
+    std::strftime(text.data(), text.size(), "%Y-%m-%d", &at);
+  else
+    std::strftime(text.data(), text.size(), "%H:%M", &at);
+  if (at.tm_year != today.tm_year || at.tm_yday == today.tm_yday) return text.data();
+  return std::to_string(at.tm_mday) + " " + kMonths[at.tm_mon] + " " + text.data();
 }
 
 std::string count_text(std::int64_t count, const char* one, const char* many) {

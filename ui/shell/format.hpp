@@ -22,6 +22,9 @@ std::string cell_text(Cell cell);
 std::string node_text(const Run& run, NodeId node);
 /// "1.4 MB".
 std::string bytes_text(std::size_t bytes);
+/// When it was, in local time and as short as it is clear: "10:42" today, "3 May 10:42" this year, else
+/// "2024-05-03". `seconds` since 1970.
+std::string date_text(std::int64_t seconds);
 /// "3 cells", "1 cell".
 std::string count_text(std::int64_t count, const char* one, const char* many);
 

@@ -29,6 +29,9 @@ enum class Wish : std::uint8_t {
   none,
   new_world,
   open,
+  worlds,
+  recent,  ///< PanelState::wished
+  forget_recent,
   save,
   save_as,
   quit,
@@ -75,6 +78,9 @@ struct PanelState {
   bool history = false;       ///< the Log tab lists the edits
   std::string said;           ///< a sentence for the user, to be shown over the canvas
   bool said_bad = false;
+  std::vector<std::string> recent;   ///< files that were opened last, the latest first
+  std::string wished;                ///< the file that a wish is about
+  bool caption = false;              ///< what the world is about is told over the canvas, if it says so
   std::vector<std::string> notices;  ///< for the Log: what the platform had to say (missing fonts)
 };
 

@@ -16,6 +16,7 @@ namespace {
 
 constexpr float kNarrowestSide = 280, kWidestSide = 640, kNarrowestCanvas = 320;
 constexpr float kNarrowestPane = 340;
+constexpr float kCaption = 32;  // height of the line over the canvas
 
 /// Seeks, steps and play are no edits: nobody needs to be told twice that there is nothing to undo.
 bool is_quiet(const Command& command) {
@@ -45,19 +46,21 @@ void Shell::draw(const Look& look, Session& session, double) {
   if (const std::string failure = session.failure(); !failure.empty() && message_.text.empty())
     tell(failure, true);
   drawn_ = session.revision();
+  take_loaded(session);
   const Decision decision = dialogs_.draw(look);
   world_dialogs_.draw(look, session, commands);
   if (!panels_.said.empty()) tell(std::exchange(panels_.said, {}), panels_.said_bad);
   take_commands(session, commands);
   take_wish(session, wish);
   take_decision(session, decision);
+  keep(session);
 }
 
 bool Shell::wants_frames(const Session& session) const {
   const bool busy =
       std::any_of(session.runs().begin(), session.runs().end(), [](const auto& run) { return run->busy(); });
   return busy || session.playback().direction != 0 || session.revision() != drawn_ || held_ ||
-         panels_.animated ||
+         panels_.animated || dialogs_.animated() ||
          std::any_of(canvases_.begin(), canvases_.end(), [](const auto& each) { return each->animating(); });
 }
 
@@ -79,6 +82,7 @@ void Shell::draw_parts(Frame& frame) {
   const Look& look = frame.look;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const bool panels = view_.panels;
+  const std::string& session_caption = frame.session.scenario().caption;
   const float left = panels ? look.px.tools : 0;
   const float widest = std::max(size.x - left - look.px(kNarrowestCanvas), look.px(kNarrowestSide));
   const float side = panels ? std::min(look.px(panels_.side_width), widest) : 0;
@@ -93,7 +97,10 @@ void Shell::draw_parts(Frame& frame) {
   if (panels)
     area("tools", {0, look.px.menu}, {left, under - look.px.menu}, look.theme.panel, {look.px(7), look.px(8)},
          [&] { draw_tool_strip(frame); });
-  draw_canvas(frame, {left, look.px.menu}, {split, under});
+  const bool told = panels_.caption && !session_caption.empty();
+  const float top = look.px.menu + (told ? look.px(kCaption) : 0);
+  if (told) draw_caption(frame, {left, look.px.menu}, {split - left, look.px(kCaption)});
+  draw_canvas(frame, {left, top}, {split, under});
   area("transport", {0, under}, {split, look.px.transport}, look.theme.panel, {look.px.l, look.px(14)},
        [&] { draw_transport(frame); });
   if (panels) {
@@ -139,6 +146,35 @@ void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
                              !dialogs_.open() && !world_dialogs_.open(), frame.commands);
       row.draw_parting(i);
     }
+  });
+}
+
+void Shell::draw_caption(Frame& frame, ImVec2 min, ImVec2 size) {
+  const Look& look = frame.look;
+  const Scenario& scenario = frame.session.scenario();
+  area("caption", min, size, look.theme.panel, {look.px.m, look.px.xs}, [&] {
+    const float right = ImGui::GetContentRegionAvail().x;
+    const float buttons = library_ ? look.px(24) * 2 + look.px.xs : look.px(24);
+    const float y = min.y + (size.y - look.fonts.ui->FontSize) * 0.5f;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const std::string name = elide(look.fonts.title, scenario.name, right * 0.4f);
+    const float words = name.empty() ? 0 : text_width(look.fonts.title, name) + look.px.m;
+    draw_text(list, look.fonts.title, {min.x + look.px.m, y}, look.theme.text, name);
+    const float room = std::max(right - words - buttons - look.px.m, look.px(20));
+    draw_text(list, look.fonts.ui, {min.x + look.px.m + words, y}, look.theme.dim,
+              elide(look.fonts.ui, scenario.caption, room));
+    ImGui::InvisibleButton("words", {right - buttons - look.px.s, look.px(24)});
+    hint(look, {scenario.name.c_str(), "", scenario.caption.c_str()});
+    ImGui::SameLine(0, look.px.s);
+    const Action& worlds = action(ActionId::worlds);
+    if (library_ && small_button(look, "worlds", {.icon = icon::map, .hint = worlds.hint()}))
+      perform(frame, ActionId::worlds);
+    if (library_) ImGui::SameLine(0, look.px.xs);
+    if (small_button(
+            look, "close",
+            {.icon = icon::times, .hint = {"Hide the caption", "", "View > Caption shows it again."}}))
+      panels_.caption = false;
+    edge(look, Edge::bottom);
   });
 }
 

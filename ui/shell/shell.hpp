@@ -3,24 +3,42 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/session/autosave.hpp"
 #include "ui/canvas.hpp"
 #include "ui/gl/imgui_renderer.hpp"
 #include "ui/shell/actions.hpp"
 #include "ui/shell/dialogs.hpp"
 #include "ui/shell/dialogs/world_dialogs.hpp"
+#include "ui/shell/file_watch.hpp"
 #include "ui/shell/frame.hpp"
+#include "ui/shell/recent_files.hpp"
+#include "ui/shell/world_library.hpp"
 
 namespace replan::ui {
+
+/// What a window has around it, and a picture has not.
+struct Surroundings {
+  std::string state_folder;   ///< for recent files and autosaves; empty: nothing is kept
+  std::string worlds_folder;  ///< the library
+  WorkPlace work;             ///< how long work is done
+};
 
 class Shell {
  public:
   /// The renderer's context must be current in draw() and in the destructor.
-  explicit Shell(ImGuiRenderer& renderer) : renderer_(renderer) {}
+  explicit Shell(ImGuiRenderer& renderer) : renderer_(renderer), dialogs_(renderer) {}
+
+  /// For a window, once: from now on files are remembered and watched, and unsaved work is kept. Offers the
+  /// work that an earlier program left behind.
+  void settle_in(const Session& session, Surroundings surroundings);
+  /// A clean end: what was not saved is not wanted.
+  void leave();
 
   /// Draws one frame over the whole display, then applies what was asked for. The owner calls
   /// session.update().
@@ -40,9 +58,13 @@ class Shell {
   [[nodiscard]] static std::string title(const Session& session);
   /// The session's own words if they need characters that the fonts do not hold at first: for
   /// Stage::set_language().
-  [[nodiscard]] static std::string words(const Session& session);
+  [[nodiscard]] static std::string words(const Session& session, const std::string& also = {});
+  /// Names of files and worlds that menus and dialogs show, for words().
+  [[nodiscard]] std::string names_on_show() const;
   /// Opens a file; asks first if there are unsaved edits.
   void open(Session& session, const std::string& path);
+  /// Takes what was dropped onto the window: opens a file, looks into a folder, or says why not.
+  void drop(Session& session, const std::vector<std::string>& paths);
   /// The user wants to close the window. True if it may close now; else the user is asked.
   bool may_close(const Session& session);
   /// The user has decided to quit.
@@ -55,8 +77,27 @@ class Shell {
  private:
   /// What happens once unsaved edits are dealt with.
   struct Pending {
-    enum class Kind : std::uint8_t { none, open_dialog, open_file, new_world, quit } kind = Kind::none;
+    enum class Kind : std::uint8_t {
+      none,
+      open_dialog,
+      open_file,
+      worlds_dialog,
+      new_world,
+      quit
+    } kind = Kind::none;
+    std::string path;  ///< of the file, or of the folder that the dialog begins with
+  };
+  /// A document on its way from its file.
+  struct Loading {
+    enum class From : std::uint8_t { file, library, autosave } from = From::file;
     std::string path;
+    MapReading reading;
+    std::size_t orphan = 0;  ///< for autosave: which of orphans_
+  };
+  struct Loaded {
+    Loading what;
+    Result<ReplaceScenario> document;
+    std::vector<StampedFile> files;
   };
   struct Message {
     std::string text;
@@ -77,18 +118,41 @@ class Shell {
   void take_decision(Session& session, const Decision& decision);
   void begin(Session& session, Pending pending);
   void go_on(Session& session);
-  bool load(Session& session, const std::string& path);
+  void choose_open(const Session& session, const std::string& path);
+  void choose_save(const Session& session);
+  [[nodiscard]] std::vector<Place> places() const;
+  void save_in_place(Session& session);
   bool save(Session& session, const std::string& path);
   void complain(const std::string& sentence);
-  void replace(Session& session, Scenario scenario, const std::string& file);
+  void replace(Session& session, ReplaceScenario document);
+  [[nodiscard]] Question unsaved_question(const Session& session) const;
+
+  void load(Session& session, Loading what);
+  void take_loaded(Session& session);
+  void keep(Session& session);
+  void look_at_disk(const Session& session);
+  void remember(const std::string& path);
+  void offer_orphans();
+  void draw_caption(Frame& frame, ImVec2 min, ImVec2 size);
 
   ImGuiRenderer& renderer_;
   std::vector<std::unique_ptr<Canvas>> canvases_;  // by pane
   ViewState view_;
   PanelState panels_;
-  Dialogs dialogs_;
+  Surroundings surroundings_;
+  std::unique_ptr<WorldLibrary> library_;
+  Dialogs dialogs_;  // after the library that it shows
   WorldDialogs world_dialogs_;
   Pending pending_;
+  std::unique_ptr<Background<Loaded>> loader_ = std::make_unique<Background<Loaded>>();
+  std::unique_ptr<Autosaver> autosave_ = std::make_unique<Autosaver>();
+  std::vector<Orphan> orphans_;
+  RecentFiles recent_;
+  FileWatch watch_;
+  MapReading reading_;         // how the document's file was read
+  bool disk_differs_ = false;  // the user keeps another version than the file's
+  std::chrono::steady_clock::time_point looked_at_disk_;
+  std::int64_t unsaved_since_ = 0;  // seconds since 1970; 0: all is saved
   Message message_;
   CaptureRequest asked_;  // while its dialog is open
   std::optional<CaptureRequest> capture_;

@@ -1,7 +1,11 @@
-// What the shell does with wishes and decisions: opening, saving, asking, and saying how it went.
+// What the shell does with wishes and decisions about documents: opening, saving, asking, and saying how it
+// went.
 #include <algorithm>
+#include <filesystem>
 
 #include "core/base/file.hpp"
+#include "core/world/map_file.hpp"
+#include "ui/icons.hpp"
 #include "ui/shell/documents.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/shell.hpp"
@@ -10,6 +14,27 @@ namespace replan::ui {
 namespace {
 
 constexpr auto kMessageTime = std::chrono::seconds(6), kErrorTime = std::chrono::seconds(15);
+
+std::vector<FileFilter> filters_to_open() {
+  FileFilter worlds{"Worlds: scenarios and maps", {".json"}}, maps{"Maps", {}}, pictures{"Pictures", {}};
+  for (const MapFormat& format : map_formats()) {
+    worlds.extensions.emplace_back(format.extension);
+    (format.picture ? pictures : maps).extensions.emplace_back(format.extension);
+  }
+  return {worlds, {"Scenarios (.json)", {".json"}}, maps, pictures, {"All files", {}}};
+}
+
+std::vector<FileFilter> filters_to_save() {
+  std::vector<FileFilter> filters = {{"Scenario (.json)", {".json"}}};
+  for (const MapFormat& format : map_formats()) {
+    if (!format.writes || format.extension == ".yml") continue;  // .yaml is the same
+    std::string name(format.name);
+    if (name.front() >= 'a' && name.front() <= 'z')
+      name.front() = static_cast<char>(name.front() - 'a' + 'A');
+    filters.push_back({name + " (" + std::string(format.extension) + ")", {std::string(format.extension)}});
+  }
+  return filters;
+}
 
 }  // namespace
 
@@ -23,19 +48,24 @@ void Shell::take_wish(Session& session, Wish wish) {
     case Wish::open:
       begin(session, {Pending::Kind::open_dialog, {}});
       break;
+    case Wish::worlds:
+      begin(session, {Pending::Kind::worlds_dialog, {}});
+      break;
+    case Wish::recent:
+      open(session, panels_.wished);
+      break;
+    case Wish::forget_recent:
+      static_cast<void>(recent_.clear());
+      panels_.recent.clear();
+      break;
     case Wish::quit:
       begin(session, {Pending::Kind::quit, {}});
       break;
     case Wish::save:
-      if (saves_in_place(session.file()))
-        save(session, session.file());
-      else
-        dialogs_.show(DialogKind::save, session.file().empty() ? ""
-                                                               : file_folder(session.file()) + "/" +
-                                                                     file_stem(session.file()) + ".json");
+      save_in_place(session);
       break;
     case Wish::save_as:
-      dialogs_.show(DialogKind::save, session.file());
+      choose_save(session);
       break;
     case Wish::fit:
       fit();
@@ -67,7 +97,7 @@ void Shell::ask_for_capture(bool film, bool window) {
     capture_ = {CaptureRequest::Kind::stop, window, {}, 0};
     return;
   }
-  dialogs_.show(film ? DialogKind::film : DialogKind::picture, capture_name(film ? ".gif" : ".png"));
+  dialogs_.ask_capture(film, capture_name(film ? ".gif" : ".png"));
 }
 
 void Shell::take_decision(Session& session, const Decision& decision) {
@@ -75,19 +105,24 @@ void Shell::take_decision(Session& session, const Decision& decision) {
     case Decision::Kind::none:
       break;
     case Decision::Kind::cancel:
+      loader_->cancel();
       dialogs_.close();
+      orphans_.clear();  // their locks with them: the next program offers them again
       pending_ = {};
       break;
     case Decision::Kind::open:
-      if (load(session, typed_path(decision.path))) dialogs_.close();
+      load(session, {Loading::From::file, decision.path, decision.reading});
+      break;
+    case Decision::Kind::open_world:
+      load(session, {Loading::From::library, decision.path, {}});
       break;
     case Decision::Kind::save:
-      if (!save(session, typed_path(decision.path))) break;
+      if (!save(session, decision.path)) break;
       dialogs_.close();
       go_on(session);
       break;
     case Decision::Kind::new_world:
-      replace(session, empty_world(decision.width, decision.height, session.scenario()), "");
+      replace(session, {empty_world(decision.width, decision.height, session.scenario()), ""});
       break;
     case Decision::Kind::capture:
       capture_ = asked_;
@@ -99,21 +134,51 @@ void Shell::take_decision(Session& session, const Decision& decision) {
       go_on(session);
       break;
     case Decision::Kind::save_first:
-      if (!saves_in_place(session.file()))
-        dialogs_.show(DialogKind::save);
-      else if (save(session, session.file()))
-        go_on(session);
+      save_in_place(session);
+      break;
+    case Decision::Kind::save_elsewhere:
+      choose_save(session);
+      break;
+    case Decision::Kind::overwrite:
+      if (save(session, session.file())) go_on(session);
+      break;
+    case Decision::Kind::reload:
+      load(session, {Loading::From::file, session.file(), reading_});
+      break;
+    case Decision::Kind::keep_mine:
+      disk_differs_ = disk_differs_ || watch_.changed() == session.file();
+      watch_.accept();
+      break;
+    case Decision::Kind::recover:
+      load(session, {Loading::From::autosave, orphans_[decision.index].path, {}, decision.index});
+      break;
+    case Decision::Kind::forget:
+      discard(std::move(orphans_[decision.index]));
+      orphans_.erase(orphans_.begin() + static_cast<std::ptrdiff_t>(decision.index));
+      offer_orphans();
       break;
   }
 }
 
+Question Shell::unsaved_question(const Session& session) const {
+  const std::size_t count = session.unsaved_edits();
+  std::string words =
+      document_name(session) + " has " + count_text(static_cast<std::int64_t>(count), "edit", "edits");
+  if (unsaved_since_ != 0) words += " since " + date_text(unsaved_since_);
+  words += count == 1 ? " that is not in a file yet. Without saving it is lost."
+                      : " that are not in a file yet. Without saving they are lost.";
+  return {.title = "Save the changes?",
+          .words = words,
+          .primary = {"Save", Decision::Kind::save_first},
+          .danger = Question::Choice{"Discard", Decision::Kind::discard}};
+}
+
 void Shell::begin(Session& session, Pending pending) {
   pending_ = std::move(pending);
-  if (!session.modified()) {
+  if (session.modified())
+    dialogs_.ask(unsaved_question(session));
+  else
     go_on(session);
-    return;
-  }
-  dialogs_.show(DialogKind::unsaved, document_name(session));
 }
 
 void Shell::go_on(Session& session) {
@@ -122,10 +187,13 @@ void Shell::go_on(Session& session) {
     case Pending::Kind::none:
       break;
     case Pending::Kind::open_dialog:
-      dialogs_.show(DialogKind::open);
+      choose_open(session, pending.path);
       break;
     case Pending::Kind::open_file:
-      load(session, pending.path);
+      load(session, {Loading::From::file, pending.path, {}});
+      break;
+    case Pending::Kind::worlds_dialog:
+      if (library_) dialogs_.choose_world(*library_);
       break;
     case Pending::Kind::new_world:
       dialogs_.show(DialogKind::new_world);
@@ -136,14 +204,70 @@ void Shell::go_on(Session& session) {
   }
 }
 
-bool Shell::load(Session& session, const std::string& path) {
-  Result<Scenario> scenario = open_document(path, session.scenario());
-  if (!scenario) {
-    complain(scenario.error());
-    return false;
+std::vector<Place> Shell::places() const {
+  std::vector<Place> places;
+  if (const std::string home = typed_path("~"); home != "~") places.push_back({icon::home, "Home", home});
+  places.push_back(
+      {icon::terminal, "Current folder", typed_from("/", std::filesystem::current_path().string())});
+  if (library_) places.push_back({icon::map, "Worlds", library_->folder()});
+  for (const std::string& folder : recent_.folders()) {
+    const bool known =
+        std::any_of(places.begin(), places.end(), [&](const Place& p) { return p.path == folder; });
+    if (!known && places.size() < 10) places.push_back({icon::clock, file_name(folder), folder});
   }
-  replace(session, *std::move(scenario), path);
-  return true;
+  return places;
+}
+
+void Shell::choose_open(const Session& session, const std::string& path) {
+  const std::string file = session.file().empty() ? "" : file_folder(session.file());
+  dialogs_.choose_file({.title = "Open",
+                        .action = "Open",
+                        .filters = filters_to_open(),
+                        .path = !path.empty()                ? path
+                                : !dialogs_.folder().empty() ? dialogs_.folder()
+                                                             : file,
+                        .places = places(),
+                        .losses = {}},
+                       surroundings_.work);
+}
+
+void Shell::choose_save(const Session& session) {
+  std::string name = session.file();
+  if (name.empty()) {
+    const std::vector<std::string> folders = recent_.folders();
+    const std::string folder = !dialogs_.folder().empty() ? dialogs_.folder()
+                               : folders.empty()          ? "."
+                                                          : folders.front();
+    name = folder + "/" + (session.scenario().name.empty() ? "world" : session.scenario().name) + ".json";
+  } else if (!saves_in_place(name)) {
+    name = file_folder(name) + "/" + file_stem(name) + ".json";
+  }
+  dialogs_.choose_file(
+      {.saving = true,
+       .title = "Save as",
+       .action = "Save",
+       .filters = filters_to_save(),
+       .path = name,
+       .places = places(),
+       .losses = [scenario = session.snapshot()](
+                     const std::string& extension) { return lost_in(extension, *scenario); }},
+      surroundings_.work);
+}
+
+/// To its own file if that can hold it and nobody else has written it meanwhile; else the user is asked.
+void Shell::save_in_place(Session& session) {
+  if (!saves_in_place(session.file())) {
+    choose_save(session);
+  } else if (disk_differs_ || watch_.changed() == session.file()) {
+    dialogs_.ask({.title = "Write over the other version?",
+                  .words = file_name(session.file()) +
+                           " was written by another program since it was opened here. Saving puts your "
+                           "version in its place.",
+                  .primary = {"Save as…", Decision::Kind::save_elsewhere},
+                  .danger = Question::Choice{"Overwrite", Decision::Kind::overwrite}});
+  } else if (save(session, session.file())) {
+    go_on(session);
+  }
 }
 
 bool Shell::save(Session& session, const std::string& path) {
@@ -153,18 +277,29 @@ bool Shell::save(Session& session, const std::string& path) {
     return false;
   }
   session.saved(path);
+  disk_differs_ = false;
+  watch_.watch({stamped(path)});
+  remember(path);
   tell("Saved " + file_name(path), false);
   return true;
 }
 
-void Shell::replace(Session& session, Scenario scenario, const std::string& file) {
-  show(scenario.view);
-  if (const Result<void> done = session.apply(ReplaceScenario{std::move(scenario), file}); !done)
-    tell(done.error(), true);
+void Shell::replace(Session& session, ReplaceScenario document) {
+  show(document.scenario.view);
+  watch_.watch({});
+  disk_differs_ = false;
+  reading_ = {};
+  if (const Result<void> done = session.apply(std::move(document)); !done) tell(done.error(), true);
 }
 
-std::string Shell::words(const Session& session) {
-  std::string words = session.scenario().name + session.scenario().caption + session.file();
+std::string Shell::names_on_show() const {
+  std::string names = dialogs_.words();
+  for (const std::string& path : panels_.recent) names += path;
+  return names;
+}
+
+std::string Shell::words(const Session& session, const std::string& also) {
+  const std::string words = session.scenario().name + session.scenario().caption + session.file() + also;
   // Bytes from 0xE3 on begin characters of East Asia and beyond; all below are in the fonts at any time.
   const auto is_wide = [](char c) { return static_cast<unsigned char>(c) >= 0xE3; };
   return std::any_of(words.begin(), words.end(), is_wide) ? words : "";
@@ -178,19 +313,24 @@ void Shell::open(Session& session, const std::string& path) {
   begin(session, {Pending::Kind::open_file, path});
 }
 
+void Shell::drop(Session& session, const std::vector<std::string>& paths) {
+  const Dropped dropped = sort_out(paths);
+  if (!dropped.sentence.empty()) tell(dropped.sentence, dropped.path.empty());
+  if (dropped.path.empty() || dialogs_.open()) return;
+  begin(session, {dropped.folder ? Pending::Kind::open_dialog : Pending::Kind::open_file, dropped.path});
+}
+
 bool Shell::may_close(const Session& session) {
   if (quitting_ || !session.modified()) return true;
   pending_ = {Pending::Kind::quit, {}};
-  dialogs_.show(DialogKind::unsaved, document_name(session));
+  dialogs_.ask(unsaved_question(session));
   return false;
 }
 
 /// In the dialog that the user is looking at, else over the canvas and in the Log.
 void Shell::complain(const std::string& sentence) {
-  if (dialogs_.open()) {
-    dialogs_.complain(as_sentence(sentence));
-    return;
-  }
+  if (dialogs_.complain(as_sentence(sentence))) return;
+  dialogs_.close();
   panels_.notices.push_back(sentence);
   tell(sentence, true);
 }

@@ -1,0 +1,14 @@
+// The library: worlds that come with the program, or any folder of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace replan {
+
+/// The folder maps/ beside assets/, or the one that REPLAN_MAPS names.
+std::string library_folder();
+/// The scenarios and maps of a folder and those below it, by their path.
+std::vector<std::string> library_files(const std::string& folder);
+
+}  // namespace replan

@@ -1,0 +1,247 @@
+// The dialogs about documents, by keyboard, on frames without a display: what the user does and what comes of
+// it.
+#include <filesystem>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "app/platform/offscreen.hpp"
+#include "core/base/file.hpp"
+#include "core/world/map_file.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "ui/keys.hpp"
+#include "ui/shell/shell.hpp"
+
+namespace replan::ui {
+namespace {
+
+constexpr const char* kMap = "type octile\nheight 3\nwidth 4\nmap\n.@..\n....\n..@.\n";
+
+std::string world(const std::string& name) {
+  return R"({"replan": 1, "name": ")" + name +
+         R"(", "caption": "About it.", "map": {"rows": ["..........", ".........."]},
+        "start": [0, 0], "goal": [9, 1], "planners": [{"id": "dstar-lite"}]})";
+}
+
+class DialogsTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    path_ = folder_.with("first.json", world("First"));
+    session_ = std::make_unique<Session>(*read_scenario(path_), path_);
+    session_->settle();
+    auto offscreen = app::Offscreen::create({1280, 800, 1});
+    ASSERT_TRUE(offscreen.ok()) << offscreen.error();
+    offscreen_ = std::move(*offscreen);
+    offscreen_->frame([this] { shell_ = std::make_unique<Shell>(offscreen_->stage().renderer()); });
+    frames(2);
+  }
+  void TearDown() override {
+    if (offscreen_) offscreen_->frame([this] { shell_.reset(); });
+  }
+
+  void frames(int count) {
+    for (int i = 0; i < count; ++i)
+      offscreen_->frame([this] {
+        session_->update(0);
+        shell_->draw(offscreen_->stage().look(), *session_, 0);
+      });
+  }
+  void press(int key, bool ctrl = false, bool shift = false) {
+    InputQueue& input = offscreen_->stage().input();
+    const auto modifiers = [&](bool down) {
+      if (ctrl) input.key(key::kLeftControl, down);
+      if (shift) input.key(key::kLeftShift, down);
+    };
+    modifiers(true);
+    input.key(key, true);
+    frames(6);
+    input.key(key, false);
+    modifiers(false);
+    frames(6);
+  }
+  void type(const std::string& text) {
+    for (const char c : text) offscreen_->stage().input().character(static_cast<unsigned>(c));
+    frames(static_cast<int>(text.size()) * 2 + 4);
+  }
+  void settle_in() { shell_->settle_in(*session_, {folder_.file("state"), folder_.file("library"), {}}); }
+  void edit() {
+    session_->settle();
+    ASSERT_TRUE(session_->apply(PaintCells{{{{5, 0}, true}}}).ok());
+    frames(2);
+  }
+
+  test::TemporaryFolder folder_;
+  std::string path_;
+  std::unique_ptr<Session> session_;
+  std::unique_ptr<app::Offscreen> offscreen_;
+  std::unique_ptr<Shell> shell_;
+};
+
+TEST_F(DialogsTest, OpenFiltersByWhatIsTypedAndTakesEnter) {
+  const std::string other = folder_.with("second maze.map", kMap);
+  press('O', true);
+  type("maze");
+  press(key::kEnter);
+  EXPECT_EQ(session_->file(), other);
+  EXPECT_EQ(session_->scenario().map.width, 4);
+}
+
+TEST_F(DialogsTest, OpenWalksThroughFolders) {
+  std::filesystem::create_directory(folder_.file("sub"));
+  const std::string inside = folder_.with("sub/inside.json", world("Inside"));
+  press('O', true);
+  press(key::kDown);
+  press(key::kEnter);  // into sub
+  press(key::kDown);
+  press(key::kEnter);
+  EXPECT_EQ(session_->file(), inside);
+  press('O', true);
+  press(key::kBackspace);  // up again; sub is chosen
+  press(key::kDown);
+  press(key::kEnter);
+  EXPECT_EQ(session_->file(), path_);
+}
+
+TEST_F(DialogsTest, OpenStaysWithAFileThatCannotBeRead) {
+  folder_.with("broken.json", "no JSON");
+  press('O', true);
+  type("broken");
+  press(key::kEnter);
+  EXPECT_EQ(session_->file(), path_);
+  press(key::kEscape);  // takes the filter back
+  type("first");
+  press(key::kEnter);
+  EXPECT_EQ(session_->scenario().name, "First");
+  press(key::kEscape);
+  press('V');  // keys are the window's again
+  EXPECT_EQ(shell_->view().tool, Tool::select);
+}
+
+TEST_F(DialogsTest, SaveAsAsksBeforeItReplaces) {
+  edit();
+  const std::string before = *read_file(path_);
+  press('S', true, true);
+  press(key::kEnter);
+  EXPECT_EQ(*read_file(path_), before) << "a file was replaced without a question";
+  press(key::kEscape);
+  press(key::kEnter);
+  press(key::kEnter);
+  EXPECT_NE(*read_file(path_), before);
+  EXPECT_FALSE(session_->modified());
+}
+
+TEST_F(DialogsTest, SaveAsGivesANameItsExtension) {
+  press('S', true, true);
+  press('A', true);
+  type("copy");
+  press(key::kEnter);
+  EXPECT_EQ(session_->file(), folder_.file("copy.json"));
+  EXPECT_TRUE(std::filesystem::exists(folder_.file("copy.json")));
+  press('S', true, true);
+  press('A', true);
+  type("cells.map");
+  press(key::kEnter);
+  EXPECT_TRUE(read_map(folder_.file("cells.map")).ok());
+}
+
+TEST_F(DialogsTest, DroppedFilesAreOpenedAfterUnsavedEditsAreDealtWith) {
+  const std::string other = folder_.with("other.map", kMap);
+  shell_->drop(*session_, {other});
+  EXPECT_EQ(session_->file(), other);
+  shell_->drop(*session_, {folder_.with("film.mp4", "")});
+  EXPECT_EQ(session_->file(), other);
+  shell_->drop(*session_, {path_});
+  edit();
+  shell_->drop(*session_, {other});
+  frames(4);
+  EXPECT_EQ(session_->file(), path_);
+  press(key::kEscape);
+  EXPECT_TRUE(session_->modified());
+  shell_->drop(*session_, {other});
+  frames(4);
+  press(key::kEnter);  // save, then open
+  EXPECT_EQ(session_->file(), other);
+  EXPECT_TRUE(read_scenario(path_)->map.at({5, 0}));
+}
+
+TEST_F(DialogsTest, ADroppedFolderIsLookedInto) {
+  std::filesystem::create_directory(folder_.file("sub"));
+  const std::string inside = folder_.with("sub/only.map", kMap);
+  shell_->drop(*session_, {folder_.file("sub")});
+  frames(4);
+  press(key::kDown);
+  press(key::kEnter);
+  EXPECT_EQ(session_->file(), inside);
+}
+
+TEST_F(DialogsTest, APickedWorldIsNobodysFile) {
+  std::filesystem::create_directory(folder_.file("library"));
+  folder_.with("library/a.json", world("Hall"));
+  folder_.with("library/b.json", world("Garden"));
+  settle_in();
+  press('O', true, true);
+  type("gard");
+  press(key::kEnter);
+  EXPECT_EQ(session_->scenario().name, "Garden");
+  EXPECT_EQ(session_->file(), "");
+  press('O', true, true);
+  press(key::kRight);
+  press(key::kLeft);
+  press(key::kEnter);
+  EXPECT_EQ(session_->scenario().name, "Hall");
+}
+
+TEST_F(DialogsTest, AFileThatChangedOnDiskIsReadAgainOrNotWrittenOverUnasked) {
+  settle_in();
+  frames(2);
+  const auto wait_and_look = [this] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2100));
+    frames(4);
+  };
+  folder_.with("first.json", world("Changed"));
+  wait_and_look();
+  press(key::kEnter);  // reload
+  EXPECT_EQ(session_->scenario().name, "Changed");
+  edit();
+  folder_.with("first.json", world("Changed again"));
+  wait_and_look();
+  press(key::kEscape);  // keep mine
+  EXPECT_EQ(session_->scenario().name, "Changed");
+  press('S', true);
+  EXPECT_EQ(read_scenario(path_)->name, "Changed again") << "written over unasked";
+  press(key::kEscape);
+  EXPECT_TRUE(session_->modified());
+}
+
+TEST_F(DialogsTest, WorkFromBeforeACrashIsTakenUp) {
+  Scenario lost = session_->scenario();
+  lost.name = "Lost and found";
+  std::filesystem::create_directories(folder_.file("state/autosave"));
+  const AutosaveNote note{
+      .file = path_, .name = lost.name, .edits = 7, .edited_at = 1, .scripted = 0, .map_file = ""};
+  folder_.with("state/autosave/x.json", autosave_text(note, lost));
+  settle_in();
+  frames(4);
+  press(key::kEnter);
+  EXPECT_EQ(session_->scenario().name, "Lost and found");
+  EXPECT_EQ(session_->file(), path_);
+  EXPECT_EQ(session_->unsaved_edits(), 7u);
+  EXPECT_TRUE(std::filesystem::exists(folder_.file("state/autosave/x.json")));
+  shell_->leave();
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("state/autosave/x.json")));
+}
+
+TEST_F(DialogsTest, RecentFilesAreKeptAndMissingOnesDropped) {
+  settle_in();
+  const std::string other = folder_.with("other.map", kMap);
+  shell_->drop(*session_, {other});
+  EXPECT_EQ(shell_->panels().recent, (std::vector<std::string>{other, path_}));
+  std::filesystem::remove(path_);
+  shell_->open(*session_, path_);
+  EXPECT_EQ(session_->file(), other);
+  EXPECT_EQ(shell_->panels().recent, (std::vector<std::string>{other}));
+  EXPECT_EQ(shell_->panels().notices.size(), 1u) << "nothing was said";
+}
+
+}  // namespace
+}  // namespace replan::ui
