@@ -5,20 +5,47 @@
 namespace replan {
 namespace {
 
+/// Free cells around a start or goal each way, where the region has such places: a robot at the rim of a scan
+/// would see little of the world.
+constexpr int kRoom = 3;
+
+/// The two cells of a set that are nearest to the upper left and to the lower right corner.
+struct Ends {
+  std::size_t first = 0, last = 0;
+  std::size_t nearest = SIZE_MAX, farthest = 0;  ///< x + y of the two
+  bool found = false;
+
+  [[nodiscard]] bool wants(std::size_t diagonal) const {
+    return !found || diagonal < nearest || diagonal >= farthest;
+  }
+  void take(std::size_t cell, std::size_t diagonal) {
+    if (!found || diagonal < nearest) nearest = diagonal, first = cell;
+    if (!found || diagonal >= farthest) farthest = diagonal, last = cell;
+    found = true;
+  }
+};
+
 /// Free cells that can be reached from one another by straight moves.
 struct Region {
   std::size_t cells = 0;
-  std::size_t first = 0, last = 0;  ///< those nearest to the upper left and to the lower right corner
+  Ends any, roomy;
 };
+
+bool has_room(const GridMap& map, std::size_t index) {
+  const auto width = static_cast<std::size_t>(map.width);
+  const Cell at{static_cast<int>(index % width), static_cast<int>(index / width)};
+  for (int y = at.y - kRoom; y <= at.y + kRoom; ++y)
+    for (int x = at.x - kRoom; x <= at.x + kRoom; ++x)
+      if (!map.contains({x, y}) || map.at({x, y})) return false;
+  return true;
+}
 
 /// The region around `from`, whose cells it marks in `seen`. Only the rim of what was reached is kept in
 /// memory: the largest maps have 2^26 cells.
 Region region_around(const GridMap& map, std::size_t from, std::vector<std::uint8_t>& seen,
                      const std::stop_token& stop) {
   const auto width = static_cast<std::size_t>(map.width);
-  const auto diagonal = [width](std::size_t cell) { return cell % width + cell / width; };
-  Region region{0, from, from};
-  std::size_t nearest = diagonal(from), farthest = nearest;
+  Region region;
   std::vector<std::size_t> rim = {from}, next;
   seen[from] = 1;
   for (; !rim.empty() && !stop.stop_requested(); rim.swap(next), next.clear())
@@ -30,8 +57,8 @@ Region region_around(const GridMap& map, std::size_t from, std::vector<std::uint
         next.push_back(cell);
       };
       ++region.cells;
-      if (here < nearest) nearest = here, region.first = at;
-      if (here >= farthest) farthest = here, region.last = at;
+      region.any.take(at, here);
+      if (region.roomy.wants(here) && has_room(map, at)) region.roomy.take(at, here);
       visit(x > 0, at - 1);
       visit(x + 1 < width, at + 1);
       visit(at >= width, at - width);
@@ -56,8 +83,9 @@ void place_ends(Scenario& scenario, const std::stop_token& stop) {
   const auto cell = [width](std::size_t index) {
     return Cell{static_cast<int>(index % width), static_cast<int>(index / width)};
   };
-  scenario.start = cell(largest.first);
-  scenario.goal = cell(largest.last);
+  const Ends& ends = largest.roomy.found ? largest.roomy : largest.any;
+  scenario.start = cell(ends.first);
+  scenario.goal = cell(ends.last);
 }
 
 }  // namespace replan

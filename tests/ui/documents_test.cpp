@@ -195,6 +195,12 @@ TEST(Previews, ShowWhatIsInAFileOrWhyNot) {
   EXPECT_NE(make_preview(folder.file("huge.map"), {}, {}).error.find("Too large"), std::string::npos);
 }
 
+std::string repeated(const std::string& row, int times) {
+  std::string text;
+  for (int i = 0; i < times; ++i) text += row;
+  return text;
+}
+
 TEST(OpenDocument, PutsTheEndsFarApartInTheLargestRegion) {
   const test::TemporaryFolder folder;
   Scenario current;
@@ -207,6 +213,13 @@ TEST(OpenDocument, PutsTheEndsFarApartInTheLargestRegion) {
   EXPECT_EQ(opened->start, (Cell{2, 0}));
   EXPECT_EQ(opened->goal, (Cell{4, 3}));
   EXPECT_EQ(opened->planners, current.planners);
+  // Where there is room they keep off the rim.
+  const Result<Scenario> hall = open_document(
+      folder.with("hall.map", "type octile\nheight 9\nwidth 12\nmap\n" + repeated("............\n", 9)),
+      current);
+  ASSERT_TRUE(hall.ok()) << hall.error();
+  EXPECT_EQ(hall->start, (Cell{3, 3}));
+  EXPECT_EQ(hall->goal, (Cell{8, 5}));
   // A format that knows its ends keeps them.
   const Result<void> written = write_map_file({opened->map, Cell{3, 3}, Cell{0, 0}}, folder.file("ends.txt"));
   ASSERT_TRUE(written.ok()) << written.error();

@@ -111,6 +111,49 @@ void setting(Frame& frame, const Parameter& parameter) {
   if (changed) frame.commands.push_back(SetParameter{frame.panels.pane, std::string(parameter.key), value});
 }
 
+/// How the robot drives; true if something was changed.
+bool drive_settings(Frame& frame, RobotSetup& robot) {
+  const Look& look = frame.look;
+  static constexpr std::array<const char*, 2> kMotions = {"step by step", "at a steady speed"};
+  int motion = static_cast<int>(robot.motion);
+  bool changed = labelled_control(look, "It drives",
+                                  {"How it drives", "",
+                                   "Step by step: every step takes equally long, straight or diagonal. At a "
+                                   "steady speed: it goes along its "
+                                   "plan smoothly, and a step takes as long as its way."},
+                                  robot.motion != RobotSetup{}.motion, [&](float width) {
+                                    return combo(look, "##drives", kMotions, motion, width);
+                                  });
+  robot.motion = static_cast<Motion>(motion);
+  const Parameter speed{.key = "robot speed",
+                        .label = "Speed",
+                        .type = ParameterType::real,
+                        .initial = RobotSetup{}.speed,
+                        .low = 0.5,
+                        .high = std::max(20.0, robot.speed),
+                        .unit = "cells/s"};
+  changed |=
+      number_setting(frame, speed,
+                     {"Speed", "",
+                      "How fast the robot drives; beside the speed of moving obstacles it decides who is "
+                      "where first."},
+                     robot.speed);
+  if (frame.session.scenario().movers.empty()) return changed;
+  const Parameter patience{.key = "patience",
+                           .label = "Patience",
+                           .type = ParameterType::real,
+                           .initial = RobotSetup{}.patience,
+                           .low = 0,
+                           .high = std::max(300.0, robot.patience),
+                           .unit = "s"};
+  return number_setting(
+             frame, patience,
+             {"Patience", "",
+              "How long the robot waits for moving obstacles to clear its way before it gives up."},
+             robot.patience) ||
+         changed;
+}
+
 void robot_settings(Frame& frame) {
   const Look& look = frame.look;
   static constexpr std::array<const char*, 3> kKnowledge = {"everything, at once", "the map, not surprises",
@@ -140,6 +183,7 @@ void robot_settings(Frame& frame) {
   changed |= toggle(look, "Obstacles block its view", robot.sensor_blocked);
   hint(look,
        {"Blocked view", "", "On: what stands behind an obstacle is hidden. Off: the sensor sees through."});
+  changed |= drive_settings(frame, robot);
   if (changed) frame.commands.push_back(SetRobot{robot});
 }
 
