@@ -13,7 +13,7 @@ namespace replan::ui {
 namespace {
 
 /// Height of the design from which on a canvas has room for the whole card of a replan.
-constexpr float kWholeCardHeight = 480;
+constexpr float kWholeCardHeight = 560;
 
 struct SignEntry {
   Sign sign;
