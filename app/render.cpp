@@ -19,18 +19,19 @@ Result<void> check(const Session& session) {
 
 /// Goes to the moment of a still.
 Result<void> go_to(Session& session, const RenderRequest& request) {
-  const auto* position = std::get_if<std::size_t>(&request.at);
-  if (position == nullptr && std::get<Moment>(request.at) == Moment::plan) {
+  const auto* named = std::get_if<Moment>(&request.at);
+  if (named != nullptr && *named == Moment::plan) {
     session.settle();
     return check(session);
   }
   if (const auto done = session.apply(RunToEnd{}); !done) return done;
   for (const auto& run : session.runs()) run->finish(Target::end());
   session.update(0);
-  if (auto sound = check(session); !sound || position == nullptr) return sound;
-  if (const std::size_t size = session.run().timeline().size(); *position > size)
-    return Error{"event " + std::to_string(*position) + " lies beyond the run's end; it has " +
-                 std::to_string(size) + " events"};
+  if (auto sound = check(session); !sound || named != nullptr) return sound;
+  const auto* words = std::get_if<std::string>(&request.at);
+  const auto position = moment_position(
+      session.run(), words != nullptr ? *words : std::to_string(std::get<std::size_t>(request.at)));
+  if (!position) return Error{position.error()};
   return session.apply(Seek{*position});
 }
 

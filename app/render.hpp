@@ -28,10 +28,11 @@ struct RenderRequest {
   std::string output;
   int width = 1440;  ///< pixels of the picture
   int height = 900;
-  double scale = 1;                                     ///< device pixels per design pixel
-  std::optional<std::string> theme;                     ///< "light" or "dark"; else the scenario's, else dark
-  std::optional<OverlaySet> overlays;                   ///< else the scenario's, else the window's
-  std::variant<Moment, std::size_t> at = Moment::plan;  ///< or the position in the event log; for stills
+  double scale = 1;                    ///< device pixels per design pixel
+  std::optional<std::string> theme;    ///< "light" or "dark"; else the scenario's, else dark
+  std::optional<OverlaySet> overlays;  ///< else the scenario's, else the window's
+  std::variant<Moment, std::size_t, std::string> at =
+      Moment::plan;  ///< or a position in the event log, or as moment_position() reads it; for stills
   std::optional<Cell> pinned;
   bool legend = true;
   bool window = false;  ///< the whole window rather than the canvas alone; not for `.svg`

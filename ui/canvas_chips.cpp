@@ -179,9 +179,8 @@ void draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene&
     const auto fresh = plans.of(run, static_cast<std::size_t>(repair.number), !state.live);
     const ReplanReport report{repair, fresh, state.live};
     const float room = max.x - min.x - left.x - 3 * margin;
-    const bool low = max.y - min.y < look.px(kWholeCardHeight);  // it would hide too much of the world
-    const bool brief = low || replan_card_size(look, report, false).x > room;
-    const bool beside = !brief || replan_card_size(look, report, true).x <= room;
+    const bool brief = max.y - min.y < look.px(kWholeCardHeight);  // it would hide too much of the world
+    const bool beside = replan_card_size(look, report, brief).x <= room;
     const ImVec2 size =
         draw_replan_card(look, list, {max.x - margin, beside ? min.y + margin : below}, report, brief);
     if (!beside) below += size.y + look.px.s;

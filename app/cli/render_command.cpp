@@ -51,9 +51,7 @@ Result<void> read_moment(const RenderArguments& arguments, app::RenderRequest& r
     return Error{"--at, --at-end and --at-plan are for stills; a film takes --from and --to"};
   if (arguments.at_end) request.at = app::Moment::end;
   if (arguments.at.empty()) return {};
-  const auto event = parse_count("--at", arguments.at, 0);
-  if (!event) return Error{event.error()};
-  request.at = static_cast<std::size_t>(*event);
+  request.at = arguments.at;
   return {};
 }
 
@@ -181,7 +179,9 @@ Command add_render(CLI::App& program) {
   app->add_option("--size", into.size, "Pixels of the picture (default 1440x900)")->type_name("WxH");
   app->add_option("--scale", into.scale, "Device pixels per design pixel, 0.5 to 4 (default 1)")
       ->type_name("S");
-  app->add_option("--at", into.at, "The moment: after that many events of the log")->type_name("EVENT");
+  app->add_option("--at", into.at,
+                  "The moment: after that many events of the log, or start, plan, replan:N, move:N, end")
+      ->type_name("MOMENT");
   app->add_flag("--at-end", into.at_end, "The moment: the end of the run");
   app->add_flag("--at-plan", into.at_plan, "The moment: when the first plan stands (the default)");
   app->add_option("--overlay", into.overlays, "What to lay over the world; 'replan list overlays' shows them")

@@ -65,10 +65,10 @@ _replan() {
     --unknown) COMPREPLY=($(compgen -W "blocked free unmapped" -- "$cur")); return ;;
     --csv) _replan_files csv; return ;;
     -o | --output) _replan_files png svg gif webp mp4; return ;;
-    --start | --goal | --size | --scale | --at | --limit | --threshold | --slice | --fps | --hold) return ;;
+    --start | --goal | --size | --scale | --limit | --threshold | --slice | --fps | --hold) return ;;
     --panes) COMPREPLY=($(compgen -W "1 2 4 all" -- "$cur")); return ;;
     --speed) COMPREPLY=($(compgen -W "auto expansion move" -- "$cur")); return ;;
-    --from | --to) COMPREPLY=($(compgen -W "start plan end replan: move:" -- "$cur")); return ;;
+    --at | --from | --to) COMPREPLY=($(compgen -W "start plan end replan: move:" -- "$cur")); return ;;
   esac
   case "$cur" in
     -*) COMPREPLY=($(compgen -W "$(_replan_options "$command")" -- "$cur")); return ;;

@@ -97,7 +97,7 @@ TEST_F(Render, badInput) {
   expect_complaint({"render", scenario_, "-o", out, "--size", "4x4"}, {"16"});
   expect_complaint({"render", scenario_, "-o", out, "--scale", "x"}, {"--scale cannot be 'x'"});
   expect_complaint({"render", scenario_, "-o", out, "--scale", "nan"}, {"scale"});
-  expect_complaint({"render", scenario_, "-o", out, "--at", "-1"}, {"--at cannot be '-1'"});
+  expect_complaint({"render", scenario_, "-o", out, "--at", "-1"}, {"no moment '-1'"});
   expect_complaint({"render", scenario_, "-o", out, "--at", "99999999"}, {"99999999"});
   expect_complaint({"render", scenario_, "-o", out, "--at", "1", "--at-end"}, {"only one of"});
   expect_complaint({"render", scenario_, "-o", out, "--theme", "blue"}, {"'blue'"});
