@@ -148,7 +148,7 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
   if (mark == nullptr) return {};
   switch (mark->state) {
     case MissionState::collision:
-      return {"The plan leads through an obstacle: a remote parent was followed that nobody had checked.",
+      return {"The plan leads through an obstacle: its remote parent was never checked.",
               true};
     case MissionState::loop:
       return {"The plan leads round in a circle: its remote parents were never checked.", true};
@@ -175,20 +175,23 @@ void draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene&
       {{name, theme.text, look.fonts.title}, {figures, theme.dim, look.fonts.small}}};
   const ImVec2 left = chip(look, list, {min.x + margin, min.y + margin}, title);
   float below = min.y + margin + left.y + look.px.s;
+  ImVec2 card_foot(max.x, min.y);  // lower left corner
   if (const RepairFigures repair = memory.repair(run, cursor); repair.number > 0) {
     const auto fresh = plans.of(run, static_cast<std::size_t>(repair.number), !state.live);
     const ReplanReport report{repair, fresh, state.live};
     const float room = max.x - min.x - left.x - 3 * margin;
     const bool brief = max.y - min.y < look.px(kWholeCardHeight);  // it would hide too much of the world
     const bool beside = replan_card_size(look, report, brief).x <= room;
-    const ImVec2 size =
-        draw_replan_card(look, list, {max.x - margin, beside ? min.y + margin : below}, report, brief);
-    if (!beside) below += size.y + look.px.s;
+    const float top = beside ? min.y + margin : below;
+    const ImVec2 size = draw_replan_card(look, list, {max.x - margin, top}, report, brief);
+    card_foot = {max.x - margin - size.x, top + size.y};
   }
   if (const StateMessage message = state_message(run, memory); !message.text.empty()) {
     const std::array<TextRun, 1> runs = {
         {{message.text, message.bad ? theme.bad : theme.text, look.fonts.ui}}};
-    chip(look, list, {min.x + margin, below}, runs);
+    const float right = min.x + 2 * margin + text_width(look.fonts.ui, message.text) + look.px(20);
+    const bool clear = right < card_foot.x || card_foot.y < below;
+    chip(look, list, {min.x + margin, clear ? below : card_foot.y + look.px.s}, runs);
   }
   if (state.legend) draw_legend(look, list, scene, min, max);
 }
