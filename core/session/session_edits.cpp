@@ -169,7 +169,8 @@ Result<void> Session::run_command(const SetGoal& command) {
     Surprise surprise;
     surprise.goal = command.cell;
     if (run().timeline().state().node(Scalar::goal) == run().lattice().node(command.cell)) return {};
-    return edit_script("move the goal on the way", command.stroke, std::move(surprise));
+    return edit_script("move the goal on the way: a fresh plan from where the robot is", command.stroke,
+                       std::move(surprise));
   }
   if (command.cell == scenario_->goal) return {};
   Scenario changed = to_save();

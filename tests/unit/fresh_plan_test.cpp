@@ -1,0 +1,83 @@
+// What a repair is compared with: a plan from scratch on the same knowledge.
+#include "core/session/fresh_plan.hpp"
+
+#include <chrono>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "core/scene/scene.hpp"
+#include "core/session/session.hpp"
+
+namespace replan {
+namespace {
+
+Scenario demo() {
+  const auto scenario = read_scenario(REPLAN_SOURCE_DIR "/maps/demo.json");
+  EXPECT_TRUE(scenario.ok());
+  return *scenario;
+}
+
+void run_to_end(Session& session) {
+  ASSERT_TRUE(session.apply(RunToEnd{}).ok());
+  for (const auto& run : session.runs()) run->finish(Target::end());
+  session.update(0);
+}
+
+TEST(FreshPlan, OfTheFirstPlanIsThatPlan) {
+  Session session(demo());
+  session.settle();
+  for (const auto& run : session.runs()) {
+    const FreshPlan fresh =
+        plan_from_scratch(run->choice(), run->lattice().size(), run->timeline().state(), {});
+    SceneMemory memory;
+    EXPECT_EQ(fresh.expansions, run->marks().front().figures.counters.expansions) << run->choice().id;
+    EXPECT_EQ(fresh.expansions, memory.expansions(*run, run->timeline().size())) << run->choice().id;
+    EXPECT_GE(fresh.touched, fresh.expansions);
+    EXPECT_GT(fresh.ms, 0);
+  }
+}
+
+TEST(FreshPlan, OfAReplanCostsWhatANewRunFromThereDoes) {
+  Session session(demo());
+  run_to_end(session);
+  SceneMemory memory;
+  FreshPlans plans;
+  const replan::Run& run = session.run();
+  for (const Marker& marker : run.markers()) {
+    if (marker.kind != EventKind::plan_end) continue;
+    ASSERT_TRUE(session.apply(Seek{marker.event + 1}).ok());
+    const RepairFigures repair = memory.repair(run, run.timeline().cursor());
+    if (repair.number == 0) continue;
+    const auto fresh = plans.of(run, static_cast<std::size_t>(repair.number), true);
+    ASSERT_TRUE(fresh.has_value());
+    // The same world as the robot knows it now, and a robot that sets out here.
+    Scenario there = run.scenario();
+    there.surprises.clear();
+    there.start = run.lattice().position(run.timeline().state().node(Scalar::start));
+    for (NodeId n = 0; n < run.lattice().node_count(); ++n)
+      there.map.set(run.lattice().position(n), run.timeline().state().known_blocked(n));
+    Session other(there);
+    other.settle();
+    EXPECT_EQ(fresh->expansions, other.run().marks().front().figures.counters.expansions);
+    EXPECT_GT(repair.cause.blocked, 0);
+    EXPECT_TRUE(repair.ms.has_value());
+  }
+}
+
+TEST(FreshPlan, IsWorkedOutInTheBackgroundAndKept) {
+  Session session(demo());
+  session.settle();
+  FreshPlans plans;
+  std::optional<FreshPlan> fresh = plans.of(session.run(), 0, false);
+  for (int i = 0; i < 5000 && !fresh; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    fresh = plans.of(session.run(), 0, false);
+  }
+  ASSERT_TRUE(fresh.has_value());
+  EXPECT_EQ(plans.of(session.run(), 0, false)->ms, fresh->ms) << "it is not measured again";
+  while (plans.busy()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+}  // namespace
+}  // namespace replan
