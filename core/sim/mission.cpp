@@ -1,3 +1,5 @@
+// Algorithm 1 of the DLD* Lite paper from the robot's side. One file although it is long: all members of an explicitly
+// instantiated template have to be in one place.
 #include "core/sim/mission.hpp"
 
 #include <algorithm>
@@ -88,7 +90,7 @@ Mission<T>::Mission(const Scenario& scenario, const PlannerChoice& choice, T& tr
   now_.fired.resize(surprises_.size());
   now_.route = std::make_shared<const Route>();
   now_.movers = crowd_.initial();
-  now_.sightings = std::make_shared<const std::vector<NodeId>>();
+  now_.sightings = std::make_shared<const Sightings>();
 }
 
 template <class T>
@@ -98,7 +100,7 @@ bool Mission<T>::ended() const {
 
 template <class T>
 bool Mission<T>::settled() const {
-  return ended() || (standing() && due_surprise() == surprises_.size() && sense().empty());
+  return ended() || (standing() && due_surprise() == surprises_.size() && senses().sense().empty());
 }
 
 template <class T>
@@ -150,7 +152,7 @@ void Mission<T>::decide() {
     happen(index);
     return;
   }
-  if (const std::vector<CellEdit> seen = sense(); !seen.empty()) {
+  if (const std::vector<CellEdit> seen = senses().sense(); !seen.empty()) {
     learn(seen, EventKind::sensed);
     return;
   }
@@ -214,30 +216,6 @@ std::vector<CellEdit> Mission<T>::write_cells(const Surprise& surprise) {
   return told;
 }
 
-template <class T>
-bool Mission<T>::in_sight(NodeId node) const {
-  const Cell at = known_.position(robot_), cell = known_.position(node);
-  const int dx = cell.x - at.x, dy = cell.y - at.y;
-  if (std::abs(dx) <= 1 && std::abs(dy) <= 1) return true;
-  if (dx * dx + dy * dy > robot_setup_.sensor_radius * robot_setup_.sensor_radius) return false;
-  return !robot_setup_.sensor_blocked ||
-         walk_supercover(known_, robot_, node, [&](NodeId n, int) { return n == node || truth_[n] == 0; });
-}
-
-template <class T>
-std::vector<CellEdit> Mission<T>::sense() const {
-  std::vector<CellEdit> seen;
-  const Cell at = known_.position(robot_);
-  const int reach = std::max(1, static_cast<int>(robot_setup_.sensor_radius));
-  for (int y = std::max(0, at.y - reach); y <= std::min(known_.height() - 1, at.y + reach); ++y)
-    for (int x = std::max(0, at.x - reach); x <= std::min(known_.width() - 1, at.x + reach); ++x) {
-      const NodeId node = known_.node(Cell{x, y});
-      const bool blocked = truth_[node] != 0;
-      if (blocked != known_.blocked(node) && in_sight(node)) seen.push_back({node, blocked});
-    }
-  return seen;
-}
-
 // Lines 9-17. With `afresh` the planner forgets what it has: the goal has moved.
 template <class T>
 void Mission<T>::learn(const std::vector<CellEdit>& edits, EventKind how, bool afresh) {
@@ -246,7 +224,8 @@ void Mission<T>::learn(const std::vector<CellEdit>& edits, EventKind how, bool a
     tr_.note(how, edit.node, edit.blocked ? 1 : 0);
     tr_.change(EventKind::known, edit.node, std::uint64_t{!edit.blocked}, std::uint64_t{edit.blocked});
   }
-  note_sightings(edits);
+  if (!crowd_.empty())
+    now_.sightings = std::make_shared<const Sightings>(noted(*now_.sightings, edits, truth_));
   before_plan_ = planner_->counters();
   ++now_.figures.replans;
   tr_.line(109);
@@ -263,29 +242,6 @@ void Mission<T>::learn(const std::vector<CellEdit>& edits, EventKind how, bool a
     planner_->update({.cells = edits, .moves = moves}, robot_);
   }
   now_.state = MissionState::planning;
-}
-
-/// Keeps the list of cells that are taken for obstacles because something moved there.
-template <class T>
-void Mission<T>::note_sightings(const std::vector<CellEdit>& edits) {
-  if (crowd_.empty()) return;
-  auto sightings = std::make_shared<std::vector<NodeId>>(*now_.sightings);
-  for (const CellEdit& edit : edits) {
-    const auto place = std::lower_bound(sightings->begin(), sightings->end(), edit.node);
-    const bool listed = place != sightings->end() && *place == edit.node;
-    const bool moves = edit.blocked && (truth_[edit.node] & kWallBit) == 0;
-    if (moves && !listed) sightings->insert(place, edit.node);
-    if (!moves && listed) sightings->erase(place);
-  }
-  now_.sightings = std::move(sightings);
-}
-
-template <class T>
-std::vector<CellEdit> Mission<T>::lost_sightings() const {
-  std::vector<CellEdit> lost;
-  for (const NodeId node : *now_.sightings)
-    if (known_.blocked(node) && !in_sight(node)) lost.push_back({node, false});
-  return lost;
 }
 
 template <class T>
@@ -310,7 +266,7 @@ void Mission<T>::wait_for_change() {
 template <class T>
 void Mission<T>::wait_for_movers() {
   if (now_.waited >= now_.forgets_after) {
-    if (const std::vector<CellEdit> lost = lost_sightings(); !lost.empty()) {
+    if (const std::vector<CellEdit> lost = senses().out_of_sight(*now_.sightings); !lost.empty()) {
       now_.forgets_after *= 2;
       learn(lost, EventKind::forgotten);
       return;

@@ -10,6 +10,7 @@
 #include "core/plan/registry.hpp"
 #include "core/sim/mover.hpp"
 #include "core/sim/route.hpp"
+#include "core/sim/senses.hpp"
 #include "core/world/scenario.hpp"
 
 namespace replan {
@@ -52,8 +53,7 @@ struct Mark {
   std::shared_ptr<const Route> route;
   std::size_t next = 0;  ///< the route's cell that the robot enters next
   std::vector<MoverState> movers;
-  /// Cells that the robot holds for obstacles because it saw something moving there; in order.
-  std::shared_ptr<const std::vector<NodeId>> sightings;
+  std::shared_ptr<const Sightings> sightings;
   SimTime waited = 0;               ///< since the robot's last move
   SimTime forgets_after = kSecond;  ///< so much waiting it forgets the sightings that are out of sight
 };
@@ -101,11 +101,8 @@ class Mission {
   [[nodiscard]] std::size_t due_surprise() const;
   void happen(std::size_t index);
   [[nodiscard]] std::vector<CellEdit> write_cells(const Surprise& surprise);
-  [[nodiscard]] std::vector<CellEdit> sense() const;
-  [[nodiscard]] bool in_sight(NodeId node) const;
+  [[nodiscard]] Senses senses() const { return {known_, truth_, robot_setup_, robot_}; }
   void learn(const std::vector<CellEdit>& edits, EventKind how, bool afresh = false);
-  void note_sightings(const std::vector<CellEdit>& edits);
-  [[nodiscard]] std::vector<CellEdit> lost_sightings() const;
   [[nodiscard]] std::optional<std::int64_t> next_scripted_step(bool only_goals) const;
   void wait_for_change();
   void wait_for_movers();

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "core/base/file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace replan {
@@ -108,12 +109,12 @@ TEST(Autosave, WaitsForQuietAndForTheHandToBeLifted) {
   ASSERT_NE(autosaver.path(), "");
   // While edits go on without a pause they are put aside all the same.
   double now = 200;
-  const auto first = std::filesystem::last_write_time(autosaver.path());
+  const std::string first = *read_file(autosaver.path());
   bool rewritten = false;
   for (int i = 0; i < 12; ++i, now += 4) {
     ASSERT_TRUE(session.apply(PaintCells{{{{i, 0}, true}}}).ok());
     autosaver.tick(session, now, false);
-    rewritten = rewritten || std::filesystem::last_write_time(autosaver.path()) != first;
+    rewritten = rewritten || *read_file(autosaver.path()) != first;
   }
   EXPECT_TRUE(rewritten);
 }

@@ -112,8 +112,8 @@ TEST(Pnm, ReadsPlainAndRawWithComments) {
   const std::string raw16 = std::string("P5 4 1 65535\n") + std::string("\0\0\xFF\xFF\x80\x00\x55\x55", 8);
   for (const std::string& text :
        {std::string("P2\n# by hand\n4 1\n255\n0 255 128 85\n"), std::string("P2 4 1 3 0 3 # two\n 2 1"),
-        std::string("P5\n4#w\n1\n255\n\x00\xFF\x80\x55", 19),
-        std::string("P5\r\n4 1\r255\n\x00\xFF\x80\x55", 18), raw16}) {
+        std::string("P5\n4#w\n1\n255\n\x00\xFF\x80\x55", 17),
+        std::string("P5\r\n4 1\r255\n\x00\xFF\x80\x55", 16), raw16}) {
     const auto picture = decode_pnm(text, "p.pgm");
     ASSERT_TRUE(picture.ok()) << picture.error() << "\n" << text;
     EXPECT_EQ(picture->channels, 1);

@@ -1,0 +1,40 @@
+// What the robot sees from where it stands, and what it remembers of things that move.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/lattice/box_lattice.hpp"
+#include "core/world/scenario.hpp"
+
+namespace replan {
+
+/// Cells that the robot holds for obstacles because it saw something moving there, ascending.
+using Sightings = std::vector<NodeId>;
+
+/// The sensor at one place. `truth` is the world as EventKind::truth holds it. Both maps must outlive this.
+class Senses {
+ public:
+  Senses(const Grid2& known, std::span<const std::uint8_t> truth, const RobotSetup& setup, NodeId robot)
+      : known_(known), truth_(truth), setup_(setup), robot_(robot) {}
+
+  /// Whether the sensor reaches the cell: the eight cells around are always felt, others lie within its
+  /// radius and, if obstacles hide what is behind them, in plain view.
+  [[nodiscard]] bool in_sight(NodeId node) const;
+  /// What is in sight and differs from the robot's map, row by row.
+  [[nodiscard]] std::vector<CellEdit> sense() const;
+  /// The sightings that cannot be seen from here, as edits that make them free.
+  [[nodiscard]] std::vector<CellEdit> out_of_sight(const Sightings& sightings) const;
+
+ private:
+  const Grid2& known_;
+  std::span<const std::uint8_t> truth_;
+  const RobotSetup& setup_;
+  NodeId robot_;
+};
+
+/// The sightings after the robot has learnt the edits: those that moving obstacles account for come in, all
+/// others go out.
+Sightings noted(Sightings sightings, std::span<const CellEdit> edits, std::span<const std::uint8_t> truth);
+
+}  // namespace replan
