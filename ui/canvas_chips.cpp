@@ -148,8 +148,7 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
   if (mark == nullptr) return {};
   switch (mark->state) {
     case MissionState::collision:
-      return {"The plan leads through an obstacle: its remote parent was never checked.",
-              true};
+      return {"The plan leads through an obstacle: its remote parent was never checked.", true};
     case MissionState::loop:
       return {"The plan leads round in a circle: its remote parents were never checked.", true};
     case MissionState::endless:

@@ -22,8 +22,8 @@ void RunDigest::read(const Run& run) {
   }
 }
 
-// A planner that starts every replan afresh wipes its values on the record before its first pop; that is no
-// work of the search and touches nothing.
+// A planner that starts every replan afresh wipes its values on the record before its first pop, and so does
+// any other when the goal has moved; that is no work of the search and touches nothing.
 void RunDigest::take(const Event& event, std::size_t index) {
   switch (event.kind) {
     case EventKind::known:
@@ -62,7 +62,7 @@ void RunDigest::take(const Event& event, std::size_t index) {
       break;
     case EventKind::g:
     case EventKind::rhs:
-      if (popped_ || incremental_) touch(event.node, index);
+      if (popped_ || (incremental_ && !starts_afresh())) touch(event.node, index);
       break;
     default:
       break;

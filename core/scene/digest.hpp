@@ -58,6 +58,7 @@ class RunDigest {
 
   void take(const Event& event, std::size_t index);
   void touch(NodeId node, std::size_t index);
+  [[nodiscard]] bool starts_afresh() const { return !plans_.empty() && plans_.back().cause.new_goal; }
 
   std::uint64_t log_id_ = 0;
   bool incremental_ = true;

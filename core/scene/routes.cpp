@@ -12,6 +12,12 @@ NodeId robot_node(const SceneContext& context) {
   return robot == kNoNode ? context.lattice.node(context.run.scenario().start) : robot;
 }
 
+/// Where it has to go now: the goal may have moved.
+Point goal_point(const SceneContext& context) {
+  const NodeId goal = context.state.node(Scalar::goal);
+  return goal == kNoNode ? context.centre(context.run.scenario().goal) : context.centre(goal);
+}
+
 /// Where the robot is at a mark: on its path, not in the middle of the cell that the path crosses there.
 Point robot_point(const SceneContext& context, const Mark& mark, NodeId cell) {
   if (mark.next == 0) return context.centre(cell);
@@ -175,8 +181,7 @@ void build_things(SceneContext& context) {
   const Palette& palette = context.palette;
   const Scenario& scenario = context.run.scenario();
   context.add(Disc{context.centre(scenario.start), radius, palette.start, palette.outline, rim, Glyph::dot});
-  context.add(
-      Disc{context.centre(scenario.goal), radius * 1.15f, palette.goal, palette.outline, rim, Glyph::target});
+  context.add(Disc{goal_point(context), radius * 1.15f, palette.goal, palette.outline, rim, Glyph::target});
   const NodeId robot = robot_node(context);
   const Mark* mark = context.run.mark_at(context.cursor);
   // Before it has moved, the robot would only hide the start.

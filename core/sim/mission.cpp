@@ -1,5 +1,5 @@
-// Algorithm 1 of the DLD* Lite paper from the robot's side. One file although it is long: all members of an explicitly
-// instantiated template have to be in one place.
+// Algorithm 1 of the DLD* Lite paper from the robot's side. One file although it is long: all members of an
+// explicitly instantiated template have to be in one place.
 #include "core/sim/mission.hpp"
 
 #include <algorithm>

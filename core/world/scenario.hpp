@@ -70,8 +70,8 @@ struct Trigger {
 /// What happens while the run goes on: cells appear or disappear, the goal or the robot is put elsewhere.
 struct Surprise {
   Trigger at;
-  std::vector<CellChange> cells;  ///< row-major, each cell once
-  bool announced = false;         ///< the robot is told of the cells at once; else it has to see them
+  std::vector<CellChange> cells;   ///< row-major, each cell once
+  bool announced = false;          ///< the robot is told of the cells at once; else it has to see them
   std::optional<Cell> goal = {};   ///< where it has to go from now on: it plans afresh
   std::optional<Cell> robot = {};  ///< where somebody puts it down
   friend bool operator==(const Surprise&, const Surprise&) = default;

@@ -65,6 +65,32 @@ TEST(FreshPlan, OfAReplanCostsWhatANewRunFromThereDoes) {
   }
 }
 
+TEST(FreshPlan, IsWhatAPlannerMakesWhenTheGoalHasMoved) {
+  for (const char* planner : {"dstar-lite", "dld-star-lite", "astar"}) {
+    Scenario scenario = demo();
+    scenario.surprises.clear();
+    scenario.planners = {{planner, {}}};
+    Session session(scenario);
+    session.settle();
+    ASSERT_TRUE(session.apply(Step{StepUnit::move, 9}).ok());
+    ASSERT_TRUE(session.apply(SetGoal{{29, 3}}).ok());
+    session.settle();
+    SceneMemory memory;
+    const RepairFigures repair = memory.repair(session.run(), session.run().timeline().size());
+    ASSERT_EQ(repair.number, 1);
+    EXPECT_TRUE(repair.cause.new_goal);
+    FreshPlans plans;
+    EXPECT_EQ(repair.touched, plans.of(session.run(), 1, true)->touched) << planner;
+    // And it is drawn where it is now.
+    const Scene scene = build_scene(session.run(), {}, {400, 400}, {});
+    std::vector<Point> goals;
+    for (const Shape& shape : scene.shapes)
+      if (const auto* disc = std::get_if<Disc>(&shape); disc != nullptr && disc->glyph == Glyph::target)
+        goals.push_back(disc->centre);
+    EXPECT_EQ(goals, (std::vector<Point>{{29.5, 3.5}})) << planner;
+  }
+}
+
 TEST(FreshPlan, IsWorkedOutInTheBackgroundAndKept) {
   Session session(demo());
   session.settle();
