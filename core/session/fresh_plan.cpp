@@ -69,8 +69,8 @@ std::optional<FreshPlan> FreshPlans::of(const Run& run, std::size_t number, bool
     return found == known_.end() ? std::nullopt : std::optional(found->second);
   };
   if (const auto known = answer()) return known;
-  if (!next_ || next_->key != key)
-    next_ = Job{key, run.choice(), run.lattice().size(), run.timeline().state()};
+  const bool under_way = working_ == key || (next_ && next_->key == key);
+  if (!under_way) next_ = Job{key, run.choice(), run.lattice().size(), run.timeline().state()};
   wake_.notify_all();
   if (wait) done_.wait(lock, [&] { return known_.contains(key); });
   return answer();
@@ -78,7 +78,7 @@ std::optional<FreshPlan> FreshPlans::of(const Run& run, std::size_t number, bool
 
 bool FreshPlans::busy() const {
   const std::scoped_lock lock(mutex_);
-  return working_ || next_.has_value();
+  return working_.has_value() || next_.has_value();
 }
 
 void FreshPlans::work(const std::stop_token& stop) {
@@ -86,11 +86,11 @@ void FreshPlans::work(const std::stop_token& stop) {
   while (wake_.wait(lock, stop, [this] { return next_.has_value(); })) {
     const Job job = std::move(*next_);
     next_.reset();
-    working_ = true;
+    working_ = job.key;
     lock.unlock();
     const FreshPlan fresh = plan_from_scratch(job.choice, job.size, job.state, stop);
     lock.lock();
-    working_ = false;
+    working_.reset();
     if (stop.stop_requested()) return;
     if (known_.size() >= kMostKept) known_.erase(known_.begin());
     known_.emplace(job.key, fresh);

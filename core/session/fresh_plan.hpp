@@ -49,8 +49,8 @@ class FreshPlans {
 
   mutable std::mutex mutex_;  // guards all but the thread
   std::condition_variable_any wake_, done_;
-  std::optional<Job> next_;  // of several that are asked for the latest
-  bool working_ = false;
+  std::optional<Job> next_;     // of several that are asked for the latest
+  std::optional<Key> working_;  // what is being worked out
   std::map<Key, FreshPlan> known_;
   std::jthread thread_;  // last: it ends before what it uses
 };
