@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/words.hpp"
+
 namespace replan::cli {
 
 /// Exit codes of the program.
@@ -25,8 +27,6 @@ void complain(std::string_view message);
 
 /// A number with that many decimals.
 std::string decimals(double value, int count);
-/// "1 cell", "2 cells".
-std::string counted(std::int64_t count, std::string_view what);
 /// Text in lines of at most `width` columns, broken at blanks, each after the first indented by `indent`.
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t width = 100);
 

@@ -17,10 +17,6 @@ struct RunArguments {
   std::string csv;
 };
 
-std::string cell_text(Cell cell) {
-  return "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
-}
-
 std::string plans_table(std::span<const RunReport> reports) {
   using enum Table::Align;
   Table table({{"planner", left},

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/words.hpp"
+
 namespace replan {
 namespace {
 
@@ -17,10 +19,6 @@ std::optional<T> whole(std::string_view text) {
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (code != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
-}
-
-std::string counted(std::size_t count, const char* what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 bool takes_time(EventKind kind) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "core/base/words.hpp"
 #include "core/session/session.hpp"
 
 namespace replan {
@@ -14,10 +15,6 @@ std::shared_ptr<const Scenario> rest_of(const Scenario& scenario) {
   auto rest = std::make_shared<Scenario>(scenario);
   rest->map.blocked = {};
   return rest;
-}
-
-std::string count_text(std::size_t count, const char* what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -89,8 +86,7 @@ Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool anno
                                  std::string label) {
   for (const CellChange& change : cells)
     if (!scenario_->map.contains(change.cell))
-      return Error{"cell (" + std::to_string(change.cell.x) + ", " + std::to_string(change.cell.y) +
-                   ") lies outside the world"};
+      return Error{"cell " + cell_text(change.cell) + " lies outside the world"};
   Run& run = *runs_.front();
   // In the middle of a repair the edit waits for its end; a first plan starts afresh.
   if (!run.marks().empty()) {
@@ -105,7 +101,7 @@ Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool anno
   stroke_cells_ = real.size() + (goes_on ? stroke_cells_ : 0);
   if (label.empty())
     label = (announced ? real.front().blocked ? "paint " : "erase " : "surprise of ") +
-            count_text(stroke_cells_, "cell");
+            counted(stroke_cells_, "cell");
   if (goes_on) relabel(label);
   if (mark == nullptr) {
     for (const CellChange& change : real) changed.map.set(change.cell, change.blocked);

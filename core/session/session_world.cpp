@@ -1,16 +1,13 @@
 // The session's edits of the world as a whole, and of what is to happen in it.
 #include <algorithm>
 
+#include "core/base/words.hpp"
 #include "core/session/session.hpp"
 #include "core/world/ends.hpp"
 #include "core/world/generator_list.hpp"
 
 namespace replan {
 namespace {
-
-std::string cell_text(Cell cell) {
-  return "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
-}
 
 std::string size_text(const GridMap& map) {
   return std::to_string(map.width) + " x " + std::to_string(map.height);

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "core/base/file.hpp"
+#include "core/base/words.hpp"
 #include "core/plan/registry.hpp"
 #include "core/world/json_reader.hpp"
 #include "core/world/map_file.hpp"
@@ -25,10 +26,6 @@ constexpr double kMaxCamera = 1e9;                     // cells
 constexpr double kMinZoom = 0.001, kMaxZoom = 10'000;  // pixels per cell
 constexpr double kMinResolution = 1e-6, kMaxResolution = 1e6;
 constexpr double kMaxOrigin = 1e9;
-
-std::string shown(Cell cell) {
-  return "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
-}
 
 /// Reads one scenario. Errors are kept in the JsonReader; each step after the first is harmless.
 class ScenarioReader {
@@ -144,7 +141,7 @@ class ScenarioReader {
     const Cell result{static_cast<int>(parts[0].whole(INT32_MIN, INT32_MAX)),
                       static_cast<int>(parts[1].whole(INT32_MIN, INT32_MAX))};
     if (!scenario_.map.contains(result))
-      node.fail(shown(result) + " is outside the map: x goes from 0 to " +
+      node.fail(cell_text(result) + " is outside the map: x goes from 0 to " +
                 std::to_string(scenario_.map.width - 1) + ", y from 0 to " +
                 std::to_string(scenario_.map.height - 1));
     return result;
@@ -288,7 +285,7 @@ class ScenarioReader {
     changes.erase(std::unique(changes.begin(), changes.end()), changes.end());
     const auto twice = std::adjacent_find(changes.begin(), changes.end(),
                                           [](const auto& a, const auto& b) { return a.cell == b.cell; });
-    if (twice != changes.end()) node.fail("cell " + shown(twice->cell) + " is both added and removed");
+    if (twice != changes.end()) node.fail("cell " + cell_text(twice->cell) + " is both added and removed");
   }
 
   void read_view(const JsonNode& node) {

@@ -114,10 +114,6 @@ std::string cost_text(Cost cost, int decimals) {
   return cost.is_infinite() ? kInfinity : fixed(cost.to_double(), decimals);
 }
 
-std::string cell_text(Cell cell) {
-  return "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
-}
-
 std::string node_text(const Run& run, NodeId node) {
   return node == kNoNode || node >= run.lattice().node_count() ? "none"
                                                                : cell_text(run.lattice().position(node));

@@ -6,6 +6,7 @@
 
 #include "core/base/cell.hpp"
 #include "core/base/cost.hpp"
+#include "core/base/words.hpp"
 #include "core/session/run.hpp"
 #include "ui/canvas_chips.hpp"
 
@@ -16,8 +17,6 @@ std::string grouped(std::size_t number);
 std::string fixed(double number, int decimals);
 /// "41.213", "∞".
 std::string cost_text(Cost cost, int decimals = 3);
-/// "(31, 18)".
-std::string cell_text(Cell cell);
 /// "(31, 18)", or "none" for kNoNode.
 std::string node_text(const Run& run, NodeId node);
 /// "1.4 MB".

@@ -1,0 +1,22 @@
+// Numbers and cells as the sentences for users spell them.
+#pragma once
+
+#include <concepts>
+#include <string>
+#include <string_view>
+
+#include "core/base/cell.hpp"
+
+namespace replan {
+
+/// "(3, 4)"
+inline std::string cell_text(Cell cell) {
+  return "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
+}
+
+/// "1 cell", "2 cells"
+std::string counted(std::integral auto count, std::string_view what) {
+  return std::to_string(count) + " " + std::string(what) + (count == 1 ? "" : "s");
+}
+
+}  // namespace replan
