@@ -215,7 +215,7 @@ void Program::take_picture(const ui::CaptureRequest& request) {
       tell(ui::write_png(path, cut_out(image, part, size.width, size.height)));
     });
   } else if (extension == ".svg" && !request.window) {
-    tell(write_drawing(request.path, *session_.runs()[shell_->panels().pane], shell_->view(), size));
+    tell(write_drawing(request.path, session_.run(), shell_->view(), size));
   } else {
     shell_->tell(request.path + (request.window ? ": a picture of the window is a .png"
                                                 : ": a picture is a .png or an .svg"),

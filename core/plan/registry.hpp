@@ -15,6 +15,13 @@
 
 namespace replan {
 
+/// What a planner's values mean, and with that the laws that they keep (core/debug/laws.hpp) and how its open
+/// list is ordered (core/debug/open_order.hpp).
+enum class SearchValues : std::uint8_t {
+  best_first,  ///< g from the start; the list by f = g + h, then the larger g
+  lookahead,   ///< g and rhs to the goal; the list by [min(g, rhs) + h + km; min(g, rhs)]
+};
+
 /// What can be said of a planner without running it.
 struct PlannerInfo {
   std::string_view id;       ///< as on the command line: "dstar-lite"
@@ -22,6 +29,8 @@ struct PlannerInfo {
   std::string_view summary;  ///< one sentence
   std::string_view source;   ///< authors, year, DOI
   std::vector<Parameter> parameters;
+  SearchValues values = SearchValues::best_first;
+  bool exercise = false;     ///< broken on purpose, to learn finding it: not among "all" planners
   bool incremental = false;  ///< repairs its plan instead of starting afresh
   bool any_angle = false;    ///< its paths leave the lattice's directions
   bool from_goal = false;    ///< searches from the goal: g is the cost to go

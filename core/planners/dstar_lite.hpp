@@ -53,6 +53,7 @@ inline PlannerInfo describe(DStarLiteSwitches switches) {
   using namespace parameters;
   PlannerInfo info;
   info.incremental = info.from_goal = true;
+  info.values = SearchValues::lookahead;
   info.any_angle = info.sight = switches.sight;
   info.clearance = switches.clearance;
   info.parameters = {kHeuristic};

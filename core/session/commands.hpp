@@ -1,16 +1,25 @@
 // The commands of commands.def, as plain data.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "core/debug/difference.hpp"
 #include "core/session/stepping.hpp"
 #include "core/world/scenario.hpp"
 #include "core/world/transform.hpp"
 
 namespace replan {
+
+/// What panes in lockstep have in common at every moment.
+enum class Lockstep : std::uint8_t {
+  expansions,  ///< the robot's step, and the expansions since
+  moves,       ///< the robot's step: each stands where it goes on from there
+  race,        ///< the expansions since the beginning: each goes on to its own end
+};
 
 /// Cells and their new values. Strokes with the same nonzero number are taken back together.
 struct PaintCells {
@@ -127,6 +136,54 @@ struct Step {
 struct Seek {
   std::size_t position = 0;
   double travel = 1;
+};
+/// The transport shows this pane's run from now on, and the others follow its cursor.
+struct Lead {
+  std::size_t pane = 0;
+};
+/// How the other panes follow the leading one.
+struct SetLockstep {
+  Lockstep by = Lockstep::expansions;
+};
+/// From 1 to 4. Further planners are added at the end, others than those that are there already.
+struct SetPanes {
+  std::size_t count = 2;
+};
+struct AddBreakpoint {
+  std::string condition;
+};
+struct SwitchBreakpoint {
+  std::size_t index = 0;
+  bool enabled = true;
+};
+struct RemoveBreakpoint {
+  std::size_t index = 0;
+};
+/// 1: the next one, running the mission on as far as needed; -1: the previous one.
+struct GoToBreakpoint {
+  int direction = 1;
+};
+/// To behind the next event of the leading run that changes the value (1), or to behind the latest one before
+/// the cursor (-1). `node` is the Scalar for EventKind::scalar.
+struct GoToChange {
+  EventKind kind = EventKind::rhs;
+  NodeId node = kNoNode;
+  int direction = -1;
+};
+struct AddWatch {
+  std::string expression;
+};
+struct RemoveWatch {
+  std::size_t index = 0;
+};
+struct SetChecks {
+  bool laws = false;
+  bool oracle = false;
+};
+/// Runs both panes as far as they are alike and goes to where they differ first.
+struct FindDifference {
+  std::array<std::size_t, 2> panes{0, 1};
+  Compare what = Compare::expansions;
 };
 struct RunToEnd {};
 /// What was planned until then stays; steps, play and RunToEnd take it up again.

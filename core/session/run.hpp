@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/debug/log_view.hpp"
 #include "core/sim/mission.hpp"
 #include "core/trace/timeline.hpp"
 #include "core/world/scenario.hpp"
@@ -52,6 +53,8 @@ class Run {
 
   [[nodiscard]] Timeline& timeline() { return timeline_; }
   [[nodiscard]] const Timeline& timeline() const { return timeline_; }
+  /// For the debugger's instruments; valid as long as the run.
+  [[nodiscard]] LogView log_view() const { return {timeline_, *lattice_, *info_, choice().settings}; }
   /// How much of the robot's last step before the cursor a view shows: 0, still where it came from, to 1.
   [[nodiscard]] double travel() const { return travel_; }
   void set_travel(double travel) { travel_ = travel; }

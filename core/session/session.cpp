@@ -56,6 +56,7 @@ void Session::restart_runs() {
     runs_.push_back(std::make_unique<Run>(scenario_, i));
     runs_.back()->go(Target::plan());
   }
+  lead_ = std::min(lead_, runs_.size() - 1);
   follow_ = true;
 }
 
@@ -115,7 +116,7 @@ Result<void> Session::run_command(const SetSpeed& command) {
 Result<void> Session::run_command(const Step& command) {
   playback_.direction = 0;
   follow_ = false;
-  Run& run = *runs_.front();
+  Run& run = leading();
   for (int i = 0; i < std::abs(command.count); ++i) {
     const std::size_t cursor = run.timeline().cursor();
     run.pump();
@@ -137,6 +138,12 @@ Result<void> Session::run_command(const Seek& command) {
   return {};
 }
 
+Result<void> Session::run_command(const Lead& command) {
+  if (command.pane >= runs_.size()) return Error{"there is no such pane"};
+  lead_ = command.pane;
+  return {};
+}
+
 Result<void> Session::run_command(const RunToEnd&) {
   playback_.direction = 0;
   for (const auto& run : runs_) run->go(Target::end());
@@ -151,13 +158,14 @@ Result<void> Session::run_command(const Cancel&) {
 
 // The other panes go along in lockstep: to the same step of the robot, and as many expansions into its plan.
 void Session::seek(std::size_t position, double travel) {
-  Run& first = *runs_.front();
+  Run& first = leading();
   for (const auto& run : runs_) run->set_travel(std::clamp(travel, 0.0, 1.0));
   first.timeline().seek(std::min(position, first.timeline().size()));
   if (runs_.size() == 1) return;
   const Run::Progress progress = first.progress(first.timeline().cursor());
-  for (std::size_t i = 1; i < runs_.size(); ++i) {
-    Run& run = *runs_[i];
+  for (const auto& each : runs_) {
+    Run& run = *each;
+    if (&run == &first) continue;
     const bool behind = run.marks().empty() || run.marks().back().clock <= progress.clock;
     if (behind && !run.busy()) run.go(Target::clock_at(progress.clock + 1));
     run.timeline().seek(run.position_of(progress));
@@ -193,7 +201,7 @@ double Session::seconds_of(const Run& run, std::size_t from, std::size_t to) con
 
 bool Session::play(double seconds) {
   if (playback_.direction == 0) return false;
-  Run& run = *runs_.front();
+  Run& run = leading();
   owed_ = std::min(owed_ + seconds, 0.1);  // after a stall, go on instead of leaping
   std::size_t cursor = run.timeline().cursor();
   const std::size_t begin = cursor;

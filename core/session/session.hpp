@@ -6,8 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "core/session/breakpoints.hpp"
+#include "core/session/checks.hpp"
 #include "core/session/commands.hpp"
 #include "core/session/run.hpp"
+#include "core/session/watches.hpp"
 
 namespace replan {
 
@@ -36,9 +39,14 @@ class Session {
 
   [[nodiscard]] const Scenario& scenario() const { return *scenario_; }
   [[nodiscard]] std::span<const std::unique_ptr<Run>> runs() const { return runs_; }
-  /// The run whose timeline the transport shows.
-  [[nodiscard]] const Run& run() const { return *runs_.front(); }
+  /// The pane whose timeline the transport shows and whose cursor the others follow, and its run.
+  [[nodiscard]] std::size_t lead() const { return lead_; }
+  [[nodiscard]] const Run& run() const { return *runs_[lead_]; }
   [[nodiscard]] const Playback& playback() const { return playback_; }
+  [[nodiscard]] Lockstep lockstep() const { return lockstep_; }
+  [[nodiscard]] const Breakpoints& breakpoints() const { return breakpoints_; }
+  [[nodiscard]] const Watches& watches() const { return watches_; }
+  [[nodiscard]] const Checks& checks() const { return checks_; }
   [[nodiscard]] const std::string& file() const { return file_; }
   /// True if there are edits that were not saved.
   [[nodiscard]] bool modified() const { return document_state() != saved_at_ || taken_up_ > 0; }
@@ -115,6 +123,9 @@ class Session {
   Result<void> replace_map(std::string label, GridMap map, std::optional<Cell> start,
                            std::optional<Cell> goal);
   void replace(std::shared_ptr<const Scenario> scenario);
+  [[nodiscard]] Run& leading() {
+    return *runs_[lead_];
+  }
   void restart_runs();
   void rebase_runs(const std::shared_ptr<const Scenario>& scenario, std::size_t common);
   [[nodiscard]] std::shared_ptr<const Scenario> take_back(const Scenario& from);
@@ -131,9 +142,14 @@ class Session {
 
   std::shared_ptr<const Scenario> scenario_;
   std::vector<std::unique_ptr<Run>> runs_;
+  std::size_t lead_ = 0;
   std::vector<Edit> undo_, redo_;
   std::string file_;
   Playback playback_;
+  Lockstep lockstep_ = Lockstep::expansions;
+  Breakpoints breakpoints_;
+  Watches watches_;
+  Checks checks_;
   double owed_ = 0;          // seconds of play not yet shown; negative: the last stop still lasts so long
   double step_seconds_ = 0;  // how long the last stop lasts in all
   bool follow_ = true;       // the cursor stays at the end of the log

@@ -66,7 +66,7 @@ void Session::relabel(const std::string& label) {
 
 /// Of `cells` those that differ from the world where the edit will happen, row by row.
 std::vector<CellChange> Session::real_changes(const std::vector<CellChange>& cells, const Mark* mark) {
-  Run& run = *runs_.front();
+  Run& run = leading();
   const std::size_t cursor = run.timeline().cursor();
   if (mark != nullptr) run.timeline().seek(run.mark_for_new_surprise(mark->clock)->event);
   std::vector<CellChange> real;
@@ -87,7 +87,7 @@ Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool anno
   for (const CellChange& change : cells)
     if (!scenario_->map.contains(change.cell))
       return Error{"cell " + cell_text(change.cell) + " lies outside the world"};
-  Run& run = *runs_.front();
+  Run& run = leading();
   // In the middle of a repair the edit waits for its end; a first plan starts afresh.
   if (!run.marks().empty()) {
     run.finish(Target::plan());

@@ -21,7 +21,7 @@ Result<void> check_mover(const MovingObstacle& mover, const GridMap& map) {
 
 /// Something that happens to the robot or its goal at its present step. Of a drag only the end counts.
 Result<void> Session::edit_script(std::string label, std::uint64_t stroke, Surprise surprise) {
-  Run& run = *runs_.front();
+  Run& run = leading();
   run.finish(Target::plan());
   update(0);
   Scenario changed = *scenario_;

@@ -74,7 +74,7 @@ void Session::commit_in_place(std::string label, Scenario changed, std::size_t s
 Result<void> Session::run_command(const ScheduleSurprise& command) {
   if (const auto good = check_surprise(command.surprise, scenario_->map); !good) return good;
   if (!run().marks().empty()) {
-    runs_.front()->finish(Target::plan());
+    leading().finish(Target::plan());
     update(0);
   }
   Scenario changed = *scenario_;

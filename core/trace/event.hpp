@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 
 #include "core/base/cell.hpp"
 
@@ -61,6 +62,24 @@ enum class Scalar : std::uint8_t {
   replans,
   count
 };
+
+/// A set of kinds.
+class KindSet {
+ public:
+  constexpr KindSet() = default;
+  constexpr KindSet(std::initializer_list<EventKind> kinds) {
+    for (const EventKind kind : kinds) bits_ |= bit(kind);
+  }
+  [[nodiscard]] constexpr bool has(EventKind kind) const { return (bits_ & bit(kind)) != 0; }
+  [[nodiscard]] constexpr bool empty() const { return bits_ == 0; }
+  constexpr void add(EventKind kind) { bits_ |= bit(kind); }
+  friend constexpr bool operator==(const KindSet&, const KindSet&) = default;
+
+ private:
+  static constexpr std::uint32_t bit(EventKind kind) { return 1u << static_cast<unsigned>(kind); }
+  std::uint32_t bits_ = 0;
+};
+static_assert(static_cast<unsigned>(EventKind::forgotten) < 32);
 
 /// One record of the log.
 struct Event {

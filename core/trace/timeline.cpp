@@ -71,6 +71,39 @@ void Timeline::seek(std::size_t position) {
   while (cursor_ > position) state_.apply(event(--cursor_));
 }
 
+SearchState Timeline::state_at(std::size_t position) const {
+  std::size_t at = cursor_;
+  const SearchState* nearest = &state_;
+  const auto distance = [position](std::size_t from) {
+    return from > position ? from - position : position - from;
+  };
+  const auto offer = [&](std::size_t where, const SearchState& state) {
+    if (distance(where) >= distance(at)) return;
+    at = where;
+    nearest = &state;
+  };
+  offer(size_, head_);
+  const auto after = frames_.lower_bound(position);
+  if (after != frames_.end()) offer(after->first, after->second);
+  if (after != frames_.begin()) offer(std::prev(after)->first, std::prev(after)->second);
+  SearchState state = *nearest;
+  while (at < position) state.apply(event(at++));
+  while (at > position) state.apply(event(--at));
+  return state;
+}
+
+std::optional<std::size_t> Timeline::last_event(NodeId node, KindSet kinds, std::size_t before) const {
+  for (std::size_t i = std::min(before, size_); i-- > 0;)
+    if (const Event& e = event(i); e.node == node && kinds.has(e.kind)) return i;
+  return std::nullopt;
+}
+
+std::optional<std::size_t> Timeline::next_event(NodeId node, KindSet kinds, std::size_t from) const {
+  for (std::size_t i = from; i < size_; ++i)
+    if (const Event& e = event(i); e.node == node && kinds.has(e.kind)) return i;
+  return std::nullopt;
+}
+
 std::uint64_t Timeline::log_hash() const {
   std::uint64_t seed = size_;
   for (std::size_t i = 0; i < size_; ++i) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "core/trace/event.hpp"
@@ -36,6 +37,13 @@ class Timeline {
   [[nodiscard]] const SearchState& head() const { return head_; }
   /// Moves the cursor to a position, at most size().
   void seek(std::size_t position);
+
+  /// The state at any position, without moving the cursor.
+  [[nodiscard]] SearchState state_at(std::size_t position) const;
+  /// The latest event before `before` that is about the node and of one of the kinds, and the first from
+  /// `from` on. `node` is the Scalar for EventKind::scalar.
+  [[nodiscard]] std::optional<std::size_t> last_event(NodeId node, KindSet kinds, std::size_t before) const;
+  [[nodiscard]] std::optional<std::size_t> next_event(NodeId node, KindSet kinds, std::size_t from) const;
 
   /// A hash over all events of the log: equal runs have equal hashes.
   [[nodiscard]] std::uint64_t log_hash() const;

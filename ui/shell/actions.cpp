@@ -189,8 +189,8 @@ bool available(const Action& action, const ActionContext& context) {
       return !context.panels.recording.finishing &&
              !(context.panels.recording.on && !context.panels.recording.window);
     case ActionId::reset_settings:
-      return context.panels.pane < session.scenario().planners.size() &&
-             !session.scenario().planners[context.panels.pane].settings.values().empty();
+      return session.lead() < session.scenario().planners.size() &&
+             !session.scenario().planners[session.lead()].settings.values().empty();
     case ActionId::cancel:
       return std::any_of(session.runs().begin(), session.runs().end(),
                          [](const auto& run) { return run->busy(); });

@@ -60,7 +60,6 @@ struct QueueCount {
 /// What the panels remember between frames; no part of the document.
 struct PanelState {
   float side_width = 372;  ///< of the design; the user drags it
-  std::size_t pane = 0;    ///< whose planner, cells, code and figures the side shows
   std::size_t panes = 0;   ///< how many the canvas shows; 0: as many as there is room for
   StepUnit unit = StepUnit::expansion;
   std::map<std::string, double> drafts;  ///< settings while their slider is dragged
@@ -93,9 +92,8 @@ struct Frame {
   std::vector<Command>& commands;
   Wish& wish;
 
-  [[nodiscard]] const Run& run() const {
-    return *session.runs()[std::min(panels.pane, session.runs().size() - 1)];
-  }
+  /// The run whose planner, cells, code and figures the side shows.
+  [[nodiscard]] const Run& run() const { return session.run(); }
   /// The cell that the Cell panel is about: the pinned one, else the one under the cursor; inside the world.
   [[nodiscard]] std::optional<Cell> cell() const;
 };

@@ -54,7 +54,7 @@ void planner_items(Frame& frame) {
   for (const PlannerInfo& info : planners()) {
     const bool chosen = frame.run().choice().id == info.id;
     if (ImGui::MenuItemEx(std::string(info.name).c_str(), "", "", chosen))
-      frame.commands.push_back(ChoosePlanner{frame.panels.pane, std::string(info.id)});
+      frame.commands.push_back(ChoosePlanner{frame.session.lead(), std::string(info.id)});
     hint(frame.look, {"", "", std::string(info.summary).c_str()});
   }
   ImGui::Separator();

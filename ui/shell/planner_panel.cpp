@@ -45,7 +45,7 @@ void choose_planner(Frame& frame) {
   if (combo(look, "##planner", pointers(names), current, ImGui::GetContentRegionAvail().x) &&
       current != before)
     frame.commands.push_back(
-        ChoosePlanner{frame.panels.pane, std::string(planners()[static_cast<std::size_t>(current)].id)});
+        ChoosePlanner{frame.session.lead(), std::string(planners()[static_cast<std::size_t>(current)].id)});
   const PlannerInfo& info = frame.run().info();
   paragraph(look.fonts.ui, look.theme.dim, info.summary);
   if (button(look, "Idea and limits", ButtonKind::quiet, icon::book)) perform(frame, ActionId::planner_page);
@@ -108,7 +108,7 @@ void setting(Frame& frame, const Parameter& parameter) {
       changed = number_setting(frame, parameter, what, value);
       break;
   }
-  if (changed) frame.commands.push_back(SetParameter{frame.panels.pane, std::string(parameter.key), value});
+  if (changed) frame.commands.push_back(SetParameter{frame.session.lead(), std::string(parameter.key), value});
 }
 
 /// How the robot drives; true if something was changed.

@@ -37,7 +37,6 @@ void perform(Frame& frame, ActionId id) {
 void Shell::draw(const Look& look, Session& session, double) {
   std::vector<Command> commands;
   Wish wish = Wish::none;
-  panels_.pane = std::min(panels_.pane, session.runs().size() - 1);
   panels_.animated = false;
   view_.view.scale = static_cast<double>(look.px.scale);
   Frame frame{look, session, view_, panels_, commands, wish};
@@ -135,7 +134,7 @@ void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
     const std::size_t count = std::min(frame.session.runs().size(), panels_.panes > 0 ? panels_.panes : room);
     // Too narrow for all: the one that the side panel is about.
     const std::size_t first =
-        count < frame.session.runs().size() ? std::min(panels_.pane, frame.session.runs().size() - count) : 0;
+        count < frame.session.runs().size() ? std::min(frame.session.lead(), frame.session.runs().size() - count) : 0;
     const PaneRow row(look, count, min, max);
     const GridMap& map = frame.session.scenario().map;
     panels_.zoom = resolve(view_.view.camera, map.width, map.height,

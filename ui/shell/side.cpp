@@ -21,9 +21,9 @@ void choose_pane(Frame& frame) {
         max(min.x + width, origin.y + look.px.control);
     ImGui::SetCursorScreenPos(min);
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::InvisibleButton("pane", {width, look.px.control})) frame.panels.pane = i;
-    const bool chosen = i == frame.panels.pane, hovered = ImGui::IsItemHovered();
-    hint(look, {"Pane", "", "Whose values the tabs show."});
+    if (ImGui::InvisibleButton("pane", {width, look.px.control})) frame.commands.push_back(Lead{i});
+    const bool chosen = i == frame.session.lead(), hovered = ImGui::IsItemHovered();
+    hint(look, {"Pane", "", "Whose values the tabs show and whose timeline is below the canvas; the others follow it."});
     ImGui::PopID();
     if (chosen) list.AddRectFilled(min, max, look.theme.selected, look.px.radius);
     const std::string name = elide(look.fonts.ui, runs[i]->info().name, width - look.px.l);

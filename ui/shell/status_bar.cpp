@@ -167,7 +167,7 @@ void draw_status_bar(Frame& frame) {
         {"Path length", "", "Of the plan that stands, in cells, measured along its straight segments."});
   line.pair("|U|",
             grouped(queue_size(frame.panels, frame.session,
-                               std::min(frame.panels.pane, frame.session.runs().size() - 1))),
+                               frame.session.lead())),
             {"Open list", "", "How many vertices wait in the open list U."});
   if (run.info().from_goal)
     line.pair("km", cost_text(run.timeline().state().km(), 2),
