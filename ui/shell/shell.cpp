@@ -14,7 +14,7 @@
 namespace replan::ui {
 namespace {
 
-constexpr float kNarrowestSide = 280, kWidestSide = 640, kNarrowestCanvas = 320;
+constexpr float kNarrowestSide = 340, kWidestSide = 640, kNarrowestCanvas = 320;
 constexpr float kNarrowestPane = 340;
 constexpr float kCaption = 32;  // height of the line over the canvas
 
