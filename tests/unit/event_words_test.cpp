@@ -17,7 +17,7 @@ TEST(EventWords, tellWhatEachKindOfEventDid) {
   const auto text = [&](EventKind kind, NodeId node, std::uint64_t delta, std::uint64_t after = 0) {
     return event_text(lattice, {delta, node, kind, 0, 0}, after);
   };
-  const NodeId at = lattice.node({3, 2});
+  const NodeId at = lattice.node(Cell{3, 2});
   const auto infinite = static_cast<std::uint64_t>(Cost::kInfinityRaw);
   EXPECT_EQ(text(EventKind::rhs, at, infinite ^ raw(4), raw(4)), "rhs(3, 2): ∞ → 4.000");
   EXPECT_EQ(text(EventKind::queue, at, raw(4) + 1, raw(4) + 1), "k1(3, 2): not in U → 4.000");
