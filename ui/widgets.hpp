@@ -110,7 +110,8 @@ struct TableCell {
   ImU32 colour = 0;
   bool strong = false;
 };
-void table_header(const Look& look, std::span<const Column> columns);
+/// Returns the number of the column under the mouse, -1 for none; the header is the last item.
+int table_header(const Look& look, std::span<const Column> columns);
 /// One row of fixed height (fits ImGuiListClipper); returns whether it was clicked.
 bool table_row(const Look& look, int id, std::span<const Column> columns, std::span<const TableCell> cells,
                bool selected = false);

@@ -75,17 +75,20 @@ int key_values(const Look& look, std::span<const KeyValue> pairs, int columns, A
   return hovered;
 }
 
-void table_header(const Look& look, std::span<const Column> columns) {
+int table_header(const Look& look, std::span<const Column> columns) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float y = origin.y + (look.px.row - look.fonts.mono->FontSize) * 0.5f;
+  int at = -1;
   for_columns(look, columns, origin.x, width, [&](std::size_t i, float left, float right) {
     draw_between(list, look.fonts.mono, left, right, y, columns[i].align, look.theme.faint, columns[i].name);
+    if (ImGui::GetIO().MousePos.x >= left && ImGui::GetIO().MousePos.x < right) at = static_cast<int>(i);
   });
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::Dummy({width, look.px.row});
   ImGui::PopStyleVar();
+  return ImGui::IsItemHovered() ? at : -1;
 }
 
 bool table_row(const Look& look, int id, std::span<const Column> columns, std::span<const TableCell> cells,

@@ -41,7 +41,7 @@ std::vector<Change> changes_between(const Timeline& log, std::size_t from, std::
   }
   std::sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.node < b.node; });
   std::size_t kept = 0;
-  for (const Change& change : changes) {
+  for (const Change change : changes) {  // a copy: its place is written to
     if (kept == 0 || changes[kept - 1].node != change.node) changes[kept++] = {change.node, {}};
     RawEntry& sum = changes[kept - 1].delta;
     sum = {sum.queue ^ change.delta.queue, sum.g ^ change.delta.g, sum.rhs ^ change.delta.rhs};
@@ -56,28 +56,30 @@ OpenEntry open_entry(const SearchState& state, SearchValues values, NodeId node)
   return entry_of(raw_entry(state, node), values, node);
 }
 
-// Keys lie close together, so where an entry belongs can be told from its k1 alone, but for a few neighbours:
-// they are spread over as many buckets as there are entries, and only what shares a bucket is compared.
+// Keys lie close together, so about where an entry belongs can be told from its k1 alone: the entries are spread
+// over buckets that fit into a cache, and only what shares a bucket is compared.
 void sort_entries(std::vector<OpenEntry>& entries) {
-  constexpr std::size_t kWorthIt = 4096;
+  constexpr std::size_t kWorthIt = 4096, kPerBucket = 128;
   const auto [least, most] = std::minmax_element(
       entries.begin(), entries.end(), [](const OpenEntry& a, const OpenEntry& b) { return a.k1 < b.k1; });
   if (entries.size() < kWorthIt || least->k1 == most->k1) {
     std::sort(entries.begin(), entries.end());
     return;
   }
+  const std::size_t buckets = entries.size() / kPerBucket;
   const std::int64_t low = least->k1.raw;
-  const double scale = static_cast<double>(entries.size() - 1) / static_cast<double>(most->k1.raw - low);
+  const double scale = static_cast<double>(buckets - 1) / static_cast<double>(most->k1.raw - low);
   const auto bucket_of = [&](const OpenEntry& entry) {
     return static_cast<std::size_t>(static_cast<double>(entry.k1.raw - low) * scale);
   };
-  std::vector<std::uint32_t> begins(entries.size() + 2);
+  std::vector<std::size_t> begins(buckets + 2);
   for (const OpenEntry& entry : entries) ++begins[bucket_of(entry) + 2];
   for (std::size_t i = 2; i < begins.size(); ++i) begins[i] += begins[i - 1];
   std::vector<OpenEntry> spread(entries.size());
   for (const OpenEntry& entry : entries) spread[begins[bucket_of(entry) + 1]++] = entry;
   for (std::size_t i = 0; i + 1 < begins.size(); ++i)
-    if (begins[i + 1] - begins[i] > 1) std::sort(spread.begin() + begins[i], spread.begin() + begins[i + 1]);
+    std::sort(spread.begin() + static_cast<std::ptrdiff_t>(begins[i]),
+              spread.begin() + static_cast<std::ptrdiff_t>(begins[i + 1]));
   entries.swap(spread);
 }
 
@@ -102,6 +104,7 @@ void OpenOrder::follow(const LogView& view, std::uint64_t log_id) {
 
 void OpenOrder::gather(const SearchState& state, SearchValues values) {
   std::vector<OpenEntry> entries;
+  entries.reserve(std::max(size_, kPage));
   for (std::size_t first = 0; first < state.node_count(); first += kPage) {
     const auto base = static_cast<NodeId>(first);
     const std::uint64_t* queue = state.page(EventKind::queue, base);

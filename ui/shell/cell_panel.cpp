@@ -10,6 +10,7 @@
 #include "ui/icons.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
+#include "ui/shell/term_hint.hpp"
 
 namespace replan::ui {
 namespace {
@@ -132,11 +133,12 @@ std::vector<Field> fields_of(const Theme& theme, const CellView& view) {
 void value_hint(Frame& frame, const CellView& view, const Field& field) {
   const auto written = view.run.timeline().last_event(view.node, {field.kind}, view.run.timeline().cursor());
   const std::string title = std::string(field.name) + " = " + field.value;
-  const std::string words =
-      (written ? "Written by event " + grouped(*written + 1) + ", " + origin_text(frame, *written) +
-                     ". Click to go there.\n"
-               : std::string("Not written yet in this run.\n")) +
-      "Right click for its other changes, to break on it or to watch it.";
+  const Term* term = find_term(field.name);
+  const std::string words = (term == nullptr ? "" : std::string(term->text) + "\n\n") +
+                            (written ? "Written by event " + grouped(*written + 1) + ", " +
+                                           origin_text(frame, *written) + ". Click to go there.\n"
+                                     : std::string("Not written yet in this run.\n")) +
+                            "Right click for its other changes, to break on it or to watch it.";
   hint(frame.look, {title.c_str(), "", words.c_str()});
   if (!written) return;
   ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -191,8 +193,9 @@ void touched_line(Frame& frame, const CellView& view) {
   ImGui::Dummy({0, look.px.xs});
   const std::string name = "Replan " + grouped(last_replan(view.run)->number);
   if (link(look, "touched", name, look.fonts.ui)) perform(frame, ActionId::show_touched);
-  const std::string all = "It touched " + count_text(static_cast<std::int64_t>(touched->list().size()),
-                                                     "vertex", "vertices") + ". Click for all of them.";
+  const std::string all =
+      "It touched " + count_text(static_cast<std::int64_t>(touched->list().size()), "vertex", "vertices") +
+      ". Click for all of them.";
   hint(look, {name.c_str(), "", all.c_str()});
   ImGui::SameLine(0, look.px.xs);
   const std::string words = touched_text(mine);
@@ -220,7 +223,7 @@ void offer_table(Frame& frame, const CellView& view, const std::vector<Offer>& a
   std::vector<Column> columns = {{"neighbour", 1.6f, Align::left}, {"c", 1}, {"g", 1.2f}};
   if (with_dist) columns.push_back({"dist"});
   columns.push_back({"sum", 1.2f});
-  table_header(look, columns);
+  table_head(look, columns);
   std::size_t shown = 0;
   for (; shown < all.size() && !all[shown].sum.is_infinite(); ++shown) {
     const Offer& offer = all[shown];
@@ -277,7 +280,8 @@ void heading(Frame& frame, Cell cell) {
   const Look& look = frame.look;
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float right = origin.x + ImGui::GetContentRegionAvail().x;
-  section_title(look, "Cell " + cell_text(cell) + (frame.view.view.pinned ? " — pinned" : " — under the cursor"));
+  section_title(look,
+                "Cell " + cell_text(cell) + (frame.view.view.pinned ? " — pinned" : " — under the cursor"));
   const ImVec2 below = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({right - look.px(24), origin.y - look.px(5)});
   const Action& menu = action(ActionId::cell_menu);

@@ -55,6 +55,14 @@ std::string when_line(int number) {
   return "line(" + std::to_string(number) + ")";
 }
 
+std::string language_error(const Session&, const std::string&, bool) {
+  return "";
+}
+
+std::vector<LanguageWord> language_words(bool) {
+  return {};
+}
+
 std::optional<std::size_t> find_breakpoint(const Session& session, const std::string& condition) {
   const auto list = session.breakpoints().list();
   const auto found =

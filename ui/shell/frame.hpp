@@ -110,8 +110,8 @@ void area(const char* id, ImVec2 pos, ImVec2 size, ImU32 ground, ImVec2 padding,
 const Result<PlannerPage>& page_of(PanelState& panels, std::string_view planner);
 /// How many vertices are in the open list at the cursor.
 std::size_t queue_size(PanelState& panels, const Session& session, std::size_t pane);
-/// The replan that the cursor is in or behind: its number, and the stretch of the log up to the cursor that is
-/// its own. Nothing before the first one.
+/// The replan that the cursor is in or behind: its number, and the stretch of the log up to the cursor that
+/// is its own. Nothing before the first one.
 struct ReplanSpan {
   std::uint64_t number = 0;
   std::size_t begin = 0, end = 0;
@@ -121,8 +121,15 @@ std::optional<ReplanSpan> last_replan(const Run& run);
 const TouchedList* touched_by_last_replan(PanelState& panels, const Run& run);
 /// Pins the cell, and moves the view there if it is out of sight.
 void show_cell(Frame& frame, Cell cell);
-/// For rows of tables that stand for a cell: while the last item is under the mouse, the canvas shows the cell as
-/// if the mouse were there.
+/// Where something first went wrong: a law broken, or the oracle of another mind. Of the leading pane if it
+/// has one, else of the first pane that has.
+struct FirstBreach {
+  std::size_t pane = 0, position = 0;
+  bool law = true;  ///< else the oracle
+};
+std::optional<FirstBreach> first_breach(const Session& session);
+/// For rows of tables that stand for a cell: while the last item is under the mouse, the canvas shows the
+/// cell as if the mouse were there.
 void point_at(Frame& frame, Cell cell);
 
 /// The page's line that the latest event at the cursor belongs to; 0 before the first.

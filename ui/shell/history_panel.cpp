@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <array>
 
+#include "core/debug/event_words.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
+#include "ui/shell/term_hint.hpp"
 
 namespace replan::ui {
 namespace {
@@ -14,8 +16,8 @@ constexpr std::size_t kRowsShown = 7;
 
 KindSet kinds_shown(bool every_value) {
   if (!every_value) return {EventKind::g, EventKind::rhs, EventKind::dist, EventKind::known};
-  return {EventKind::g,    EventKind::rhs,   EventKind::dist,  EventKind::known, EventKind::queue,
-          EventKind::lp,   EventKind::rp,    EventKind::visit, EventKind::truth};
+  return {EventKind::g,  EventKind::rhs, EventKind::dist,  EventKind::known, EventKind::queue,
+          EventKind::lp, EventKind::rp,  EventKind::visit, EventKind::truth};
 }
 
 std::string what_text(const Run& run, EventKind kind) {
@@ -38,7 +40,7 @@ std::string what_text(const Run& run, EventKind kind) {
 std::string raw_text(const Run& run, EventKind kind, std::uint64_t raw) {
   if (kind == EventKind::visit) return std::to_string(raw >> 32) + "×";
   if (kind == EventKind::queue && raw == 0) return "—";
-  return value_text(run, kind, raw);
+  return value_text(run.lattice(), kind, raw);
 }
 
 /// One change; a click goes to behind it. What lies after the cursor stands back.
@@ -61,8 +63,9 @@ void change_row(Frame& frame, std::size_t row, const ValueChange& change, std::s
   if (!ImGui::IsItemHovered()) return;
   ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   const std::string title = "Event " + event + ", " + origin_text(frame, change.event);
-  hint(look, {title.c_str(), "",
-              ahead ? "Not yet, at the playhead. Click to go there." : "Click to go to where it was written."});
+  hint(look,
+       {title.c_str(), "",
+        ahead ? "Not yet, at the playhead. Click to go there." : "Click to go to where it was written."});
 }
 
 void title(Frame& frame, const CellHistory& history) {
@@ -78,12 +81,13 @@ void title(Frame& frame, const CellHistory& history) {
   draw_text(*ImGui::GetWindowDrawList(), small,
             {right - look.px(28) - text_width(small, count), origin.y + look.px(1)}, look.theme.faint, count);
   ImGui::SetCursorScreenPos({right - look.px(24), origin.y - look.px(5)});
-  if (small_button(look, "every value",
-                   {.icon = icon::filter,
-                    .hint = {state.every_value ? "Costs alone" : "Every value", "",
-                             "Whether parents, keys, expansions and the world are listed too, or g, rhs, dist and "
-                             "the robot's map alone."},
-                    .selected = state.every_value}))
+  if (small_button(
+          look, "every value",
+          {.icon = icon::filter,
+           .hint = {state.every_value ? "Costs alone" : "Every value", "",
+                    "Whether parents, keys, expansions and the world are listed too, or g, rhs, dist and "
+                    "the robot's map alone."},
+           .selected = state.every_value}))
     state.every_value = !state.every_value;
   ImGui::SetCursorScreenPos(below);
 }
@@ -117,11 +121,11 @@ void draw_history(Frame& frame, Cell cell) {
   }
   static constexpr std::array<Column, 4> kColumns = {
       {{"event", 1.1f, Align::left}, {"what", 1.0f}, {"before", 1.1f}, {"after", 1.1f}}};
-  table_header(look, kColumns);
+  table_head(look, kColumns);
   const std::size_t rows = std::min(history.size(), kRowsShown);
   keep_in_sight(frame, history, rows);
-  const RowsInSight sight = begin_rows(look, "history", history.size(),
-                                       look.px.row * static_cast<float>(rows), state.history_rows);
+  const RowsInSight sight =
+      begin_rows(look, "history", history.size(), look.px.row * static_cast<float>(rows), state.history_rows);
   for (std::size_t row = sight.first; row < sight.last; ++row) change_row(frame, row, history[row], kColumns);
   end_rows();
 }

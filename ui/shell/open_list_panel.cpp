@@ -6,6 +6,7 @@
 #include "ui/icons.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
+#include "ui/shell/term_hint.hpp"
 
 namespace replan::ui {
 namespace {
@@ -85,9 +86,8 @@ void open_list(Frame& frame) {
             late ? count + " at event " + grouped(order.position())
                  : count + ", in the order in which they will be taken");
   const std::vector<Column> columns = columns_of(run.info());
-  table_header(look, columns);
-  const RowsInSight sight =
-      begin_rows(look, "open list", order.size(), 0, frame.panels.debugger.order_rows);
+  table_head(look, columns);
+  const RowsInSight sight = begin_rows(look, "open list", order.size(), 0, frame.panels.debugger.order_rows);
   for (std::size_t rank = sight.first; rank < sight.last; ++rank) open_row(frame, rank, order[rank], columns);
   end_rows();
 }
@@ -141,7 +141,7 @@ void touched_list(Frame& frame) {
   std::vector<Column> columns = {{"cell", 1.3f, Align::left}, {"g"}, {"→ g"}};
   if (run.info().values == SearchValues::lookahead)
     columns.insert(columns.end(), {Column{"rhs"}, Column{"→ rhs"}});
-  table_header(look, columns);
+  table_head(look, columns);
   const RowsInSight sight =
       begin_rows(look, "touched", touched->list().size(), 0, frame.panels.debugger.touched_rows);
   for (std::size_t row = sight.first; row < sight.last; ++row)

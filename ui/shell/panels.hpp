@@ -29,6 +29,9 @@ void draw_open_list_panel(Frame& frame);
 void draw_code_panel(Frame& frame);
 void draw_figures_panel(Frame& frame);
 void draw_debug_panel(Frame& frame);
+// Its sections about the planners.
+void draw_checks(Frame& frame);
+void draw_difference(Frame& frame);
 void draw_log_panel(Frame& frame);
 /// What the Cell tab says of the cell's past.
 void draw_history(Frame& frame, Cell cell);

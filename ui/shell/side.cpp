@@ -23,7 +23,8 @@ void choose_pane(Frame& frame) {
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::InvisibleButton("pane", {width, look.px.control})) frame.commands.push_back(Lead{i});
     const bool chosen = i == frame.session.lead(), hovered = ImGui::IsItemHovered();
-    hint(look, {"Pane", "", "Whose values the tabs show and whose timeline is below the canvas; the others follow it."});
+    hint(look, {"Pane", "",
+                "Whose values the tabs show and whose timeline is below the canvas; the others follow it."});
     ImGui::PopID();
     if (chosen) list.AddRectFilled(min, max, look.theme.selected, look.px.radius);
     const std::string name = elide(look.fonts.ui, runs[i]->info().name, width - look.px.l);
