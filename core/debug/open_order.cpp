@@ -56,8 +56,8 @@ OpenEntry open_entry(const SearchState& state, SearchValues values, NodeId node)
   return entry_of(raw_entry(state, node), values, node);
 }
 
-// Keys lie close together, so about where an entry belongs can be told from its k1 alone: the entries are spread
-// over buckets that fit into a cache, and only what shares a bucket is compared.
+// Keys lie close together, so about where an entry belongs can be told from its k1 alone: the entries are
+// spread over buckets that fit into a cache, and only what shares a bucket is compared.
 void sort_entries(std::vector<OpenEntry>& entries) {
   constexpr std::size_t kWorthIt = 4096, kPerBucket = 128;
   const auto [least, most] = std::minmax_element(
