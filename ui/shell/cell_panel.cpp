@@ -133,7 +133,7 @@ std::vector<Field> fields_of(const Theme& theme, const CellView& view) {
 void value_hint(Frame& frame, const CellView& view, const Field& field) {
   const auto written = view.run.timeline().last_event(view.node, {field.kind}, view.run.timeline().cursor());
   const std::string title = std::string(field.name) + " = " + field.value;
-  const Term* term = find_term(field.name);
+  const GlossaryTerm* term = find_term(field.name);
   const std::string words = (term == nullptr ? "" : std::string(term->text) + "\n\n") +
                             (written ? "Written by event " + grouped(*written + 1) + ", " +
                                            origin_text(frame, *written) + ". Click to go there.\n"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/debug/condition.hpp"
+
 namespace replan::ui {
 namespace {
 
@@ -55,12 +57,21 @@ std::string when_line(int number) {
   return "line(" + std::to_string(number) + ")";
 }
 
-std::string language_error(const Session&, const std::string&, bool) {
-  return "";
+std::string language_error(const Session& session, const std::string& text, bool quantity) {
+  const GridMap& map = session.scenario().map;
+  const WorldSize world{map.width, map.height};
+  const Result<Condition> read = quantity ? parse_quantity(text, world) : parse_condition(text, world);
+  return read ? "" : read.error();
 }
 
-std::vector<LanguageWord> language_words(bool) {
-  return {};
+std::vector<LanguageWord> language_words(bool quantities) {
+  std::vector<LanguageWord> words;
+  for (const ConditionName& name : condition_names())
+    if (!quantities || name.type == ValueType::number) words.push_back({name.form, name.help});
+  if (quantities) return words;
+  // event(name) stands for all of these, with its own help.
+  for (const HappeningName& happening : happening_names()) words.push_back({happening.name, happening.help});
+  return words;
 }
 
 std::optional<std::size_t> find_breakpoint(const Session& session, const std::string& condition) {
