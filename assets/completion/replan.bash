@@ -64,7 +64,7 @@ _replan() {
     --map) _replan_files $maps; return ;;
     --unknown) COMPREPLY=($(compgen -W "blocked free unmapped" -- "$cur")); return ;;
     --csv) _replan_files csv; return ;;
-    --trace) _replan_files jsonl trace.yaml trace.json; return ;;
+    --trace) _replan_files jsonl yaml yml json; return ;;
     --trace-map) _replan_files map; return ;;
     -o | --output) _replan_files png svg gif webp mp4; return ;;
     --start | --goal | --size | --scale | --limit | --threshold | --slice | --fps | --hold) return ;;
