@@ -6,7 +6,7 @@
 namespace replan {
 namespace {
 
-constexpr Term kTerms[] = {
+constexpr GlossaryTerm kTerms[] = {
     // Values of a cell
     {"g", "g",
      "The cost from this cell to the goal that the search has settled on so far (A* and Dijkstra: from the "
@@ -318,15 +318,15 @@ constexpr Alias kAliases[] = {
 
 }  // namespace
 
-std::span<const Term> glossary() {
+std::span<const GlossaryTerm> glossary() {
   return kTerms;
 }
 
-const Term* find_term(std::string_view id) {
+const GlossaryTerm* find_term(std::string_view id) {
   for (const Alias& alias : kAliases)
     if (alias.written == id) id = alias.id;
-  const auto* const found =
-      std::find_if(std::begin(kTerms), std::end(kTerms), [&](const Term& term) { return term.id == id; });
+  const auto* const found = std::find_if(std::begin(kTerms), std::end(kTerms),
+                                         [&](const GlossaryTerm& term) { return term.id == id; });
   return found == std::end(kTerms) ? nullptr : found;
 }
 

@@ -7,17 +7,17 @@
 namespace replan {
 
 /// One word. The texts end in a NUL, so that tooltips can take data().
-struct Term {
+struct GlossaryTerm {
   std::string_view id;     ///< as find_term() takes it: "rhs", "open-list"
   std::string_view title;  ///< as a heading: "rhs", "Open list"
   std::string_view text;   ///< one to three plain sentences for somebody who meets it for the first time
 };
 
 /// All words, those that belong together side by side.
-std::span<const Term> glossary();
+std::span<const GlossaryTerm> glossary();
 
 /// The word with that id, or that is also written so ("U", "|U|", "in U": the open list). nullptr if there is
 /// none.
-const Term* find_term(std::string_view id);
+const GlossaryTerm* find_term(std::string_view id);
 
 }  // namespace replan

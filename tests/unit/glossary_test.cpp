@@ -25,7 +25,7 @@ void expect_sentences(std::string_view text, const std::string& whose) {
 
 TEST(Glossary, EveryTermIsExplainedOnceAndInSentences) {
   std::set<std::string_view> ids;
-  for (const Term& term : glossary()) {
+  for (const GlossaryTerm& term : glossary()) {
     EXPECT_TRUE(ids.insert(term.id).second) << term.id << " is there twice";
     EXPECT_FALSE(term.title.empty()) << term.id;
     expect_sentences(term.text, std::string(term.id));

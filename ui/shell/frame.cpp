@@ -33,21 +33,6 @@ const Result<PlannerPage>& page_of(PanelState& panels, std::string_view planner)
   return panels.pages.emplace(std::string(planner), read_page(planner)).first->second;
 }
 
-std::size_t queue_size(PanelState& panels, const Session& session, std::size_t pane) {
-  if (panels.queues.size() <= pane) panels.queues.resize(pane + 1);
-  QueueCount& count = panels.queues[pane];
-  if (count.revision == session.revision()) return count.size;
-  const SearchState& state = session.runs()[pane]->timeline().state();
-  constexpr std::size_t kPage = PagedArray<std::uint64_t>::kPage;
-  count = {session.revision(), 0};
-  for (std::size_t first = 0; first < state.node_count(); first += kPage) {
-    if (!state.touched(EventKind::queue, static_cast<NodeId>(first))) continue;
-    const std::size_t end = std::min(first + kPage, state.node_count());
-    for (std::size_t n = first; n < end; ++n) count.size += state.queued(static_cast<NodeId>(n)) ? 1 : 0;
-  }
-  return count.size;
-}
-
 int current_line(const Run& run) {
   const std::size_t cursor = run.timeline().cursor();
   return cursor == 0 ? 0 : run.timeline().event(cursor - 1).line;

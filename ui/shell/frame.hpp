@@ -51,12 +51,6 @@ struct FigureCache {
   PathFigures figures;
 };
 
-/// Counts over the open list of one pane, kept until the session's next revision.
-struct QueueCount {
-  std::uint64_t revision = 0;
-  std::size_t size = 0;
-};
-
 /// What the panels remember between frames; no part of the document.
 struct PanelState {
   float side_width = 372;  ///< of the design; the user drags it
@@ -64,7 +58,6 @@ struct PanelState {
   StepUnit unit = StepUnit::expansion;
   std::map<std::string, double> drafts;  ///< settings while their slider is dragged
   std::vector<FigureCache> figures;
-  std::vector<QueueCount> queues;
   std::map<std::string, Result<PlannerPage>, std::less<>> pages;
   std::size_t log_lines = 0;  ///< how many the Log showed: it follows its end
   int code_line = 0;          ///< the line that the Code page scrolled to
@@ -104,8 +97,6 @@ void area(const char* id, ImVec2 pos, ImVec2 size, ImU32 ground, ImVec2 padding,
 
 /// The page of a planner, read once.
 const Result<PlannerPage>& page_of(PanelState& panels, std::string_view planner);
-/// How many vertices are in the open list at the cursor.
-std::size_t queue_size(PanelState& panels, const Session& session, std::size_t pane);
 /// The page's line that the latest event at the cursor belongs to; 0 before the first.
 int current_line(const Run& run);
 

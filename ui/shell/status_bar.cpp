@@ -165,9 +165,7 @@ void draw_status_bar(Frame& frame) {
     line.pair(
         "path", fixed(path_length(run.lattice(), mark->route->path.nodes), 1),
         {"Path length", "", "Of the plan that stands, in cells, measured along its straight segments."});
-  line.pair("|U|",
-            grouped(queue_size(frame.panels, frame.session,
-                               frame.session.lead())),
+  line.pair("|U|", grouped(run.timeline().state().queue_size()),
             {"Open list", "", "How many vertices wait in the open list U."});
   if (run.info().from_goal)
     line.pair("km", cost_text(run.timeline().state().km(), 2),

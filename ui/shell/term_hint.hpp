@@ -10,7 +10,7 @@ namespace replan::ui {
 
 /// The tooltip of a word of the glossary, by its id or as it is written ("U"); empty if there is none.
 inline Hint term_hint(std::string_view id) {
-  const Term* term = find_term(id);
+  const GlossaryTerm* term = find_term(id);
   return term == nullptr ? Hint{} : Hint{term->title.data(), "", term->text.data()};
 }
 
