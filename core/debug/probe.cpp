@@ -159,6 +159,10 @@ void Probe::load(std::optional<std::int64_t> expansions_before) {
   if (condition_.uses(Op::expansions))
     expansions_ = expansions_before ? *expansions_before : ExpansionCount().before(view_.log, position_);
   if (slots_.empty() && walked_.empty()) return;
+  if (walked_.empty() && position_ == view_.log.cursor()) {
+    for (Slot& slot : slots_) slot.raw = view_.log.state().value(slot.kind, slot.node);
+    return;
+  }
   SearchState state = view_.log.state_at(position_);
   for (Slot& slot : slots_) slot.raw = state.value(slot.kind, slot.node);
   if (!walked_.empty()) state_ = std::move(state);
