@@ -152,6 +152,7 @@ Result<void> Session::run_command(const RunToEnd&) {
 }
 
 Result<void> Session::run_command(const Cancel&) {
+  checks_.stop_comparing();
   for (const auto& run : runs_) run->cancel();
   return {};
 }
@@ -182,6 +183,7 @@ bool Session::update(double seconds) {
     }
   }
   if (play(seconds)) changed = true;
+  if (check()) changed = true;
   if (changed) ++revision_;
   return changed;
 }
@@ -233,8 +235,10 @@ bool Session::play(double seconds) {
 }
 
 void Session::settle() {
-  for (const auto& run : runs_) run->finish(Target::plan());
-  update(0);
+  for (const auto& run : runs_) run->finish(checks_.comparing() ? Target::end() : Target::plan());
+  do update(0);
+  while (checks_.comparing());
+  checks_.settle(runs_);
 }
 
 std::string Session::failure() const {

@@ -1,15 +1,12 @@
 #include "core/trace/json_lines.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "core/plan/planner.hpp"
 #include "core/sim/mission.hpp"
 #include "core/trace/trace_text.hpp"
+#include "core/world/json_reader.hpp"
 
 namespace replan {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json settings_json(const LogView& view) {
   Json result = Json::object();
@@ -21,7 +18,7 @@ Json settings_json(const LogView& view) {
     else if (parameter.type == ParameterType::toggle)
       setting = value != 0;
     else
-      setting = value;
+      setting = plain_number(value);
   }
   return result;
 }
