@@ -5,6 +5,7 @@
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
+#include "app/cli/run_trace.hpp"
 #include "core/base/file.hpp"
 #include "core/study/run_report.hpp"
 
@@ -15,6 +16,7 @@ struct RunArguments {
   WorldArguments world;
   bool json = false;
   std::string csv;
+  TraceArguments trace;
 };
 
 std::string plans_table(std::span<const RunReport> reports) {
@@ -88,6 +90,7 @@ std::string summary(const WorldArguments& arguments, const Scenario& world,
 Result<int> run(const RunArguments& arguments) {
   const auto world = arguments.world.load();
   if (!world) return Error{world.error()};
+  if (const auto good = arguments.trace.check(); !good) return Error{good.error()};
   std::vector<RunReport> reports;
   bool succeeded = true;
   for (const PlannerChoice& choice : world->planners) {
@@ -100,6 +103,8 @@ Result<int> run(const RunArguments& arguments) {
   if (!arguments.csv.empty() && !table_out)
     if (const auto written = write_file_atomically(arguments.csv, runs_csv(reports)); !written)
       return Error{written.error()};
+  if (const auto traced = arguments.trace.write(*world, !arguments.world.map.empty()); !traced)
+    return Error{traced.error()};
   print(arguments.json ? runs_json(reports)
         : table_out    ? runs_csv(reports)
                        : summary(arguments.world, *world, reports));
@@ -114,7 +119,9 @@ std::string footer() {
          "range=3\n"
          "      Compares two plans on a map.\n"
          "  replan run maps/demo.json --planner all --set astar.heuristic=euclidean --json\n"
-         "      The figures of all planners, for a program.\n\n"
+         "      The figures of all planners, for a program.\n"
+         "  replan run maps/demo.json --trace demo.trace.yaml --trace-map demo.map\n"
+         "      The search for the Posthoc visualiser, and the map to lay under it.\n\n"
          "Status, path and the figures of its shape are those of the first plan; times and counters are of "
          "the whole\n"
          "run. Exit code 0 if every planner found a path (and its robot arrived), 1 if not, 2 for bad "
@@ -131,6 +138,7 @@ Command add_run(CLI::App& program) {
   app->add_flag("--json", arguments->json, "Print the runs as JSON, paths included");
   app->add_option("--csv", arguments->csv, "Write the figures as CSV too; '-' prints them instead")
       ->type_name("FILE");
+  arguments->trace.declare(*app);
   app->footer(footer);
   return {app, [arguments] { return run(*arguments); }};
 }

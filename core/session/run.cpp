@@ -183,6 +183,12 @@ void Run::take_over(Batch&& batch) {
   timeline_.append(batch.events);
 }
 
+std::size_t Run::common_with(std::uint64_t log_id) const {
+  if (log_id == log_id_) return timeline_.size();
+  const auto earlier = earlier_.find(log_id);
+  return earlier == earlier_.end() ? 0 : earlier->second;
+}
+
 const Mark* Run::mark_at(std::size_t position) const {
   const auto after = std::upper_bound(marks_.begin(), marks_.end(), position,
                                       [](std::size_t p, const Mark& mark) { return p < mark.event; });
@@ -243,6 +249,8 @@ void Run::adopt(std::shared_ptr<const Scenario> scenario) {
 void Run::cut(std::size_t mark_count) {
   marks_.resize(mark_count);
   const std::size_t size = marks_.back().event;
+  earlier_.emplace(log_id_, size);
+  for (auto& [id, common] : earlier_) common = std::min(common, size);
   log_id_ = next_log_id();
   timeline_.truncate(size);
   while (!markers_.empty() && markers_.back().event >= size) markers_.pop_back();

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -64,6 +65,9 @@ class Run {
   /// Changes whenever events are cut off, and differs between runs: while it stays the same, the log has only
   /// grown.
   [[nodiscard]] std::uint64_t log_id() const { return log_id_; }
+  /// How many first events this log has in common with what it was when it had that id: all of them if it has
+  /// it still, none if it never had it. What was read of them need not be read again.
+  [[nodiscard]] std::size_t common_with(std::uint64_t log_id) const;
   /// The last mark at or before a position, or nullptr before the first plan stands.
   [[nodiscard]] const Mark* mark_at(std::size_t position) const;
   /// Where a surprise that is added at the end of the list, due at `clock`, would happen: the first decision
@@ -121,6 +125,7 @@ class Run {
   std::vector<Marker> markers_;
   std::vector<std::uint32_t> curve_;
   std::uint64_t log_id_;
+  std::map<std::uint64_t, std::size_t> earlier_;  // ids that the log had, and what is left of it since
   double travel_ = 1;
 
   // The thread's own while working_, the owner's while not.

@@ -141,6 +141,7 @@ Result<void> Session::run_command(const RunToEnd&) {
 }
 
 Result<void> Session::run_command(const Cancel&) {
+  checks_.stop_comparing();
   for (const auto& run : runs_) run->cancel();
   catching_up_ = false;
   return {};
@@ -164,6 +165,7 @@ bool Session::update(double seconds) {
   }
   if (changed && (follow_ || catching_up_)) follow_lead();
   if (play(seconds)) changed = true;
+  if (check()) changed = true;
   if (changed) ++revision_;
   return changed;
 }
@@ -214,8 +216,10 @@ bool Session::play(double seconds) {
 }
 
 void Session::settle() {
-  for (const auto& run : runs_) run->finish(Target::plan());
-  update(0);
+  for (const auto& run : runs_) run->finish(checks_.comparing() ? Target::end() : Target::plan());
+  do update(0);
+  while (checks_.comparing());
+  checks_.settle(runs_);
 }
 
 std::string Session::failure() const {

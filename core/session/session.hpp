@@ -139,6 +139,8 @@ class Session {
   Result<void> edit_script(std::string label, std::uint64_t stroke, Surprise surprise);
   void seek(std::size_t position, double travel = 1);
   bool play(double seconds);
+  bool check();
+  void show_difference();
   [[nodiscard]] double seconds_of(const Run& run, std::size_t from, std::size_t to) const;
   void say(std::string line) {
     log_.push_back(std::move(line));

@@ -24,11 +24,5 @@ Result<void> Session::run_command(const AddWatch&) {
 Result<void> Session::run_command(const RemoveWatch&) {
   return Error{"not built yet"};
 }
-Result<void> Session::run_command(const SetChecks&) {
-  return Error{"not built yet"};
-}
-Result<void> Session::run_command(const FindDifference&) {
-  return Error{"not built yet"};
-}
 
 }  // namespace replan

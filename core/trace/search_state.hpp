@@ -29,7 +29,7 @@ class SearchState {
   void apply(const Event& event) {
     const auto kind = static_cast<std::size_t>(event.kind);
     if (kind < kWideFields)
-      wide_[kind].at(event.node) ^= event.delta;
+      apply_wide(event);
     else if (kind < kWideFields + kNarrowFields)
       narrow_[kind - kWideFields].at(event.node) ^= static_cast<std::uint8_t>(event.delta);
     else if (event.kind == EventKind::scalar)
@@ -40,6 +40,8 @@ class SearchState {
   [[nodiscard]] Cost rhs(NodeId n) const { return cost(EventKind::rhs, n); }
   [[nodiscard]] Cost dist(NodeId n) const { return cost(EventKind::dist, n); }
   [[nodiscard]] bool queued(NodeId n) const { return wide(EventKind::queue, n) != 0; }
+  /// How many nodes are in the open list.
+  [[nodiscard]] std::size_t queue_size() const { return queued_; }
   /// First key component of a node in the open list, as stored there; the second is min(g, rhs).
   [[nodiscard]] Cost k1(NodeId n) const { return {static_cast<std::int64_t>(wide(EventKind::queue, n)) - 1}; }
   [[nodiscard]] Cost k2(NodeId n) const { return std::min(g(n), rhs(n)); }
@@ -83,6 +85,14 @@ class SearchState {
   [[nodiscard]] std::size_t own_bytes() const;
 
  private:
+  void apply_wide(const Event& event) {
+    std::uint64_t& value = wide_[static_cast<std::size_t>(event.kind)].at(event.node);
+    if (event.kind == EventKind::queue) {
+      if (value != 0) --queued_;
+      if (value != event.delta) ++queued_;
+    }
+    value ^= event.delta;
+  }
   [[nodiscard]] std::uint64_t wide(EventKind kind, NodeId n) const {
     return wide_[static_cast<std::size_t>(kind)][n];
   }
@@ -93,6 +103,7 @@ class SearchState {
   std::array<PagedArray<std::uint64_t>, kWideFields> wide_;
   std::array<PagedArray<std::uint8_t>, kNarrowFields> narrow_;
   std::array<std::uint64_t, static_cast<std::size_t>(Scalar::count)> scalars_{};
+  std::size_t queued_ = 0;
 };
 
 }  // namespace replan

@@ -16,6 +16,7 @@ void Timeline::append(const std::vector<Event>& events) {
     if (size_ % kChunk == 0) chunks_.emplace_back().reserve(kChunk);
     chunks_.back().push_back(event);
     head_.apply(event);
+    index_.add(size_, event.node);
     ++size_;
     if (size_ % frame_interval_ == 0) capture();
   }
@@ -50,6 +51,8 @@ void Timeline::truncate(std::size_t size) {
   chunks_.resize((size + kChunk - 1) / kChunk);
   if (size % kChunk != 0) chunks_.back().resize(size % kChunk);
   size_ = size;
+  index_.truncate(size / NodeIndex::kBlock);
+  for (std::size_t i = size - size % NodeIndex::kBlock; i < size; ++i) index_.add(i, event(i).node);
 }
 
 void Timeline::seek(std::size_t position) {
@@ -93,21 +96,33 @@ SearchState Timeline::state_at(std::size_t position) const {
 }
 
 std::optional<std::size_t> Timeline::last_event(NodeId node, KindSet kinds, std::size_t before) const {
-  for (std::size_t i = std::min(before, size_); i-- > 0;)
-    if (const Event& e = event(i); e.node == node && kinds.has(e.kind)) return i;
+  for (std::size_t end = std::min(before, size_); end > 0;) {
+    const auto block = index_.last_block(node, (end - 1) / NodeIndex::kBlock + 1);
+    if (!block) break;
+    const std::size_t first = *block * NodeIndex::kBlock;
+    for (std::size_t i = std::min(end, first + NodeIndex::kBlock); i-- > first;)
+      if (const Event e = event(i); e.node == node && kinds.has(e.kind)) return i;
+    end = first;
+  }
   return std::nullopt;
 }
 
 std::optional<std::size_t> Timeline::next_event(NodeId node, KindSet kinds, std::size_t from) const {
-  for (std::size_t i = from; i < size_; ++i)
-    if (const Event& e = event(i); e.node == node && kinds.has(e.kind)) return i;
+  while (from < size_) {
+    const auto block = index_.next_block(node, from / NodeIndex::kBlock);
+    if (!block) break;
+    const std::size_t end = std::min((*block + 1) * NodeIndex::kBlock, size_);
+    for (std::size_t i = std::max(from, *block * NodeIndex::kBlock); i < end; ++i)
+      if (const Event e = event(i); e.node == node && kinds.has(e.kind)) return i;
+    from = end;
+  }
   return std::nullopt;
 }
 
 std::uint64_t Timeline::log_hash() const {
   std::uint64_t seed = size_;
   for (std::size_t i = 0; i < size_; ++i) {
-    const Event& e = event(i);
+    const Event e = event(i);
     seed = hash_combine(seed, e.delta ^ mix64(std::uint64_t{e.node} << 16 | std::uint64_t{e.line} << 8 |
                                               static_cast<std::uint64_t>(e.kind)));
   }

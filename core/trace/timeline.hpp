@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/trace/event.hpp"
+#include "core/trace/node_index.hpp"
 #include "core/trace/search_state.hpp"
 
 namespace replan {
@@ -27,9 +28,7 @@ class Timeline {
   void truncate(std::size_t size);
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] const Event& event(std::size_t index) const {
-    return chunks_[index / kChunk][index % kChunk];
-  }
+  [[nodiscard]] Event event(std::size_t index) const { return chunks_[index / kChunk][index % kChunk]; }
   [[nodiscard]] std::size_t cursor() const { return cursor_; }
   /// The state at the cursor.
   [[nodiscard]] const SearchState& state() const { return state_; }
@@ -41,7 +40,8 @@ class Timeline {
   /// The state at any position, without moving the cursor.
   [[nodiscard]] SearchState state_at(std::size_t position) const;
   /// The latest event before `before` that is about the node and of one of the kinds, and the first from
-  /// `from` on. `node` is the Scalar for EventKind::scalar.
+  /// `from` on. `node` is the Scalar for EventKind::scalar. Fast where the node is rare: only stretches of
+  /// the log where it occurs are looked at.
   [[nodiscard]] std::optional<std::size_t> last_event(NodeId node, KindSet kinds, std::size_t before) const;
   [[nodiscard]] std::optional<std::size_t> next_event(NodeId node, KindSet kinds, std::size_t from) const;
 
@@ -60,6 +60,7 @@ class Timeline {
   void thin_out();
 
   std::vector<std::vector<Event>> chunks_;
+  NodeIndex index_;
   std::size_t size_ = 0;
   std::size_t cursor_ = 0;
   SearchState state_;

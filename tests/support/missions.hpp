@@ -1,9 +1,9 @@
-// Random missions for property tests.
+// Missions drawn from a seed: what tests of the simulator and of the debugger run on.
 #pragma once
 
-#include <algorithm>
 #include <string>
 
+#include "core/sim/mission.hpp"
 #include "core/world/scenario.hpp"
 #include "tests/support/worlds.hpp"
 
@@ -46,12 +46,13 @@ inline MovingObstacle random_mover(Random& random, const GridMap& map) {
   return mover;
 }
 
-/// A small world with surprises, moving obstacles and a sensor of any kind, and one planner.
-inline Scenario random_scenario(Random& random, const PlannerInfo& info) {
+/// A small world with a planner, a robot, surprises and moving obstacles; all kinds of settings.
+inline Scenario random_scenario(Random& random, const PlannerInfo& info,
+                                Grid2::Coordinates largest = {20, 16}) {
   constexpr double kRadii[] = {0, 1, 1.5, 2, 3, 4.5, 6, 10, 40};
   constexpr double kSpeeds[] = {0.5, 2, 4, 20};
   Scenario scenario;
-  const auto size = random_size<2>(random, {4, 3}, {20, 16});
+  const auto size = random_size<2>(random, {4, 3}, largest);
   scenario.map = GridMap(size[0], size[1]);
   scenario.map.blocked = random_cells<2>(random, size);
   for (std::uint8_t& cell : scenario.map.blocked)

@@ -95,6 +95,69 @@ TEST(Timeline, TruncatingForgetsAndAppendingGoesOn) {
   }
 }
 
+TEST(Timeline, CountsTheOpenListInBothDirections) {
+  const std::vector<Event> log = random_log(20000, 4);
+  Timeline timeline{SearchState(kNodes)};
+  timeline.append(log);
+  Random random(5);
+  for (int i = 0; i < 100; ++i) {
+    timeline.seek(random.below(static_cast<std::uint32_t>(log.size()) + 1));
+    std::size_t counted = 0;
+    for (NodeId n = 0; n < kNodes; ++n) counted += timeline.state().queued(n) ? 1 : 0;
+    ASSERT_EQ(timeline.state().queue_size(), counted);
+  }
+}
+
+/// The answers by looking at every event.
+std::optional<std::size_t> last_by_scan(const std::vector<Event>& log, NodeId node, KindSet kinds,
+                                        std::size_t before) {
+  for (std::size_t i = std::min(before, log.size()); i-- > 0;)
+    if (log[i].node == node && kinds.has(log[i].kind)) return i;
+  return std::nullopt;
+}
+std::optional<std::size_t> next_by_scan(const std::vector<Event>& log, NodeId node, KindSet kinds,
+                                        std::size_t from) {
+  for (std::size_t i = from; i < log.size(); ++i)
+    if (log[i].node == node && kinds.has(log[i].kind)) return i;
+  return std::nullopt;
+}
+
+/// Asks for random nodes, most of them rare or absent, before and after random places.
+void expect_histories(const Timeline& timeline, const std::vector<Event>& log, Random& random) {
+  ASSERT_EQ(timeline.size(), log.size());
+  for (int i = 0; i < 200; ++i) {
+    const NodeId node = random.chance(0.5) ? random.below(40) : random.below(2 * kNodes);
+    KindSet kinds{EventKind::g, EventKind::scalar};
+    if (random.chance(0.5)) kinds.add(EventKind::pop);
+    const std::size_t place = random.below(static_cast<std::uint32_t>(log.size()) + 10);
+    ASSERT_EQ(timeline.last_event(node, kinds, place), last_by_scan(log, node, kinds, place)) << place;
+    ASSERT_EQ(timeline.next_event(node, kinds, place), next_by_scan(log, node, kinds, place)) << place;
+  }
+}
+
+TEST(Timeline, HistoriesOfNodesAreThoseOfALinearScanAlsoAfterCuts) {
+  Random random(6);
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    // Longer than 64 blocks of the index at times, and shorter than one.
+    std::vector<Event> log = random_log(seed % 2 == 0 ? 400000 : 3000, 10 + seed);
+    for (std::size_t i = 0; i < log.size(); ++i)  // a stretch where few nodes occur at all
+      if (i / 50000 % 2 == 1 && log[i].kind != EventKind::scalar) log[i].node %= 64;
+    Timeline timeline{SearchState(kNodes)};
+    timeline.append(log);
+    expect_histories(timeline, log, random);
+    for (int cut = 0; cut < 4; ++cut) {
+      const std::size_t left = random.below(static_cast<std::uint32_t>(log.size()) + 1);
+      timeline.truncate(left);
+      log.resize(left);
+      expect_histories(timeline, log, random);
+      const std::vector<Event> more = random_log(random.below(100000), 100 + seed);
+      timeline.append(more);
+      log.insert(log.end(), more.begin(), more.end());
+      expect_histories(timeline, log, random);
+    }
+  }
+}
+
 TEST(PagedArray, CopiesShareUntilOneWrites) {
   PagedArray<int> a(5000, 7);
   EXPECT_EQ(a[4999], 7);

@@ -68,6 +68,13 @@ void menu(Frame& frame, const char* name, Menu which) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(frame.look.px.s, frame.look.px(7)));
   if (which == Menu::planner) planner_items(frame);
   menu_items(frame, which);
+  if (which == Menu::planner) {
+    ImGui::Separator();
+    if (ImGui::BeginMenuEx("Debug", icon::bug)) {
+      menu_items(frame, Menu::debug);
+      ImGui::EndMenu();
+    }
+  }
   if (which == Menu::view) {
     ImGui::Separator();
     if (ImGui::BeginMenuEx("Overlays", icon::eye)) {

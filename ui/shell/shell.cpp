@@ -14,7 +14,7 @@
 namespace replan::ui {
 namespace {
 
-constexpr float kNarrowestSide = 280, kWidestSide = 640, kNarrowestCanvas = 320;
+constexpr float kNarrowestSide = 340, kWidestSide = 640, kNarrowestCanvas = 320;
 constexpr float kNarrowestPane = 340;
 constexpr float kCaption = 32;  // height of the line over the canvas
 
@@ -111,8 +111,12 @@ void Shell::draw_parts(Frame& frame) {
            [&] { draw_tool_options(frame); });
   }
   area("status", {0, bottom}, {size.x, look.px.status}, look.theme.raised, {look.px(14), look.px(5)},
-       [&] { draw_status_bar(frame); });
+       [&] {
+         draw_status_bar(frame);
+         draw_cell_menu(frame);
+       });
   if (panels) draw_splitter(frame, split, look.px.menu, bottom);
+  draw_stop(frame, {split - look.px.m, under - look.px(52)});
   draw_message(look, {left, look.px.menu}, {split, under});
 }
 
@@ -133,8 +137,9 @@ void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
     const auto room = static_cast<std::size_t>(std::max(1.0f, (max.x - min.x) / look.px(kNarrowestPane)));
     const std::size_t count = std::min(frame.session.runs().size(), panels_.panes > 0 ? panels_.panes : room);
     // Too narrow for all: the one that the side panel is about.
-    const std::size_t first =
-        count < frame.session.runs().size() ? std::min(frame.session.lead(), frame.session.runs().size() - count) : 0;
+    const std::size_t first = count < frame.session.runs().size()
+                                  ? std::min(frame.session.lead(), frame.session.runs().size() - count)
+                                  : 0;
     const PaneRow row(look, count, min, max);
     const GridMap& map = frame.session.scenario().map;
     panels_.zoom = resolve(view_.view.camera, map.width, map.height,

@@ -4,6 +4,7 @@
 #include "ui/icons.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
+#include "ui/shell/term_hint.hpp"
 
 namespace replan::ui {
 namespace {
@@ -81,9 +82,11 @@ class Line {
   void word(std::string_view words) {
     if (next(text_width(look_.fonts.ui, words))) text(look_.fonts.ui, look_.theme.dim, words);
   }
-  void dot(const Verdict& verdict) {
-    if (next(text_width(look_.fonts.ui, verdict.text) + look_.px(14)))
-      status(look_, verdict.colour, verdict.text);
+  /// Whether there was room for it.
+  bool dot(const Verdict& verdict) {
+    if (!next(text_width(look_.fonts.ui, verdict.text) + look_.px(14))) return false;
+    status(look_, verdict.colour, verdict.text);
+    return true;
   }
   bool next(float width) {
     const float gap = first_ ? 0 : look_.px(22);
@@ -136,6 +139,47 @@ void busy(Frame& frame, Line& line) {
     perform(frame, ActionId::cancel);
 }
 
+/// What the checks of one kind came to over all panes.
+struct CheckSum {
+  bool on = false, busy = false;
+  std::int64_t wrong = 0;
+};
+
+/// A dot for each check that is on. A click leads to what went wrong, or to the checks.
+void check_dot(Frame& frame, Line& line, const CheckSum& sum, const char* good, const char* busy,
+               const std::string& bad, const Hint& what) {
+  if (!sum.on) return;
+  const Theme& theme = frame.look.theme;
+  if (!line.dot(sum.wrong > 0 ? Verdict{theme.bad, bad}
+                : sum.busy    ? Verdict{theme.dim, busy}
+                              : Verdict{theme.good, good}))
+    return;
+  hint(frame.look, what);
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
+  perform(frame, sum.wrong > 0 ? ActionId::first_breach : ActionId::show_debug);
+}
+
+void checks(Frame& frame, Line& line) {
+  const Session& session = frame.session;
+  CheckSum laws, oracle;
+  for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
+    const LawReport law = session.checks().laws(pane);
+    const OracleReport asked = session.checks().oracle(pane);
+    laws.on = laws.on || law.on;
+    laws.busy = laws.busy || law.checked < session.runs()[pane]->timeline().size();
+    laws.wrong += static_cast<std::int64_t>(law.breaches);
+    oracle.on = oracle.on || asked.on;
+    oracle.busy = oracle.busy || asked.busy || asked.asked == 0;
+    oracle.wrong += static_cast<std::int64_t>(asked.disagreements);
+  }
+  check_dot(frame, line, oracle, "oracle agrees", "asking the oracle",
+            "oracle disagrees: " + count_text(oracle.wrong, "plan", "plans"), term_hint("oracle"));
+  check_dot(frame, line, laws, "invariants hold", "checking invariants",
+            count_text(laws.wrong, "breach", "breaches") + " of invariants", term_hint("invariant"));
+}
+
 }  // namespace
 
 void draw_status_bar(Frame& frame) {
@@ -157,6 +201,7 @@ void draw_status_bar(Frame& frame) {
   if (stroke == StrokeKind::paints) line.word("painting, since the first cell was free");
   line.dot(verdict(look.theme, run));
   busy(frame, line);
+  checks(frame, line);
   const replan::Mark* mark = run.mark_at(run.timeline().cursor());
   if (mark != nullptr && mark->state == MissionState::arrived)
     line.pair("travelled", fixed(mark->figures.travelled, 1),
@@ -165,9 +210,7 @@ void draw_status_bar(Frame& frame) {
     line.pair(
         "path", fixed(path_length(run.lattice(), mark->route->path.nodes), 1),
         {"Path length", "", "Of the plan that stands, in cells, measured along its straight segments."});
-  line.pair("|U|",
-            grouped(queue_size(frame.panels, frame.session,
-                               frame.session.lead())),
+  line.pair("|U|", grouped(run.timeline().state().queue_size()),
             {"Open list", "", "How many vertices wait in the open list U."});
   if (run.info().from_goal)
     line.pair("km", cost_text(run.timeline().state().km(), 2),

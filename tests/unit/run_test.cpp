@@ -1,0 +1,62 @@
+// A run's log as its readers see it: what stays of it when an edit cuts it.
+#include "core/session/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.hpp"
+
+namespace replan::test {
+namespace {
+
+std::vector<Event> events_of(const Run& run) {
+  std::vector<Event> events;
+  for (std::size_t i = 0; i < run.timeline().size(); ++i) events.push_back(run.timeline().event(i));
+  return events;
+}
+
+std::shared_ptr<const Scenario> open_ground() {
+  Scenario scenario;
+  scenario.map = GridMap(20, 12);
+  scenario.start = {1, 6};
+  scenario.goal = {18, 6};
+  scenario.planners = {{"dstar-lite", {}}};
+  return std::make_shared<const Scenario>(scenario);
+}
+
+std::shared_ptr<const Scenario> with_wall(const Scenario& scenario, std::int64_t clock, int x) {
+  auto changed = std::make_shared<Scenario>(scenario);
+  Surprise& surprise = changed->surprises.emplace_back();
+  surprise.at.move = clock;
+  surprise.announced = true;
+  for (int y = 3; y < 10; ++y) surprise.cells.push_back({{x, y}, true});
+  return changed;
+}
+
+TEST(RunLog, KnowsWhatItsLogHasInCommonWithEarlierOnes) {
+  replan::Run run(open_ground(), 0);
+  run.finish(Target::end());
+  std::vector<std::pair<std::uint64_t, std::vector<Event>>> logs = {{run.log_id(), events_of(run)}};
+  EXPECT_EQ(run.common_with(run.log_id()), run.timeline().size());
+  EXPECT_EQ(run.common_with(run.log_id() + 1000), 0u);
+  const auto base = open_ground();
+  // Cut late, then earlier, then later again than that.
+  const std::pair<std::int64_t, int> walls[] = {{9, 15}, {3, 10}, {6, 12}};
+  for (const auto& [clock, x] : walls) {
+    ASSERT_TRUE(run.rebase(with_wall(*base, clock, x), 0));
+    for (const auto& [id, events] : logs) {  // exactly as many as are equal, before anything is added
+      const std::vector<Event> now = events_of(run);
+      const auto parted = std::mismatch(now.begin(), now.end(), events.begin(), events.end());
+      ASSERT_EQ(run.common_with(id), static_cast<std::size_t>(parted.first - now.begin()));
+    }
+    const std::size_t kept = run.common_with(logs.back().first);
+    EXPECT_GT(kept, 0u);
+    EXPECT_LT(kept, logs.back().second.size());
+    run.finish(Target::end());
+    EXPECT_EQ(run.common_with(logs.back().first), kept);
+    EXPECT_EQ(run.common_with(run.log_id()), run.timeline().size());
+    logs.emplace_back(run.log_id(), events_of(run));
+  }
+}
+
+}  // namespace
+}  // namespace replan::test
