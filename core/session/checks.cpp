@@ -69,6 +69,18 @@ struct Checks::Pane {
     }
     return true;
   }
+  /// The log was cut there, where a plan stood.
+  void cut(const Run& run, std::size_t position) {
+    if (laws) laws->rewind(position);
+    job.reset();
+    std::erase_if(answered, [position](std::size_t stands) { return stands > position; });
+    std::erase_if(disagreements, [position](const Disagreement& each) { return each.position > position; });
+    wrong = disagreements.size();
+    plan = answered.size();
+    marker = 0;
+    for (std::size_t i = 0; i < plan; ++i)
+      if (next_plan(run) != nullptr) ++marker;
+  }
   void forget_oracle() {
     job.reset();
     marker = plan = wrong = 0;
@@ -132,14 +144,19 @@ void Checks::set(bool laws, bool oracle) {
   }
 }
 
-/// Brings the panes in line with the runs as they are now. A log that was cut or replaced is read anew.
+/// Brings the panes in line with the runs as they are now: what was cut off a log is forgotten, and all of a
+/// log that was replaced.
 void Checks::meet(Runs runs) {
   panes_.resize(runs.size());
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Run& run = *runs[i];
     Pane& pane = panes_[i];
     if (pane.log_id != run.log_id()) {
-      pane = Pane{};
+      const std::size_t common = run.common_with(pane.log_id);
+      if (common == 0)
+        pane = Pane{};
+      else
+        pane.cut(run, common);
       pane.log_id = run.log_id();
     }
     if (laws_on(run) && !pane.laws) pane.laws = std::make_unique<LawChecker>(run.log_view());

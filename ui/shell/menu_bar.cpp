@@ -52,6 +52,7 @@ void menu_items(Frame& frame, Menu menu) {
 
 void planner_items(Frame& frame) {
   for (const PlannerInfo& info : planners()) {
+    if (info.exercise && &info == sound_planners().data() + sound_planners().size()) ImGui::Separator();
     const bool chosen = frame.run().choice().id == info.id;
     if (ImGui::MenuItemEx(std::string(info.name).c_str(), "", "", chosen))
       frame.commands.push_back(ChoosePlanner{frame.session.lead(), std::string(info.id)});
