@@ -2,6 +2,8 @@
 // held to is in checks_panel.cpp.
 #include <algorithm>
 #include <array>
+#include <string>
+#include <vector>
 
 #include "ui/icons.hpp"
 #include "ui/shell/conditions.hpp"
