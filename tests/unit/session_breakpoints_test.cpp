@@ -276,8 +276,8 @@ TEST(SessionBreakpoints, areSavedButNeitherUndoneNorModifications) {
 
 TEST(SessionBreakpoints, onASmallerWorldTheyWaitForALargerOne) {
   Standing at;
-  at.go(AddBreakpoint{"g(20, 3) < 100"});
-  at.go(AddWatch{"g(20, 3)"});
+  at.go(AddBreakpoint{"g(20, 8) < 100"});
+  at.go(AddWatch{"g(20, 8)"});
   at.go(GenerateWorld{"cells", {}, 10, 10, 1});
   ASSERT_EQ(at.session.scenario().map.width, 10);
   EXPECT_NE(at.session.breakpoints().problem(0).find("outside the world"), std::string::npos);
