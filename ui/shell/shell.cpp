@@ -56,8 +56,8 @@ void Shell::draw(const Look& look, Session& session, double) {
 }
 
 bool Shell::wants_frames(const Session& session) const {
-  const bool busy =
-      std::any_of(session.runs().begin(), session.runs().end(), [](const auto& run) { return run->busy(); });
+  const bool busy = session.checks().busy() || std::any_of(session.runs().begin(), session.runs().end(),
+                                                           [](const auto& run) { return run->busy(); });
   return busy || session.playback().direction != 0 || session.revision() != drawn_ || held_ ||
          panels_.animated || dialogs_.animated() ||
          std::any_of(canvases_.begin(), canvases_.end(), [](const auto& each) { return each->animating(); });
@@ -110,11 +110,10 @@ void Shell::draw_parts(Frame& frame) {
       area("tool options", {split, bottom - tool}, {side, tool}, look.theme.panel, {look.px.l, look.px.m},
            [&] { draw_tool_options(frame); });
   }
-  area("status", {0, bottom}, {size.x, look.px.status}, look.theme.raised, {look.px(14), look.px(5)},
-       [&] {
-         draw_status_bar(frame);
-         draw_cell_menu(frame);
-       });
+  area("status", {0, bottom}, {size.x, look.px.status}, look.theme.raised, {look.px(14), look.px(5)}, [&] {
+    draw_status_bar(frame);
+    draw_cell_menu(frame);
+  });
   if (panels) draw_splitter(frame, split, look.px.menu, bottom);
   draw_stop(frame, {split - look.px.m, under - look.px(52)});
   draw_message(look, {left, look.px.menu}, {split, under});
