@@ -1,16 +1,8 @@
-// The session's debugger: what its commands do to breakpoints, watches, checks and panes.
+// The session's debugger: what its commands do to breakpoints, watches and checks.
 #include "core/session/session.hpp"
 
 namespace replan {
 
-Result<void> Session::run_command(const SetLockstep& command) {
-  lockstep_ = command.by;
-  return {};
-}
-
-Result<void> Session::run_command(const SetPanes&) {
-  return Error{"not built yet"};
-}
 Result<void> Session::run_command(const AddBreakpoint&) {
   return Error{"not built yet"};
 }

@@ -90,7 +90,7 @@ TEST(ListTerms, explainsTheWordsOfTheField) {
   EXPECT_EQ(text.code, 0);
   const json list = run_program({"list", "terms", "--json"}).json()["terms"];
   ASSERT_EQ(list.size(), glossary().size());
-  for (const Term& term : glossary())
+  for (const GlossaryTerm& term : glossary())
     EXPECT_NE(text.out.find(std::string(term.title) + "\n    "), std::string::npos);
   EXPECT_EQ(list[0]["id"], glossary()[0].id);
 }

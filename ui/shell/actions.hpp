@@ -58,6 +58,7 @@ struct ActionContext {
   void show_history();
   // Through the clipboard, as text (core/world/ascii_map.hpp).
   void copy_world();
+  void copy_state();
   void copy_region();
   void cut_region();
   void paste();

@@ -52,6 +52,9 @@ void Shell::draw(const Look& look, Session& session, double) {
   take_commands(session, commands);
   take_wish(session, wish);
   take_decision(session, decision);
+  if (const auto outcome = export_.go_on(session)) tell(outcome->words, outcome->bad);
+  panels_.exporting = export_.busy() ? export_.share() : -1;
+  await_moment(session);
   keep(session);
 }
 
@@ -59,7 +62,7 @@ bool Shell::wants_frames(const Session& session) const {
   const bool busy = session.checks().busy() || std::any_of(session.runs().begin(), session.runs().end(),
                                                            [](const auto& run) { return run->busy(); });
   return busy || session.playback().direction != 0 || session.revision() != drawn_ || held_ ||
-         panels_.animated || dialogs_.animated() ||
+         panels_.animated || dialogs_.animated() || export_.busy() || awaited_ ||
          std::any_of(canvases_.begin(), canvases_.end(), [](const auto& each) { return each->animating(); });
 }
 
