@@ -12,6 +12,7 @@
 
 #include "core/plan/registry.hpp"
 #include "workload.hpp"
+#include "worlds.hpp"
 
 namespace {
 
