@@ -59,9 +59,10 @@ void Shell::draw(const Look& look, Session& session, double) {
 }
 
 bool Shell::wants_frames(const Session& session) const {
-  const bool busy = session.checks().busy() || std::any_of(session.runs().begin(), session.runs().end(),
-                                                           [](const auto& run) { return run->busy(); });
-  return busy || session.playback().direction != 0 || session.revision() != drawn_ || held_ ||
+  const bool busy =
+      std::any_of(session.runs().begin(), session.runs().end(), [](const auto& run) { return run->busy(); });
+  const bool debugging = session.checks().busy() || session.breakpoints().hunt();
+  return busy || debugging || session.playback().direction != 0 || session.revision() != drawn_ || held_ ||
          panels_.animated || dialogs_.animated() || export_.busy() || awaited_ ||
          std::any_of(canvases_.begin(), canvases_.end(), [](const auto& each) { return each->animating(); });
 }

@@ -64,8 +64,8 @@ Decision Dialogs::keys_dialog(const Look& look) {
   }
   ImGui::EndGroup();
   paragraph(look.fonts.ui, look.theme.dim,
-            "On the canvas: the wheel zooms, the middle button pans, the right button erases, a grabbed "
-            "start or goal moves.");
+            "On the canvas: the wheel zooms, the middle button pans, the right button erases, with "
+            "Shift it opens the cell's menu; a grabbed start or goal moves.");
   align_right(button_width(look, "Close"));
   const bool closed = button(look, "Close", ButtonKind::plain) || escape_pressed() || enter_pressed() ||
                       (!fresh_ && ImGui::IsKeyPressed(key::kF1, false));
