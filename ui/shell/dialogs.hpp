@@ -119,7 +119,8 @@ class Dialogs {
   std::string folder_;
   double width_ = 48, height_ = 32;  // of the new world
   std::string capture_path_;
-  double fps_ = 30;  // of the film
+  double fps_ = 30;           // of the film
+  float page_height_ = 2000;  // of the keys, as drawn last
 };
 
 }  // namespace replan::ui

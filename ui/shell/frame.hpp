@@ -45,7 +45,10 @@ enum class Wish : std::uint8_t {
   picture_canvas,
   picture_window,
   generate,
-  resize
+  resize,
+  palette,
+  open_world,  ///< of the library: PanelState::wished
+  save_figures
 };
 
 /// Path figures of one pane, kept until another plan stands.
