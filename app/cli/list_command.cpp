@@ -61,6 +61,7 @@ Result<Listing> list_planners() {
                                         {"incremental", info.incremental},
                                         {"any_angle", info.any_angle},
                                         {"clearance", info.clearance},
+                                        {"exercise", info.exercise},
                                         {"settings", std::move(settings)}});
   }
   listing.text = table.text();

@@ -5,6 +5,7 @@
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
+#include "app/cli/run_check.hpp"
 #include "app/cli/run_trace.hpp"
 #include "core/base/file.hpp"
 #include "core/study/run_report.hpp"
@@ -15,6 +16,7 @@ namespace {
 struct RunArguments {
   WorldArguments world;
   bool json = false;
+  bool check = false;
   std::string csv;
   TraceArguments trace;
 };
@@ -90,6 +92,7 @@ std::string summary(const WorldArguments& arguments, const Scenario& world,
 Result<int> run(const RunArguments& arguments) {
   const auto world = arguments.world.load();
   if (!world) return Error{world.error()};
+  if (arguments.check) return check_runs(*world, arguments.json);
   if (const auto good = arguments.trace.check(); !good) return Error{good.error()};
   std::vector<RunReport> reports;
   bool succeeded = true;
@@ -120,6 +123,8 @@ std::string footer() {
          "      Compares two plans on a map.\n"
          "  replan run maps/demo.json --planner all --set astar.heuristic=euclidean --json\n"
          "      The figures of all planners, for a program.\n"
+         "  replan run maps/broken-planner.json --check\n"
+         "      Where does a broken planner go wrong first?\n"
          "  replan run maps/demo.json --trace demo.trace.yaml --trace-map demo.map\n"
          "      The search for the Posthoc visualiser, and the map to lay under it.\n\n"
          "Status, path and the figures of its shape are those of the first plan; times and counters are of "
@@ -139,6 +144,10 @@ Command add_run(CLI::App& program) {
   app->add_option("--csv", arguments->csv, "Write the figures as CSV too; '-' prints them instead")
       ->type_name("FILE");
   arguments->trace.declare(*app);
+  app->add_flag("--check", arguments->check,
+                "Hold the planners to their laws and each plan to an oracle, and print the verdicts instead")
+      ->excludes("--csv")
+      ->excludes("--trace");
   app->footer(footer);
   return {app, [arguments] { return run(*arguments); }};
 }

@@ -34,7 +34,7 @@ _replan_settings() {
 
 _replan_options() {
   case "$1" in
-    run) echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set --json --csv --trace --trace-map" ;;
+    run) echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set --json --csv --check --trace --trace-map" ;;
     batch) echo "-h --help --map --planner --set --limit --json" ;;
     render)
       echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set -o --output --size --scale" \

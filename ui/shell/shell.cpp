@@ -14,7 +14,7 @@
 namespace replan::ui {
 namespace {
 
-constexpr float kNarrowestSide = 280, kWidestSide = 640, kNarrowestCanvas = 320;
+constexpr float kNarrowestSide = 340, kWidestSide = 640, kNarrowestCanvas = 320;
 constexpr float kNarrowestPane = 340;
 constexpr float kCaption = 32;  // height of the line over the canvas
 
@@ -114,8 +114,12 @@ void Shell::draw_parts(Frame& frame) {
            [&] { draw_tool_options(frame); });
   }
   area("status", {0, bottom}, {size.x, look.px.status}, look.theme.raised, {look.px(14), look.px(5)},
-       [&] { draw_status_bar(frame); });
+       [&] {
+         draw_status_bar(frame);
+         draw_cell_menu(frame);
+       });
   if (panels) draw_splitter(frame, split, look.px.menu, bottom);
+  draw_stop(frame, {split - look.px.m, under - look.px(52)});
   draw_message(look, {left, look.px.menu}, {split, under});
 }
 

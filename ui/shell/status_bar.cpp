@@ -88,10 +88,12 @@ class Line {
     text(look_.fonts.ui, look_.theme.dim, words);
     hint(look_, what);
   }
-  void dot(const Verdict& verdict) {
-    if (!next(text_width(look_.fonts.ui, verdict.text) + look_.px(14))) return;
+  /// Whether there was room for it.
+  bool dot(const Verdict& verdict) {
+    if (!next(text_width(look_.fonts.ui, verdict.text) + look_.px(14))) return false;
     status(look_, verdict.colour, verdict.text);
     hint(look_, term_hint(verdict.term));
+    return true;
   }
   bool next(float width) {
     const float gap = first_ ? 0 : look_.px(22);
@@ -152,6 +154,46 @@ void busy(Frame& frame, Line& line) {
     perform(frame, ActionId::cancel);
 }
 
+/// What the checks of one kind came to over all panes.
+struct CheckSum {
+  bool on = false, busy = false;
+  std::int64_t wrong = 0;
+};
+
+/// A dot for each check that is on. A click leads to what went wrong, or to the checks.
+void check_dot(Frame& frame, Line& line, const CheckSum& sum, const char* good, const char* busy,
+               const std::string& bad, const char* term) {
+  if (!sum.on) return;
+  const Theme& theme = frame.look.theme;
+  if (!line.dot(sum.wrong > 0 ? Verdict{theme.bad, bad, term}
+                : sum.busy    ? Verdict{theme.dim, busy, term}
+                              : Verdict{theme.good, good, term}))
+    return;
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
+  perform(frame, sum.wrong > 0 ? ActionId::first_breach : ActionId::show_debug);
+}
+
+void checks(Frame& frame, Line& line) {
+  const Session& session = frame.session;
+  CheckSum laws, oracle;
+  for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
+    const LawReport law = session.checks().laws(pane);
+    const OracleReport asked = session.checks().oracle(pane);
+    laws.on = laws.on || law.on;
+    laws.busy = laws.busy || law.checked < session.runs()[pane]->timeline().size();
+    laws.wrong += static_cast<std::int64_t>(law.breaches);
+    oracle.on = oracle.on || asked.on;
+    oracle.busy = oracle.busy || asked.busy || asked.asked == 0;
+    oracle.wrong += static_cast<std::int64_t>(asked.disagreements);
+  }
+  check_dot(frame, line, oracle, "oracle agrees", "asking the oracle",
+            "oracle disagrees: " + count_text(oracle.wrong, "plan", "plans"), "oracle");
+  check_dot(frame, line, laws, "invariants hold", "checking invariants",
+            count_text(laws.wrong, "breach", "breaches") + " of invariants", "invariant");
+}
+
 /// While a trace is written: how far it is, and the way to stop it.
 void exporting(Frame& frame, Line& line) {
   const Look& look = frame.look;
@@ -189,6 +231,7 @@ void draw_status_bar(Frame& frame) {
   if (stroke == StrokeKind::paints) line.word("painting, since the first cell was free");
   line.dot(verdict(look.theme, run));
   busy(frame, line);
+  checks(frame, line);
   exporting(frame, line);
   const replan::Mark* mark = run.mark_at(run.timeline().cursor());
   if (mark != nullptr && mark->state == MissionState::arrived)
