@@ -39,7 +39,7 @@ _replan_options() {
     render)
       echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set -o --output --size --scale" \
         "--at --at-end --at-plan" \
-        "--overlay --theme --canvas-only --panes --fps --speed --hold --from --to"
+        "--overlay --theme --action --canvas-only --panes --fps --speed --hold --from --to"
       ;;
     convert) echo "-h --help --start --goal --threshold --invert --unknown --slice --planner --set" ;;
     show) echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set --at --cell" ;;
@@ -68,7 +68,7 @@ _replan() {
     --trace) _replan_files jsonl yaml yml json; return ;;
     --trace-map) _replan_files map; return ;;
     -o | --output) _replan_files png svg gif webp mp4; return ;;
-    --start | --goal | --cell | --size | --scale | --limit | --threshold | --slice | --fps | --hold) return ;;
+    --start | --goal | --cell | --action | --size | --scale | --limit | --threshold | --slice | --fps | --hold) return ;;
     --panes) COMPREPLY=($(compgen -W "1 2 4 all" -- "$cur")); return ;;
     --speed) COMPREPLY=($(compgen -W "auto expansion move" -- "$cur")); return ;;
     --at | --from | --to) COMPREPLY=($(compgen -W "start plan end replan: move:" -- "$cur")); return ;;

@@ -313,6 +313,10 @@ TEST(Posthoc, AMissionWithAReplanKeepsEveryRule) {
     std::map<EventKind, int> counts;
     for (std::size_t i = 0; i < run.timeline().size(); ++i) ++counts[run.timeline().event(i).kind];
     EXPECT_GT(counts[EventKind::plan_end], 1);
+    for (const YAML::Node& event : root["events"])
+      if (event["type"].Scalar() == "plan") {
+        EXPECT_GE(event["points"].size(), 2u) << "every plan of the demo has a path";
+      }
     EXPECT_EQ(events_of(root, "plan"), counts[EventKind::plan_end]);
     EXPECT_EQ(events_of(root, "expanding") + events_of(root, "updating"), counts[EventKind::visit]);
     EXPECT_GT(events_of(root, "updating"), 0) << "a repair raises";

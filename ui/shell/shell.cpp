@@ -41,6 +41,7 @@ void Shell::draw(const Look& look, Session& session, double) {
   view_.view.scale = static_cast<double>(look.px.scale);
   Frame frame{look, session, view_, panels_, commands, wish};
   take_keys(frame);
+  for (const ActionId id : std::exchange(next_actions_, {})) perform(frame, id);
   draw_parts(frame);
   if (const std::string failure = session.failure(); !failure.empty() && message_.text.empty())
     tell(failure, true);
@@ -113,11 +114,10 @@ void Shell::draw_parts(Frame& frame) {
       area("tool options", {split, bottom - tool}, {side, tool}, look.theme.panel, {look.px.l, look.px.m},
            [&] { draw_tool_options(frame); });
   }
-  area("status", {0, bottom}, {size.x, look.px.status}, look.theme.raised, {look.px(14), look.px(5)},
-       [&] {
-         draw_status_bar(frame);
-         draw_cell_menu(frame);
-       });
+  area("status", {0, bottom}, {size.x, look.px.status}, look.theme.raised, {look.px(14), look.px(5)}, [&] {
+    draw_status_bar(frame);
+    draw_cell_menu(frame);
+  });
   if (panels) draw_splitter(frame, split, look.px.menu, bottom);
   draw_stop(frame, {split - look.px.m, under - look.px(52)});
   draw_message(look, {left, look.px.menu}, {split, under});
