@@ -2,9 +2,15 @@
 
 #include <algorithm>
 
+#include "core/world/library.hpp"
 #include "ui/pane_grid.hpp"
 
 namespace replan::app {
+namespace {
+
+constexpr int kActionFrames = 60;
+
+}  // namespace
 
 Result<std::unique_ptr<Studio>> Studio::open(const StudioSettings& settings, const Session& session,
                                              ui::ViewState state) {
@@ -29,7 +35,9 @@ Studio::~Studio() {
 
 ui::Image Studio::shoot(Session& session) {
   // Two frames: windows that are sized by their content settle in the second.
-  const int frames = settings_.window && !settled_ ? 2 : 1;
+  // What an action opens takes some more: a dialog reads its files and draws thumbnails one by one.
+  const int settling = settings_.action ? kActionFrames : 2;
+  const int frames = settings_.window && !settled_ ? settling : 1;
   for (int i = 0; i < frames; ++i)
     offscreen_->frame([&] { settings_.window ? draw_window(session) : draw_canvas(session); },
                       static_cast<float>(settings_.seconds));
@@ -43,6 +51,10 @@ void Studio::draw_window(Session& session) {
     shell_ = std::make_unique<ui::Shell>(stage.renderer());
     shell_->view() = state_;
     shell_->panels().panes = settings_.panes;
+    if (settings_.action) {
+      shell_->settle_in(session, {{}, library_folder(), {}});
+      shell_->perform_next(*settings_.action);
+    }
   }
   shell_->draw(stage.look(), session, settings_.seconds);
 }

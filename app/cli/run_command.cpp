@@ -188,6 +188,8 @@ Command add_run(CLI::App& program) {
   app->add_flag("--check", arguments->check,
                 "Hold the planners to their laws and each plan to an oracle, and print the verdicts instead")
       ->excludes("--csv")
+      ->excludes("--markdown")
+      ->excludes("--latex")
       ->excludes("--trace");
   app->footer(footer);
   return {app, [arguments] { return run(*arguments); }};

@@ -116,6 +116,13 @@ const Action& action(ActionId id) {
   return actions()[static_cast<std::size_t>(id)];
 }
 
+const Action* find_action(std::string_view name) {
+  const auto all = actions();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Action& each) { return each.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
 ActionId overlay_action(Overlay overlay) {
   switch (overlay) {
 #define REPLAN_ACTION(ID, MENU, GROUP, LABEL, ICON, CHORD, HELD, TEACH, EFFECT)

@@ -99,6 +99,8 @@ struct Action {
 /// All actions in the order of the table.
 std::span<const Action> actions();
 const Action& action(ActionId id);
+/// The action of that identifier ("keys"), or nullptr.
+const Action* find_action(std::string_view name);
 ActionId overlay_action(Overlay overlay);
 
 /// Whether the action would do something now (undo: is there anything to take back?).

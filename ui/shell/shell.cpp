@@ -40,6 +40,7 @@ void Shell::draw(const Look& look, Session& session, double) {
   view_.view.scale = static_cast<double>(look.px.scale);
   Frame frame{look, session, view_, panels_, commands, wish};
   take_keys(frame);
+  for (const ActionId id : std::exchange(next_actions_, {})) perform(frame, id);
   draw_parts(frame);
   if (const std::string failure = session.failure(); !failure.empty() && message_.text.empty())
     tell(failure, true);

@@ -73,6 +73,8 @@ class Shell {
   [[nodiscard]] bool quitting() const { return quitting_; }
   /// What the user wants filmed or pictured, once; its path is as typed_path() makes it.
   std::optional<CaptureRequest> take_capture() { return std::exchange(capture_, std::nullopt); }
+  /// Does what the action does, in the next frame; nothing if it is not available then.
+  void perform_next(ActionId id) { next_actions_.push_back(id); }
   /// A sentence over the canvas for a while.
   void tell(std::string sentence, bool bad);
 
@@ -176,6 +178,7 @@ class Shell {
   std::optional<Awaited> awaited_;
   CaptureRequest asked_;  // while its dialog is open
   std::optional<CaptureRequest> capture_;
+  std::vector<ActionId> next_actions_;
   bool quitting_ = false;
   bool saving_figures_ = false;  // the file dialog asks for the file of the figures
   bool held_ = false;            // a key that repeats is down
