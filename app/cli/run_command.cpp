@@ -6,6 +6,7 @@
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
+#include "app/cli/run_break.hpp"
 #include "app/cli/run_check.hpp"
 #include "app/cli/run_trace.hpp"
 #include "core/base/file.hpp"
@@ -20,6 +21,7 @@ struct RunArguments {
   bool check = false;
   std::string csv, markdown, latex;  // files; "-" prints
   TraceArguments trace;
+  BreakArguments stops;
 };
 
 std::string plans_table(std::span<const RunReport> reports) {
@@ -162,12 +164,14 @@ std::string footer() {
          "  replan run maps/broken-planner.json --check\n"
          "      Where does a broken planner go wrong first?\n"
          "  replan run maps/demo.json --trace demo.trace.yaml --trace-map demo.map\n"
-         "      The search for the Posthoc visualiser, and the map to lay under it.\n\n"
+         "      The search for the Posthoc visualiser, and the map to lay under it.\n"
+         "  replan run maps/demo.json --break 'g(12, 40) > 30 || event(replan)' --break 'size(U) >= 100'\n"
+         "      Where each run comes to that first: event, line of the pseudo-code, values.\n\n"
          "Status, path and the figures of its shape are those of the first plan; times and counters are of "
          "the whole\n"
          "run. Exit code 0 if every planner found a path (and its robot arrived), 1 if not, 2 for bad "
-         "input.\n\n" +
-         settings_help();
+         "input. With --break: 0 if every run stopped, 1 if not.\n\n" +
+         settings_help() + "\n" + conditions_help();
 }
 
 }  // namespace
@@ -191,6 +195,7 @@ Command add_run(CLI::App& program) {
       ->excludes("--markdown")
       ->excludes("--latex")
       ->excludes("--trace");
+  arguments->stops.declare(*app);
   app->footer(footer);
   return {app, [arguments] { return run(*arguments); }};
 }

@@ -34,7 +34,7 @@ _replan_settings() {
 
 _replan_options() {
   case "$1" in
-    run) echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set --json --csv --markdown --latex --check --trace --trace-map" ;;
+    run) echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set --json --csv --markdown --latex --check --trace --trace-map --break" ;;
     batch) echo "-h --help --map --planner --set --limit --json" ;;
     render)
       echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set -o --output --size --scale" \
@@ -70,7 +70,7 @@ _replan() {
     --trace) _replan_files jsonl yaml yml json; return ;;
     --trace-map) _replan_files map; return ;;
     -o | --output) _replan_files png svg gif webp mp4; return ;;
-    --start | --goal | --cell | --action | --size | --scale | --limit | --threshold | --slice | --fps | --hold) return ;;
+    --start | --goal | --break | --cell | --action | --size | --scale | --limit | --threshold | --slice | --fps | --hold) return ;;
     --panes) COMPREPLY=($(compgen -W "1 2 4 all" -- "$cur")); return ;;
     --speed) COMPREPLY=($(compgen -W "auto expansion move" -- "$cur")); return ;;
     --at | --from | --to) COMPREPLY=($(compgen -W "start plan end replan: move:" -- "$cur")); return ;;

@@ -138,6 +138,9 @@ std::string expression_text(const Condition& condition);
 /// The same of one of its terms.
 std::string term_text(const Condition& condition, const Term& term);
 
+/// The values that an expression reads, each once: what is shown beside it.
+std::vector<Term> values_read(const Condition& condition);
+
 /// A name of the language, for help and completion.
 struct ConditionName {
   Op op;

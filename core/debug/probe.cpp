@@ -510,14 +510,9 @@ std::string value_text(const Grid2& lattice, const Term& term, const TermValue& 
 
 std::string values_text(Probe& probe, const Grid2& lattice) {
   std::string text;
-  std::vector<std::string> told;
-  for (const Term& term : probe.condition().terms) {
-    if (!is_value(term.op) && term.op != Op::line) continue;
-    const std::string name = term_text(probe.condition(), term);
-    if (std::find(told.begin(), told.end(), name) != told.end()) continue;
-    told.push_back(name);
-    text += (text.empty() ? "" : ", ") + name + " is " + value_text(lattice, term, probe.value(term));
-  }
+  for (const Term& term : values_read(probe.condition()))
+    text += (text.empty() ? "" : ", ") + term_text(probe.condition(), term) + " is " +
+            value_text(lattice, term, probe.value(term));
   return text;
 }
 
