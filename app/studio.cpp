@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/world/library.hpp"
-#include "ui/pane_row.hpp"
+#include "ui/pane_grid.hpp"
 
 namespace replan::app {
 namespace {
@@ -70,12 +70,12 @@ void Studio::draw_canvas(const Session& session) {
   ImGui::Begin("canvas", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
   const std::size_t count = std::clamp<std::size_t>(settings_.panes, 1, session.runs().size());
-  const ui::PaneRow row(stage.look(), count, {0, 0}, size);
+  const ui::PaneGrid grid(stage.look(), count, {0, 0}, size);
   std::vector<Command> none;
   for (std::size_t i = 0; i < count; ++i) {
     if (canvases_.size() <= i) canvases_.push_back(std::make_unique<ui::Canvas>(stage.renderer()));
-    canvases_[i]->draw(stage.look(), session, i, state_, row.min(i), row.max(i), false, none);
-    row.draw_parting(i);
+    canvases_[i]->draw(stage.look(), session, i, state_, grid.min(i), grid.max(i), false, none);
+    grid.draw_parting(i);
   }
   ImGui::End();
   ImGui::PopStyleVar(3);

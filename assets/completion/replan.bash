@@ -34,7 +34,7 @@ _replan_settings() {
 
 _replan_options() {
   case "$1" in
-    run) echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set --json --csv --check --trace --trace-map" ;;
+    run) echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set --json --csv --markdown --latex --check --trace --trace-map" ;;
     batch) echo "-h --help --map --planner --set --limit --json" ;;
     render)
       echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set -o --output --size --scale" \
@@ -65,6 +65,8 @@ _replan() {
     --map) _replan_files $maps; return ;;
     --unknown) COMPREPLY=($(compgen -W "blocked free unmapped" -- "$cur")); return ;;
     --csv) _replan_files csv; return ;;
+    --markdown) _replan_files md; return ;;
+    --latex) _replan_files tex; return ;;
     --trace) _replan_files jsonl yaml yml json; return ;;
     --trace-map) _replan_files map; return ;;
     -o | --output) _replan_files png svg gif webp mp4; return ;;

@@ -117,6 +117,7 @@ struct Condition {
 /// Columns and rows of the world whose cells an expression may name.
 struct WorldSize {
   int width = 0, height = 0;
+  friend bool operator==(const WorldSize&, const WorldSize&) = default;
 };
 
 /// The most terms of an expression, how deep they may be nested, and the longest text.

@@ -60,6 +60,7 @@ Result<void> Session::run_command(const SetLockstep& command) {
 Result<void> Session::run_command(const Lead& command) {
   if (command.pane >= runs_.size()) return Error{"there is no such pane"};
   if (command.pane == lead_) return {};
+  stop_hunt();
   lead_ = command.pane;
   catching_up_ = false;
   follow_ = run().timeline().cursor() == run().timeline().size();

@@ -74,7 +74,9 @@ void checked_plan(benchmark::State& state, const PlannerInfo& info, const Worlds
   state.counters["MiB"] = static_cast<double>(bytes) / (1 << 20);
 }
 
-[[maybe_unused]] const bool kRegistered = [] {
+}  // namespace
+
+void bench::register_checks() {
   for (const Worlds& worlds : all_worlds())
     for (const PlannerInfo& info : sound_planners()) {
       const std::string name = "checked_plan/" + worlds.name + "/" + std::string(info.id);
@@ -82,8 +84,6 @@ void checked_plan(benchmark::State& state, const PlannerInfo& info, const Worlds
         checked_plan(state, info, worlds);
       })->Unit(benchmark::kMillisecond);
     }
-  return true;
-}();
+}
 
-}  // namespace
 }  // namespace replan

@@ -207,6 +207,11 @@ bool available(const Action& action, const ActionContext& context) {
     case ActionId::record_window:
       return !context.panels.recording.finishing &&
              !(context.panels.recording.on && !context.panels.recording.window);
+    case ActionId::next_pane:
+    case ActionId::lockstep_expansions:
+    case ActionId::lockstep_moves:
+    case ActionId::lockstep_race:
+      return session.runs().size() > 1;
     case ActionId::reset_settings:
       return session.lead() < session.scenario().planners.size() &&
              !session.scenario().planners[session.lead()].settings.values().empty();
@@ -215,6 +220,39 @@ bool available(const Action& action, const ActionContext& context) {
                          [](const auto& run) { return run->busy(); });
     default:
       return true;
+  }
+}
+
+const char* why_not(ActionId id) {
+  switch (id) {
+    case ActionId::undo:
+      return "no edit was made";
+    case ActionId::redo:
+      return "no edit was taken back";
+    case ActionId::unpin:
+    case ActionId::delete_selected:
+      return "nothing is selected";
+    case ActionId::finish_way:
+      return "no way is being drawn";
+    case ActionId::copy:
+    case ActionId::cut:
+      return "no region is selected";
+    case ActionId::pin_left:
+    case ActionId::pin_right:
+    case ActionId::pin_up:
+    case ActionId::pin_down:
+      return "no cell is pinned";
+    case ActionId::next_pane:
+    case ActionId::lockstep_expansions:
+    case ActionId::lockstep_moves:
+    case ActionId::lockstep_race:
+      return "there is only one pane";
+    case ActionId::reset_settings:
+      return "all settings are at their defaults";
+    case ActionId::cancel:
+      return "nothing is being planned";
+    default:
+      return "";
   }
 }
 
@@ -245,6 +283,18 @@ bool checked(const Action& action, const ActionContext& context) {
       return view.tool == Tool::measure;
     case ActionId::round_brush:
       return view.editing.round;
+    case ActionId::one_pane:
+      return context.session.runs().size() == 1;
+    case ActionId::two_panes:
+      return context.session.runs().size() == 2;
+    case ActionId::four_panes:
+      return context.session.runs().size() == 4;
+    case ActionId::lockstep_expansions:
+      return context.session.lockstep() == Lockstep::expansions;
+    case ActionId::lockstep_moves:
+      return context.session.lockstep() == Lockstep::moves;
+    case ActionId::lockstep_race:
+      return context.session.lockstep() == Lockstep::race;
     case ActionId::panels:
       return view.panels;
     case ActionId::legend:
