@@ -7,7 +7,6 @@
 
 #include "core/base/file.hpp"
 #include "core/base/random.hpp"
-#include "core/debug/event_words.hpp"
 #include "core/trace/json_lines.hpp"
 #include "core/trace/posthoc.hpp"
 #include "core/trace/trace_text.hpp"
@@ -159,12 +158,12 @@ class Rebuilt {
  private:
   static EventKind kind(const std::string& name) {
     int kind = 0;
-    while (kind_id(static_cast<EventKind>(kind)) != name) ++kind;
+    while (event_name(static_cast<EventKind>(kind)) != name) ++kind;
     return static_cast<EventKind>(kind);
   }
   static NodeId scalar(const std::string& name) {
     NodeId which = 0;
-    while (scalar_id(static_cast<Scalar>(which)) != name) ++which;
+    while (scalar_name(static_cast<Scalar>(which)) != name) ++which;
     return which;
   }
   [[nodiscard]] NodeId node(const Json& cell) const {
