@@ -167,7 +167,7 @@ void Session::seek(std::size_t position, double travel) {
 }
 
 bool Session::update(double seconds) {
-  bool changed = false;
+  bool changed = catching_up_;  // finish() may have taken over what a pane waited for
   for (const auto& run : runs_)
     if (run->pump()) changed = true;
   Run& first = leading();

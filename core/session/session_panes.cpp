@@ -108,7 +108,7 @@ void Session::follow_lead() {
   for (const auto& each : runs_) {
     if (each.get() == &first) continue;
     const Place place = place_beside(first, *each, lockstep_);
-    if (place.lacking) {
+    if (place.lacking && each->failure().empty()) {
       catching_up_ = true;
       if (!each->busy()) each->go(*place.lacking);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/base/file.hpp"
 #include "core/plan/glossary.hpp"
@@ -19,9 +20,27 @@ constexpr std::size_t kMostRows = 200;
 constexpr int kUsedBonus = 26, kUsedStep = 2;
 
 const char* menu_name(Menu menu) {
-  constexpr std::array kNames = {"File",   "Edit", "World",    "Planner", "View",
-                                 "Record", "Help", "Overlays", "Debug"};
-  return kNames[static_cast<std::size_t>(menu)];
+  switch (menu) {
+    case Menu::file:
+      return "File";
+    case Menu::edit:
+      return "Edit";
+    case Menu::world:
+      return "World";
+    case Menu::planner:
+      return "Planner";
+    case Menu::debug:
+      return "Debug";
+    case Menu::view:
+      return "View";
+    case Menu::record:
+      return "Record";
+    case Menu::help:
+      return "Help";
+    case Menu::overlays:
+      return "Overlays";
+  }
+  return "";
 }
 
 void add_actions(Frame& frame, std::vector<PaletteEntry>& entries) {
@@ -159,7 +178,7 @@ std::vector<PaletteHit> palette_hits(std::span<const PaletteEntry> entries, std:
 }
 
 void CommandPalette::show() {
-  open_ = fresh_ = true;
+  open_ = fresh_ = focus_ = true;
   typed_.clear();
   chosen_ = 0;
 }
@@ -177,7 +196,7 @@ void CommandPalette::draw(Frame& frame, const WorldLibrary* library) {
   ImGui::PopStyleVar();
   if (!open_) return;
   const std::vector<PaletteEntry> entries = palette_entries(frame, library);
-  if (fresh_) ImGui::SetKeyboardFocusHere();
+  if (std::exchange(focus_, false)) ImGui::SetKeyboardFocusHere();
   if (search_box(look, "##typed", "A command, a planner, a world, a word", "", typed_,
                  ImGui::GetContentRegionAvail().x))
     chosen_ = 0;
@@ -187,6 +206,7 @@ void CommandPalette::draw(Frame& frame, const WorldLibrary* library) {
   const bool entered =
       !fresh_ && (ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false));
   if (entered && chosen_ < hits.size()) carry_out(frame, entries[hits[chosen_].entry]);
+  focus_ = entered && open_;  // Enter has left the field
   if (ImGui::IsKeyPressed(key::kEscape, false)) open_ = false;
   if (!open_) ImGui::CloseCurrentPopup();
   fresh_ = false;

@@ -50,6 +50,7 @@ class CommandPalette {
   void carry_out(Frame& frame, const PaletteEntry& entry);
 
   bool open_ = false, fresh_ = false;
+  bool focus_ = false;  // what is typed next goes into the field
   std::string typed_;
   std::size_t chosen_ = 0;
   bool reveal_ = false;            // the chosen row is to be scrolled to
