@@ -135,6 +135,8 @@ Result<int> run(const RunArguments& arguments) {
   const auto world = arguments.world.load();
   if (!world) return Error{world.error()};
   if (arguments.check) return check_runs(*world, arguments.json);
+  if (arguments.stops.given())
+    return arguments.stops.run(*world, !arguments.world.map.empty(), arguments.json);
   if (const auto good = check_tables(arguments); !good) return Error{good.error()};
   if (const auto good = arguments.trace.check(); !good) return Error{good.error()};
   std::vector<RunReport> reports;
@@ -189,13 +191,14 @@ Command add_run(CLI::App& program) {
   app->add_option("--latex", arguments->latex, "Write the figures as a LaTeX table (booktabs); '-' prints it")
       ->type_name("FILE");
   arguments->trace.declare(*app);
+  arguments->stops.declare(*app);
   app->add_flag("--check", arguments->check,
                 "Hold the planners to their laws and each plan to an oracle, and print the verdicts instead")
       ->excludes("--csv")
       ->excludes("--markdown")
       ->excludes("--latex")
-      ->excludes("--trace");
-  arguments->stops.declare(*app);
+      ->excludes("--trace")
+      ->excludes("--break");
   app->footer(footer);
   return {app, [arguments] { return run(*arguments); }};
 }
