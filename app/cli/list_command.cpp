@@ -61,6 +61,7 @@ Result<Listing> list_planners() {
                                         {"incremental", info.incremental},
                                         {"any_angle", info.any_angle},
                                         {"clearance", info.clearance},
+                                        {"exercise", info.exercise},
                                         {"settings", std::move(settings)}});
   }
   listing.text = table.text();
@@ -152,7 +153,7 @@ Result<Listing> list_maps() {
 Result<Listing> list_terms() {
   constexpr std::size_t kIndent = 4;
   Listing listing;
-  for (const Term& term : glossary()) {
+  for (const GlossaryTerm& term : glossary()) {
     listing.text +=
         std::string(term.title) + "\n" + std::string(kIndent, ' ') + wrapped(term.text, kIndent) + "\n";
     listing.json["terms"].push_back({{"id", term.id}, {"title", term.title}, {"text", term.text}});

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "core/base/words.hpp"
-#include "core/debug/cost_text.hpp"
+#include "core/debug/event_words.hpp"
 #include "core/plan/planner.hpp"
 
 namespace replan {
@@ -17,6 +17,7 @@ struct Item {
   std::size_t position = 0;        ///< past the event that says what and where
   std::size_t value_position = 0;  ///< past the one that gives the value
 
+  [[nodiscard]] Event event() const { return {.delta = value, .node = node, .kind = kind}; }
   [[nodiscard]] bool same_place(const Item& other) const { return kind == other.kind && node == other.node; }
   friend bool operator==(const Item& a, const Item& b) { return a.same_place(b) && a.value == b.value; }
 };
@@ -74,7 +75,11 @@ class Reader {
   void finish() { item_ = std::exchange(expansion_, std::nullopt); }
 
   [[nodiscard]] std::string describe(const Item& item) const;
-  [[nodiscard]] std::string describe_value(const Item& item) const;
+  /// What an expansion makes of the vertex.
+  [[nodiscard]] std::string describe_value(const Item& item) const {
+    return "gives " + node_text(frame_, item.node) +
+           " g = " + cost_text({static_cast<std::int64_t>(item.value)});
+  }
 
  private:
   void read_event(const Event& event) {
@@ -107,10 +112,6 @@ class Reader {
                                                                : state_.g(state_.node(Scalar::goal));
     return static_cast<std::uint64_t>(cost.raw);
   }
-  [[nodiscard]] std::string cell(NodeId node) const {
-    return node < frame_.node_count() ? cell_text(frame_.position(node)) : "no cell";
-  }
-
   const Timeline* log_;
   Grid2 frame_;
   const PlannerInfo* info_;
@@ -123,69 +124,19 @@ class Reader {
   std::optional<Item> expansion_, item_;
 };
 
-/// What an event does, with its node or value to follow.
-std::string verb(EventKind kind) {
-  switch (kind) {
-    case EventKind::pop:
-    case EventKind::visit:
-      return "takes ";
-    case EventKind::move:
-      return "goes to ";
-    case EventKind::plan_begin:
-      return "begins a plan at ";
-    case EventKind::plan_end:
-      return "has a plan at ";
-    case EventKind::waiting:
-      return "waits at ";
-    case EventKind::arrival:
-      return "arrives at ";
-    case EventKind::gave_up:
-      return "gives up at ";
-    case EventKind::sight:
-    case EventKind::unchecked:
-      return "looks at the remote parent of ";
-    case EventKind::sensed:
-    case EventKind::forgotten:
-    case EventKind::known:
-      return "learns about ";
-    default:
-      return "has something happen at ";
-  }
-}
-
 std::string Reader::describe(const Item& item) const {
-  if (item.kind == EventKind::plan_end && what_ == Compare::costs) {
-    if (static_cast<PlanStatus>(item.node) != PlanStatus::found) return "finds no path";
-    return "pays " + cost_text({static_cast<std::int64_t>(item.value)});
+  switch (what_) {
+    case Compare::events:
+      return event_text(frame_, item.event(), state_.value(item.kind, item.node));
+    case Compare::expansions:
+      return "takes " + node_text(frame_, item.node);
+    case Compare::costs:
+      if (static_cast<PlanStatus>(item.node) != PlanStatus::found) return "finds no path";
+      return "pays " + cost_text({static_cast<std::int64_t>(item.value)});
+    case Compare::moves:
+      return "goes to " + node_text(frame_, item.node);
   }
-  if (item.kind == EventKind::scalar)
-    return item.node == static_cast<NodeId>(Scalar::km) ? "sets km = " + cost_text(state_.km())
-                                                        : "moves the start, the goal or the robot";
-  const bool writes = static_cast<int>(item.kind) < kWideFields && item.kind != EventKind::visit;
-  return writes ? "sets " + describe_value(item) : verb(item.kind) + cell(item.node);
-}
-
-std::string Reader::describe_value(const Item& item) const {
-  const std::string at = cell(item.node) + " = ";
-  const auto node_or_none = [this](NodeId node) { return node == kNoNode ? "none" : cell(node); };
-  switch (item.kind) {
-    case EventKind::visit:
-      return "g" + at + cost_text({static_cast<std::int64_t>(item.value)});
-    case EventKind::g:
-      return "g" + at + cost_text(state_.g(item.node));
-    case EventKind::rhs:
-      return "rhs" + at + cost_text(state_.rhs(item.node));
-    case EventKind::dist:
-      return "dist" + at + cost_text(state_.dist(item.node));
-    case EventKind::queue:
-      return "key" + at + (state_.queued(item.node) ? cost_text(state_.k1(item.node)) : "none");
-    case EventKind::lp:
-      return "lp" + at + node_or_none(state_.lp(item.node));
-    case EventKind::rp:
-      return "rp" + at + node_or_none(state_.rp(item.node));
-    default:
-      return cell(item.node);
-  }
+  return {};
 }
 
 }  // namespace
@@ -247,11 +198,11 @@ struct DifferenceSearch::State {
     std::string text;
     for (std::size_t i = 0; i < 2; ++i) {
       const auto& item = readers[i].item();
-      text += (i == 0 ? number() + ": " : ", ") + name(i) + " ";
+      text += (i == 0 ? number() + ": " : "; ") + name(i) + (what == Compare::events && item ? ": " : " ");
       if (!item)
         text += "has come to its end";
       else if (same_place && what == Compare::expansions)
-        text += "gives " + readers[i].describe_value(*item);
+        text += readers[i].describe_value(*item);
       else
         text += readers[i].describe(*item);
     }

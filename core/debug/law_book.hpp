@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/words.hpp"
-#include "core/debug/cost_text.hpp"
+#include "core/debug/event_words.hpp"
 #include "core/debug/law_values.hpp"
 #include "core/plan/planner.hpp"
 

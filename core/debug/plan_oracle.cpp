@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "core/debug/cost_text.hpp"
+#include "core/debug/event_words.hpp"
 #include "core/debug/law_values.hpp"
 #include "core/plan/planner.hpp"
 

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <new>
 
+#include "core/session/expansions.hpp"
+
 namespace replan {
 namespace {
 
@@ -132,6 +134,10 @@ bool Run::busy() const {
   return working_ || !ready_.empty();
 }
 
+bool Run::over() const {
+  return !busy() && !marks_.empty() && marks_.back().state != MissionState::driving;
+}
+
 bool Run::pump() {
   std::deque<Batch> batches;
   {
@@ -162,11 +168,12 @@ void Run::finish(Target target) {
 
 void Run::take_over(Batch&& batch) {
   const std::size_t base = timeline_.size();
+  ExpansionCounter counter(timeline_, base);
   for (std::size_t i = 0; i < batch.events.size(); ++i) {
     const EventKind kind = batch.events[i].kind;
     const std::size_t bucket = (base + i) / kCurveChunk;
     if (bucket >= curve_.size()) curve_.resize(bucket + 1);
-    if (kind == EventKind::visit) ++curve_[bucket];
+    if (counter.take(batch.events[i])) ++curve_[bucket];
     if (is_marker(kind)) markers_.push_back({base + i, kind});
   }
   for (Mark& mark : batch.marks) {
@@ -186,49 +193,6 @@ const Mark* Run::mark_at(std::size_t position) const {
   const auto after = std::upper_bound(marks_.begin(), marks_.end(), position,
                                       [](std::size_t p, const Mark& mark) { return p < mark.event; });
   return after == marks_.begin() ? nullptr : &*std::prev(after);
-}
-
-std::size_t Run::clock_begins(std::int64_t clock) const {
-  if (clock < 0) return 0;
-  const auto first = std::lower_bound(marks_.begin(), marks_.end(), clock,
-                                      [](const Mark& mark, std::int64_t c) { return mark.clock < c; });
-  return first == marks_.end() ? timeline_.size() : first->event;
-}
-
-std::int64_t Run::expansions_between(std::size_t from, std::size_t to) const {
-  std::int64_t count = 0;
-  for (std::size_t p = from; p < to;) {
-    if (p % kCurveChunk == 0 && p + kCurveChunk <= to) {
-      count += curve_[p / kCurveChunk];
-      p += kCurveChunk;
-    } else {
-      count += timeline_.event(p++).kind == EventKind::visit;
-    }
-  }
-  return count;
-}
-
-Run::Progress Run::progress(std::size_t position) const {
-  const Mark* mark = mark_at(position);
-  const std::int64_t clock = mark == nullptr ? -1 : mark->clock;
-  return {clock, expansions_between(clock_begins(clock), position)};
-}
-
-std::size_t Run::position_of(const Progress& progress) const {
-  std::size_t p = clock_begins(progress.clock);
-  const std::size_t end = clock_begins(progress.clock + 1);
-  for (std::int64_t left = progress.expansions; p < end;) {
-    const bool whole = p % kCurveChunk == 0 && p + kCurveChunk <= end;
-    if (whole && curve_[p / kCurveChunk] < left) {
-      left -= curve_[p / kCurveChunk];
-      p += kCurveChunk;
-    } else if (left <= 0 && timeline_.event(p).kind == EventKind::pop) {
-      return p;
-    } else {
-      left -= timeline_.event(p++).kind == EventKind::visit;
-    }
-  }
-  return end;
 }
 
 const Mark* Run::mark_for_new_surprise(std::int64_t clock) const {
@@ -270,6 +234,18 @@ bool Run::rebase(std::shared_ptr<const Scenario> scenario, std::size_t common) {
   return true;
 }
 
+void Run::adopt(std::shared_ptr<const Scenario> scenario) {
+  const Target target = target_;
+  bool worked = false;
+  {
+    const std::scoped_lock lock(mutex_);
+    worked = working_;
+  }
+  cancel();  // the mission may be about to be made from the old one
+  scenario_ = std::move(scenario);
+  if (worked) go(target);
+}
+
 void Run::cut(std::size_t mark_count) {
   marks_.resize(mark_count);
   const std::size_t size = marks_.back().event;
@@ -280,8 +256,9 @@ void Run::cut(std::size_t mark_count) {
   while (!markers_.empty() && markers_.back().event >= size) markers_.pop_back();
   curve_.resize(size / kCurveChunk);
   std::uint32_t expansions = 0;
+  ExpansionCounter counter(timeline_, curve_.size() * kCurveChunk);
   for (std::size_t i = curve_.size() * kCurveChunk; i < size; ++i)
-    expansions += timeline_.event(i).kind == EventKind::visit;
+    expansions += counter.take(timeline_.event(i)) ? 1 : 0;
   curve_.push_back(expansions);
   recorded_ = size;
   mission_->restore(marks_.back(), timeline_.head());

@@ -40,7 +40,8 @@ Cost as_cost(std::uint64_t raw) {
 
 }  // namespace
 
-JsonLines::JsonLines(const TraceRun& run) : run_(run), initial_(run.view.log.state_at(0)) {}
+JsonLines::JsonLines(const TraceRun& run)
+    : run_(run), initial_(run.view.log.state_at(0)), events_(run.view.log.size()) {}
 
 /// The opening, a row each of the two maps, and the end of the line.
 std::size_t JsonLines::head_parts() const {
@@ -60,7 +61,7 @@ void JsonLines::opening(std::string& out) const {
                      {"scenario", run_.scenario},          {"planner", view.info.id},
                      {"settings", settings_json(view)},    {"width", view.lattice.width()},
                      {"height", view.lattice.height()},    {"start", {run_.start.x, run_.start.y}},
-                     {"goal", {run_.goal.x, run_.goal.y}}, {"events", view.log.size()}};
+                     {"goal", {run_.goal.x, run_.goal.y}}, {"events", events_}};
   out += head.dump(-1, ' ', false, Json::error_handler_t::replace);
   out.back() = ',';  // the maps are still to come
 }

@@ -1,6 +1,7 @@
 #include "core/trace/trace_text.hpp"
 
 #include <array>
+#include <string_view>
 
 namespace replan {
 

@@ -17,7 +17,7 @@ float width_of(DialogKind kind) {
     case DialogKind::worlds:
       return 1080;
     case DialogKind::keys:
-      return 880;
+      return 1240;
     case DialogKind::recover:
       return 600;
     default:
@@ -68,6 +68,12 @@ void Dialogs::offer(std::vector<AutosaveNote> notes) {
 void Dialogs::ask_capture(bool film, std::string path) {
   capture_path_ = std::move(path);
   show(film ? DialogKind::film : DialogKind::picture);
+}
+
+void Dialogs::ask_trace(const TraceFacts& facts, std::string path) {
+  trace_facts_ = facts;
+  capture_path_ = std::move(path);
+  show(DialogKind::trace);
 }
 
 void Dialogs::wait_for(std::string name) {
@@ -156,6 +162,8 @@ Decision Dialogs::content(const Look& look) {
       return capture_dialog(look, true);
     case DialogKind::picture:
       return capture_dialog(look, false);
+    case DialogKind::trace:
+      return trace_dialog(look);
     case DialogKind::none:
       break;
   }

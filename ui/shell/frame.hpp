@@ -17,6 +17,10 @@
 #include "ui/shell/debugger_state.hpp"
 #include "ui/shell/recording.hpp"
 
+namespace replan {
+struct CaseMoment;
+}
+
 namespace replan::ui {
 
 inline constexpr int kPlannerTab = 0;
@@ -44,8 +48,14 @@ enum class Wish : std::uint8_t {
   record_window,
   picture_canvas,
   picture_window,
+  export_trace,
+  stop_export,
+  go_to_pasted,  ///< PanelState::pasted
   generate,
-  resize
+  resize,
+  palette,
+  open_world,  ///< of the library: PanelState::wished
+  save_figures
 };
 
 /// Path figures of one pane, kept until another plan stands.
@@ -67,12 +77,14 @@ struct PanelState {
   bool animated = false;      ///< something on it moves by itself
   double zoom = 0;            ///< device pixels per cell on the canvas, as fitted or chosen
   DebuggerState debugger;     ///< of the Cell, Open list and Debug tabs
-  RecordingState recording;   ///< told by the owner of the pixels
-  PixelArea canvas;           ///< where the canvas was drawn last
-  double frame_ms = 0;        ///< CPU time of a frame, smoothed; 0: not measured
-  float tool_height = 0;      ///< what the tool's choices took in the last frame, in pixels
-  bool history = false;       ///< the Log tab lists the edits
-  std::string said;           ///< a sentence for the user, to be shown over the canvas
+  double exporting = -1;  ///< how much of a trace has been written, 0 to 1; below 0: none is being written
+  std::shared_ptr<const CaseMoment> pasted;  ///< a moment as text, for its wish
+  RecordingState recording;                  ///< told by the owner of the pixels
+  PixelArea canvas;                          ///< where the canvas was drawn last
+  double frame_ms = 0;                       ///< CPU time of a frame, smoothed; 0: not measured
+  float tool_height = 0;                     ///< what the tool's choices took in the last frame, in pixels
+  bool history = false;                      ///< the Log tab lists the edits
+  std::string said;                          ///< a sentence for the user, to be shown over the canvas
   bool said_bad = false;
   std::vector<std::string> recent;   ///< files that were opened last, the latest first
   std::string wished;                ///< the file that a wish is about

@@ -13,11 +13,13 @@
 #include "ui/canvas.hpp"
 #include "ui/gl/imgui_renderer.hpp"
 #include "ui/shell/actions.hpp"
+#include "ui/shell/command_palette.hpp"
 #include "ui/shell/dialogs.hpp"
 #include "ui/shell/dialogs/world_dialogs.hpp"
 #include "ui/shell/file_watch.hpp"
 #include "ui/shell/frame.hpp"
 #include "ui/shell/recent_files.hpp"
+#include "ui/shell/trace_export.hpp"
 #include "ui/shell/world_library.hpp"
 
 namespace replan::ui {
@@ -71,6 +73,8 @@ class Shell {
   [[nodiscard]] bool quitting() const { return quitting_; }
   /// What the user wants filmed or pictured, once; its path is as typed_path() makes it.
   std::optional<CaptureRequest> take_capture() { return std::exchange(capture_, std::nullopt); }
+  /// Does what the action does, in the next frame; nothing if it is not available then.
+  void perform_next(ActionId id) { next_actions_.push_back(id); }
   /// A sentence over the canvas for a while.
   void tell(std::string sentence, bool bad);
 
@@ -82,7 +86,9 @@ class Shell {
       open_dialog,
       open_file,
       worlds_dialog,
+      open_world,
       new_world,
+      pasted,
       quit
     } kind = Kind::none;
     std::string path;  ///< of the file, or of the folder that the dialog begins with
@@ -98,6 +104,13 @@ class Shell {
     Loading what;
     Result<ReplaceScenario> document;
     std::vector<StampedFile> files;
+  };
+  /// A position that a run has yet to come to.
+  struct Awaited {
+    std::uint64_t log = 0;  ///< Run::log_id(); another one: somebody has gone another way
+    std::size_t event = 0;
+    std::uint64_t state = 0;  ///< SearchState::hash() there
+    bool sent = false;        ///< the run was sent on towards it
   };
   struct Message {
     std::string text;
@@ -115,11 +128,17 @@ class Shell {
   void take_commands(Session& session, std::vector<Command>& commands);
   void take_wish(Session& session, Wish wish);
   void ask_for_capture(bool film, bool window);
+  void ask_for_trace(const Session& session);
+  void export_trace(const Session& session, const Decision& decision);
+  void go_to_pasted(Session& session);
+  void await_moment(Session& session);
   void take_decision(Session& session, const Decision& decision);
   void begin(Session& session, Pending pending);
   void go_on(Session& session);
   void choose_open(const Session& session, const std::string& path);
   void choose_save(const Session& session);
+  void choose_figures_file();
+  void save_figures(const Session& session, const std::string& path);
   [[nodiscard]] std::vector<Place> places() const;
   void save_in_place(Session& session);
   bool save(Session& session, const std::string& path);
@@ -143,6 +162,7 @@ class Shell {
   std::unique_ptr<WorldLibrary> library_;
   Dialogs dialogs_;  // after the library that it shows
   WorldDialogs world_dialogs_;
+  CommandPalette palette_;
   Pending pending_;
   std::unique_ptr<Background<Loaded>> loader_ = std::make_unique<Background<Loaded>>();
   std::unique_ptr<Autosaver> autosave_ = std::make_unique<Autosaver>();
@@ -154,11 +174,15 @@ class Shell {
   std::chrono::steady_clock::time_point looked_at_disk_;
   std::int64_t unsaved_since_ = 0;  // seconds since 1970; 0: all is saved
   Message message_;
+  TraceExport export_;
+  std::optional<Awaited> awaited_;
   CaptureRequest asked_;  // while its dialog is open
   std::optional<CaptureRequest> capture_;
+  std::vector<ActionId> next_actions_;
   bool quitting_ = false;
-  bool held_ = false;        // a key that repeats is down
-  std::uint64_t drawn_ = 0;  // the session's revision that the last frame showed
+  bool saving_figures_ = false;  // the file dialog asks for the file of the figures
+  bool held_ = false;            // a key that repeats is down
+  std::uint64_t drawn_ = 0;      // the session's revision that the last frame showed
 };
 
 }  // namespace replan::ui

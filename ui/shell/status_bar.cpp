@@ -12,6 +12,7 @@ namespace {
 struct Verdict {
   ImU32 colour;
   std::string text;
+  const char* term;  ///< of the glossary
 };
 
 /// Whether a plan was begun between the last decision and the cursor, and has not been finished.
@@ -27,33 +28,33 @@ bool searching(const Run& run, const replan::Mark* mark) {
 Verdict verdict(const Theme& theme, const Run& run) {
   const replan::Mark* mark = run.mark_at(run.timeline().cursor());
   if (mark == nullptr)
-    return run.timeline().cursor() == 0 ? Verdict{theme.faint, "not planned yet"}
-                                        : Verdict{theme.accent, "searching"};
-  if (searching(run, mark)) return {theme.warning, "replanning"};
+    return run.timeline().cursor() == 0 ? Verdict{theme.faint, "not planned yet", "plan"}
+                                        : Verdict{theme.accent, "searching", "expansion"};
+  if (searching(run, mark)) return {theme.warning, "replanning", "replan"};
   switch (mark->state) {
     case MissionState::planning:
-      return {theme.accent, "searching"};
+      return {theme.accent, "searching", "expansion"};
     case MissionState::arrived:
-      return {theme.good, "arrived"};
+      return {theme.good, "arrived", "arrival"};
     case MissionState::collision:
-      return {theme.bad, "would hit an obstacle"};
+      return {theme.bad, "would hit an obstacle", "collision"};
     case MissionState::loop:
-      return {theme.bad, "goes round in a circle"};
+      return {theme.bad, "goes round in a circle", "unchecked-parent"};
     case MissionState::endless:
-      return {theme.bad, "turned back again and again"};
+      return {theme.bad, "turned back again and again", "moving-obstacle"};
     case MissionState::no_path:
     case MissionState::driving:
       break;
   }
   switch (mark->route->status) {
     case PlanStatus::start_blocked:
-      return {theme.bad, "the start is blocked"};
+      return {theme.bad, "the start is blocked", "no-path"};
     case PlanStatus::goal_blocked:
-      return {theme.bad, "the goal is blocked"};
+      return {theme.bad, "the goal is blocked", "no-path"};
     case PlanStatus::no_path:
-      return {theme.bad, "no path"};
+      return {theme.bad, "no path", "no-path"};
     default:
-      return {theme.good, "plan stands"};
+      return {theme.good, "plan stands", "plan"};
   }
 }
 
@@ -82,10 +83,16 @@ class Line {
   void word(std::string_view words) {
     if (next(text_width(look_.fonts.ui, words))) text(look_.fonts.ui, look_.theme.dim, words);
   }
+  void word(std::string_view words, const Hint& what) {
+    if (!next(text_width(look_.fonts.ui, words))) return;
+    text(look_.fonts.ui, look_.theme.dim, words);
+    hint(look_, what);
+  }
   /// Whether there was room for it.
   bool dot(const Verdict& verdict) {
     if (!next(text_width(look_.fonts.ui, verdict.text) + look_.px(14))) return false;
     status(look_, verdict.colour, verdict.text);
+    hint(look_, term_hint(verdict.term));
     return true;
   }
   bool next(float width) {
@@ -120,6 +127,14 @@ float right_side(Frame& frame) {
             time);
   const float moves_x = time_x - look.px(16) - text_width(look.fonts.ui, moves);
   if (mark != nullptr) draw_text(list, look.fonts.ui, {moves_x, origin.y}, look.theme.dim, moves);
+  const auto explain = [&](float from, float to, const Hint& what) {
+    ImGui::SetCursorScreenPos({from, origin.y});
+    ImGui::Dummy({std::max(1.0f, to - from), look.fonts.ui->FontSize});
+    hint(look, what);
+  };
+  explain(time_x, right, {"Time of a frame", "", "What the processor works on one picture of this window."});
+  if (mark != nullptr) explain(moves_x, time_x - look.px(16), term_hint("steps"));
+  ImGui::SetCursorScreenPos(origin);
   return moves_x;
 }
 
@@ -147,14 +162,13 @@ struct CheckSum {
 
 /// A dot for each check that is on. A click leads to what went wrong, or to the checks.
 void check_dot(Frame& frame, Line& line, const CheckSum& sum, const char* good, const char* busy,
-               const std::string& bad, const Hint& what) {
+               const std::string& bad, const char* term) {
   if (!sum.on) return;
   const Theme& theme = frame.look.theme;
-  if (!line.dot(sum.wrong > 0 ? Verdict{theme.bad, bad}
-                : sum.busy    ? Verdict{theme.dim, busy}
-                              : Verdict{theme.good, good}))
+  if (!line.dot(sum.wrong > 0 ? Verdict{theme.bad, bad, term}
+                : sum.busy    ? Verdict{theme.dim, busy, term}
+                              : Verdict{theme.good, good, term}))
     return;
-  hint(frame.look, what);
   if (!ImGui::IsItemHovered()) return;
   ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
@@ -175,9 +189,23 @@ void checks(Frame& frame, Line& line) {
     oracle.wrong += static_cast<std::int64_t>(asked.disagreements);
   }
   check_dot(frame, line, oracle, "oracle agrees", "asking the oracle",
-            "oracle disagrees: " + count_text(oracle.wrong, "plan", "plans"), term_hint("oracle"));
+            "oracle disagrees: " + count_text(oracle.wrong, "plan", "plans"), "oracle");
   check_dot(frame, line, laws, "invariants hold", "checking invariants",
-            count_text(laws.wrong, "breach", "breaches") + " of invariants", term_hint("invariant"));
+            count_text(laws.wrong, "breach", "breaches") + " of invariants", "invariant");
+}
+
+/// While a trace is written: how far it is, and the way to stop it.
+void exporting(Frame& frame, Line& line) {
+  const Look& look = frame.look;
+  if (frame.panels.exporting < 0) return;
+  const std::string words = "Exporting the trace… " + fixed(frame.panels.exporting * 100, 0) + " %";
+  if (!line.next(text_width(look.fonts.ui, words) + look.px(28))) return;
+  text(look.fonts.ui, look.theme.accent, words);
+  ImGui::SameLine(0, look.px.xs);
+  ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y - look.px(5)});
+  if (small_button(look, "stop export",
+                   {.icon = icon::times, .hint = {"Stop", "", "Gives the trace up; no file is left."}}))
+    frame.wish = Wish::stop_export;
 }
 
 }  // namespace
@@ -193,7 +221,9 @@ void draw_status_bar(Frame& frame) {
   if (cell && frame.session.scenario().map.contains(*cell)) {
     line.pair("Cell", std::to_string(cell->x) + ", " + std::to_string(cell->y),
               {"Cell", "", "Column and row, from (0, 0) at the top left."});
-    line.word(cell_state(frame, *cell));
+    line.word(cell_state(frame, *cell),
+              {"What stands there", "",
+               "In the true world, and whether the robot knows of it. It plans on what it believes alone."});
   }
   const StrokeKind stroke = frame.view.editing.stroke;
   if (stroke == StrokeKind::erases_wall) line.word("erasing, since the first cell was an obstacle");
@@ -202,20 +232,14 @@ void draw_status_bar(Frame& frame) {
   line.dot(verdict(look.theme, run));
   busy(frame, line);
   checks(frame, line);
+  exporting(frame, line);
   const replan::Mark* mark = run.mark_at(run.timeline().cursor());
   if (mark != nullptr && mark->state == MissionState::arrived)
-    line.pair("travelled", fixed(mark->figures.travelled, 1),
-              {"Travelled", "", "The way that the robot has driven, in cells."});
+    line.pair("travelled", fixed(mark->figures.travelled, 1), term_hint("travelled"));
   else if (mark != nullptr && mark->route->status == PlanStatus::found)
-    line.pair(
-        "path", fixed(path_length(run.lattice(), mark->route->path.nodes), 1),
-        {"Path length", "", "Of the plan that stands, in cells, measured along its straight segments."});
-  line.pair("|U|", grouped(run.timeline().state().queue_size()),
-            {"Open list", "", "How many vertices wait in the open list U."});
-  if (run.info().from_goal)
-    line.pair("km", cost_text(run.timeline().state().km(), 2),
-              {"km", "",
-               "The way the robot has gone between replans, added to new keys so that old ones stay valid."});
+    line.pair("path", fixed(path_length(run.lattice(), mark->route->path.nodes), 1), term_hint("length"));
+  line.pair("|U|", grouped(run.timeline().state().queue_size()), term_hint("open-list"));
+  if (run.info().from_goal) line.pair("km", cost_text(run.timeline().state().km(), 2), term_hint("km"));
   const double zoom = frame.panels.zoom / static_cast<double>(look.px.scale);
   line.pair("Zoom", fixed(zoom, zoom < 10 ? 1 : 0) + "×",
             {"Zoom", "", "Pixels per cell, at the display's scale."});
