@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <thread>
 
 #include "core/base/background.hpp"
 #include "core/debug/difference_search.hpp"
@@ -44,35 +45,50 @@ struct Checks::Pane {
     return marker < markers.size() ? &markers[marker] : nullptr;
   }
   [[nodiscard]] bool asking() const { return job && job->busy(); }
+  /// The question under way is not waited for: it may be in the middle of a large map.
+  void give_up() {
+    if (job) job->cancel();
+  }
 
+  /// The next question, if there is one.
+  std::optional<PlanQuestion> question(const Run& run) {
+    const Marker* stands = next_plan(run);
+    if (stands == nullptr) return std::nullopt;
+    ++marker;
+    return ask_about(run.log_view(), plan++, stands->event + 1);
+  }
   void ask(const Run& run) {
     if (asking()) return;
-    const Marker* stands = next_plan(run);
-    if (stands == nullptr) return;
-    ++marker;
-    PlanQuestion question = ask_about(run.log_view(), plan++, stands->event + 1);
+    auto next = question(run);
+    if (!next) return;
     if (!job) job = std::make_unique<Background<Answer>>(WorkPlace{false, {}});
-    job->start([question = std::move(question)](const std::stop_token& stop) {
-      const Cost right = right_cost(question, stop);
-      return Answer{question, right};
+    job->start([asked = std::move(*next)](const std::stop_token& stop) {
+      return Answer{asked, right_cost(asked, stop)};
     });
   }
   /// True if an answer came.
   bool hear() {
     if (!job) return false;
     const auto answer = job->take();
-    if (!answer) return false;
-    answered.push_back(answer->first.position);
-    if (const auto wrong_one = judge(answer->first, answer->second)) {
-      ++wrong;
-      if (disagreements.size() < kMostKept) disagreements.push_back(*wrong_one);
-    }
-    return true;
+    if (answer) keep(answer->first, answer->second);
+    return answer.has_value();
+  }
+  void keep(const PlanQuestion& asked, Cost right) {
+    answered.push_back(asked.position);
+    const auto wrong_one = judge(asked, right);
+    if (!wrong_one) return;
+    ++wrong;
+    if (disagreements.size() < kMostKept) disagreements.push_back(*wrong_one);
+  }
+  /// All that is left, without anybody's help.
+  void answer_all(const Run& run) {
+    while (asking() && !hear()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while (const auto next = question(run)) keep(*next, right_cost(*next));
   }
   /// The log was cut there, where a plan stood.
   void cut(const Run& run, std::size_t position) {
     if (laws) laws->rewind(position);
-    job.reset();
+    give_up();
     std::erase_if(answered, [position](std::size_t stands) { return stands > position; });
     std::erase_if(disagreements, [position](const Disagreement& each) { return each.position > position; });
     wrong = disagreements.size();
@@ -82,7 +98,7 @@ struct Checks::Pane {
       if (next_plan(run) != nullptr) ++marker;
   }
   void forget_oracle() {
-    job.reset();
+    give_up();
     marker = plan = wrong = 0;
     answered.clear();
     disagreements.clear();
@@ -153,10 +169,12 @@ void Checks::meet(Runs runs) {
     Pane& pane = panes_[i];
     if (pane.log_id != run.log_id()) {
       const std::size_t common = run.common_with(pane.log_id);
-      if (common == 0)
-        pane = Pane{};
-      else
+      if (common == 0) {
+        pane.laws.reset();
+        pane.forget_oracle();
+      } else {
         pane.cut(run, common);
+      }
       pane.log_id = run.log_id();
     }
     if (laws_on(run) && !pane.laws) pane.laws = std::make_unique<LawChecker>(run.log_view());
@@ -193,11 +211,7 @@ void Checks::settle(Runs runs) {
     Pane& pane = panes_[i];
     while (pane.laws && pane.laws->advance(kEvents)) {
     }
-    while (oracle_ && (pane.asking() || pane.next_plan(*runs[i]) != nullptr)) {
-      pane.ask(*runs[i]);
-      pane.job->wait();
-      pane.hear();
-    }
+    if (oracle_) pane.answer_all(*runs[i]);
   }
   busy_ = false;
 }
@@ -226,7 +240,10 @@ bool Checks::compare_on(Runs runs) {
       stop_comparing();  // the world was edited
       return false;
     }
-    ended[i] = !runs[pane]->busy();
+    Run& run = *runs[pane];
+    const bool over = !run.marks().empty() && run.marks().back().state != MissionState::driving;
+    ended[i] = !run.busy() && (over || !run.failure().empty());
+    if (!ended[i] && !run.busy()) run.go(Target::end());  // something else had set it a nearer target
   }
   const Clock::time_point begin = Clock::now();
   auto outcome = DifferenceSearch::Outcome::more;

@@ -30,6 +30,7 @@ void Session::show_difference() {
   follow_ = false;
   seek(found->positions[lead_ == panes[0] ? 0 : 1]);
   for (std::size_t i = 0; i < panes.size(); ++i) runs_[panes[i]]->timeline().seek(found->positions[i]);
+  catching_up_ = false;  // or the other one would go on to its place in lockstep
 }
 
 bool Session::check() {

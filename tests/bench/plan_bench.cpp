@@ -73,14 +73,14 @@ void register_first_plans(const PlannerInfo& info, const Worlds& worlds, const c
   })->Unit(benchmark::kMillisecond);
 }
 
-[[maybe_unused]] const bool kRegistered = [] {
+}  // namespace
+
+void bench::register_plans() {
   for (const Worlds& worlds : all_worlds())
     for (const PlannerInfo& info : sound_planners()) {
       register_first_plans<NoTrace>(info, worlds, "no_trace");
       register_first_plans<Recorder>(info, worlds, "recorder");
     }
-  return true;
-}();
+}
 
-}  // namespace
 }  // namespace replan

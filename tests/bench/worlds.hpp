@@ -10,6 +10,12 @@
 
 namespace replan {
 
+namespace bench {
+// Called by main(): planners and their parameters are not there yet while the program's constants are made.
+void register_plans();
+void register_checks();
+}  // namespace bench
+
 /// Some worlds of one kind, and where to go in them.
 struct Worlds {
   std::string name;

@@ -134,7 +134,7 @@ TEST(FirstDifference, OfEventsSaysBothInWords) {
   const auto found = pair.difference(Compare::events);
   ASSERT_TRUE(found);
   for (const std::size_t i : {0u, 1u}) {
-    const Run& run = i == 0 ? *pair.a : *pair.b;
+    const replan::Run& run = i == 0 ? *pair.a : *pair.b;
     EXPECT_NE(run.timeline().event(found->positions[i] - 1).kind, EventKind::line);
     EXPECT_NE(found->words.find(run.info().name), std::string::npos) << found->words;
   }

@@ -1,0 +1,71 @@
+// The panes of the window: how they share its area, and what a click on one does.
+#include <gtest/gtest.h>
+
+#include "tests/ui/shell_fixture.hpp"
+#include "ui/pane_grid.hpp"
+
+namespace replan::ui {
+namespace {
+
+constexpr const char* kWorld = R"({"replan": 1, "name": "Room",
+    "map": {"rows": ["..........", "..........", "..........", "..........", ".........."]}, "start": [0, 0], "goal": [9, 1],
+    "planners": [{"id": "dstar-lite"}, {"id": "dld-star-lite"}, {"id": "astar"}, {"id": "dijkstra"}]})";
+
+class PanesTest : public ShellTest {
+ protected:
+  void SetUp() override { open("room.json", kWorld, 1440, 900); }
+  void click(ImVec2 at) {
+    InputQueue& input = offscreen_->stage().input();
+    input.mouse_move(at.x, at.y);
+    frames(2);
+    input.mouse_button(0, true);
+    frames(2);
+    input.mouse_button(0, false);
+    frames(2);
+  }
+  PaneGrid grid(std::size_t count) {
+    const PixelArea& area = shell_->panels().canvas;
+    return {offscreen_->stage().look(), count, area.min, area.max};
+  }
+};
+
+TEST_F(PanesTest, FourMakeASquareThatFillsTheArea) {
+  const PaneGrid four = grid(4);
+  EXPECT_EQ(four.min(0).y, four.min(1).y);
+  EXPECT_EQ(four.min(0).x, four.min(2).x);
+  EXPECT_GT(four.min(1).x, four.max(0).x);
+  EXPECT_GT(four.min(2).y, four.max(0).y);
+  EXPECT_EQ(four.max(3).x, shell_->panels().canvas.max.x);
+  EXPECT_EQ(four.max(3).y, shell_->panels().canvas.max.y);
+}
+
+TEST_F(PanesTest, ThereAreAsManyAsThereIsRoomFor) {
+  const Look& look = offscreen_->stage().look();
+  EXPECT_EQ(PaneGrid::room(look, {0, 0}, {1100, 700}), 4u);
+  EXPECT_EQ(PaneGrid::room(look, {0, 0}, {1100, 300}), 3u);
+  EXPECT_EQ(PaneGrid::room(look, {0, 0}, {500, 700}), 1u);
+  EXPECT_EQ(PaneGrid::room(look, {0, 0}, {10, 10}), 1u);
+}
+
+TEST_F(PanesTest, AClickOnATitleMakesItsPaneLeadAndASecondOneOffersPlanners) {
+  const ImVec2 title(grid(4).min(3).x + 40, grid(4).min(3).y + 24);
+  click(title);
+  EXPECT_EQ(session_->lead(), 3u);
+  EXPECT_FALSE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
+  click(title);
+  EXPECT_TRUE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
+  click({title.x, title.y + 40});  // the first of the list
+  EXPECT_EQ(session_->run().choice().id, planners().front().id);
+  EXPECT_EQ(session_->scenario().map, GridMap(10, 5)) << "the tool has not drawn through the title";
+}
+
+TEST_F(PanesTest, SelectingInAPaneMakesItLead) {
+  shell_->view().tool = Tool::select;
+  const ImVec2 low = grid(4).min(1), high = grid(4).max(1);
+  click({(low.x + high.x) / 2, (low.y + high.y) / 2});
+  EXPECT_EQ(session_->lead(), 1u);
+  EXPECT_TRUE(shell_->view().view.pinned.has_value());
+}
+
+}  // namespace
+}  // namespace replan::ui
