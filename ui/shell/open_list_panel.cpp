@@ -60,7 +60,7 @@ Layout layout_of(const Look& look, const Run& run, const OpenOrder& order) {
   const bool lookahead = run.info().values == SearchValues::lookahead;
   const float digit = text_width(look.fonts.mono, "0"), padding = look.px(12);
   const float room = ImGui::GetContentRegionAvail().x;
-  const Cost largest = order[order.size() - 1].k1;
+  const Cost middle = order[order.size() / 2].k1;
   const auto chars = [digit, padding](std::size_t count) {
     return digit * static_cast<float>(count) + padding;
   };
@@ -70,13 +70,14 @@ Layout layout_of(const Look& look, const Run& run, const OpenOrder& order) {
               state = chars(5);
   const std::size_t costs = lookahead ? 4 : 3;
   const auto cost = [&] {
-    return chars(std::max<std::size_t>(cost_text(largest, layout.decimals).size(), 3));
+    return chars(std::max<std::size_t>(cost_text(middle, layout.decimals).size(), 3));
   };
   const auto whole = [&] {
     return rank + cell + static_cast<float>(costs) * cost() + (layout.state ? state : 0.0f);
   };
   if (whole() > room) layout.decimals = 1;
   if (whole() > room) layout.state = false;
+  if (whole() > room) layout.decimals = 0;
   layout.columns = {{"rank", rank}, {"cell", cell}};
   for (const char* name : lookahead ? std::array{"k1", "k2", "g", "rhs"} : std::array{"f", "h", "g", ""})
     if (name[0] != '\0') layout.columns.push_back({name, cost()});
