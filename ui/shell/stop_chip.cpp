@@ -9,7 +9,7 @@
 namespace replan::ui {
 namespace {
 
-constexpr float kWidest = 460;
+constexpr float kWidest = 420;  // of the sentence
 
 /// A small window with its lower right corner at a place; `draw` fills its one line.
 template <class Draw>
@@ -46,11 +46,14 @@ void hunt(Frame& frame, const Hunt& hunt) {
     frame.commands.push_back(Cancel{});
 }
 
-void stopped(Frame& frame, const std::string& why) {
+void stopped(Frame& frame, std::string why) {
   const Look& look = frame.look;
+  // The sentence begins with the word that stands in red before it.
+  constexpr std::string_view kPrefix = "stopped: ";
+  if (why.starts_with(kPrefix)) why.erase(0, kPrefix.size());
   status(look, look.theme.bad, "Stopped");
   ImGui::SameLine(0, look.px.s);
-  const std::string words = elide(look.fonts.ui, why, look.px(kWidest) - look.px(160));
+  const std::string words = elide(look.fonts.ui, why, look.px(kWidest));
   text(look.fonts.ui, look.theme.text, words);
   if (words != why) hint(look, {"", "", why.c_str()});
   raised_button_row(look);
