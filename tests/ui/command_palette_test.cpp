@@ -3,10 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/platform/offscreen.hpp"
 #include "core/plan/glossary.hpp"
-#include "ui/keys.hpp"
-#include "ui/shell/shell.hpp"
+#include "tests/ui/shell_fixture.hpp"
 
 namespace replan::ui {
 namespace {
@@ -44,50 +42,12 @@ TEST(PaletteHits, LeavesOutWhatDoesNotMatch) {
   EXPECT_EQ(found({"Open…", "Save", "Undo"}, "xyz"), Labels{});
 }
 
-class PaletteTest : public testing::Test {
- protected:
-  void SetUp() override {
-    Scenario scenario;
-    scenario.map = GridMap(20, 10);
-    scenario.start = {2, 5};
-    scenario.goal = {17, 5};
-    scenario.planners = {{"dstar-lite", {}}};
-    session_ = std::make_unique<Session>(scenario);
-    session_->settle();
-    auto offscreen = app::Offscreen::create({1280, 800, 1});
-    ASSERT_TRUE(offscreen.ok()) << offscreen.error();
-    offscreen_ = std::move(*offscreen);
-    offscreen_->frame([this] { shell_ = std::make_unique<Shell>(offscreen_->stage().renderer()); });
-    frames(2);
-  }
-  void TearDown() override {
-    if (offscreen_) offscreen_->frame([this] { shell_.reset(); });
-  }
-  void frames(int count) {
-    for (int i = 0; i < count; ++i)
-      offscreen_->frame([this] {
-        session_->update(0);
-        shell_->draw(offscreen_->stage().look(), *session_, 0);
-      });
-  }
-  void press(int key, bool ctrl = false) {
-    InputQueue& input = offscreen_->stage().input();
-    if (ctrl) input.key(key::kLeftControl, true);
-    input.key(key, true);
-    frames(5);
-    input.key(key, false);
-    if (ctrl) input.key(key::kLeftControl, false);
-    frames(5);
-  }
-  void type(const std::string& text) {
-    for (const char c : text) offscreen_->stage().input().character(static_cast<unsigned>(c));
-    frames(static_cast<int>(text.size()) * 2 + 4);
-  }
-  [[nodiscard]] static bool open() { return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup); }
+constexpr const char* kWorld = R"({"replan": 1, "name": "Room", "map": {"rows": ["..........", ".........."]},
+    "start": [0, 0], "goal": [9, 1], "planners": [{"id": "dstar-lite"}]})";
 
-  std::unique_ptr<Session> session_;
-  std::unique_ptr<app::Offscreen> offscreen_;
-  std::unique_ptr<Shell> shell_;
+class PaletteTest : public ShellTest {
+ protected:
+  void SetUp() override { open("room.json", kWorld); }
 };
 
 TEST_F(PaletteTest, CarriesOutTheBestHitOnEnter) {

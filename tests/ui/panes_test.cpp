@@ -1,39 +1,19 @@
 // The panes of the window: how they share its area, and what a click on one does.
 #include <gtest/gtest.h>
 
-#include "app/platform/offscreen.hpp"
+#include "tests/ui/shell_fixture.hpp"
 #include "ui/pane_grid.hpp"
-#include "ui/shell/shell.hpp"
 
 namespace replan::ui {
 namespace {
 
-class PanesTest : public testing::Test {
+constexpr const char* kWorld = R"({"replan": 1, "name": "Room",
+    "map": {"rows": ["..........", "..........", "..........", "..........", ".........."]}, "start": [0, 0], "goal": [9, 1],
+    "planners": [{"id": "dstar-lite"}, {"id": "dld-star-lite"}, {"id": "astar"}, {"id": "dijkstra"}]})";
+
+class PanesTest : public ShellTest {
  protected:
-  void open(int width, int height) {
-    Scenario scenario;
-    scenario.map = GridMap(20, 10);
-    scenario.start = {2, 5};
-    scenario.goal = {17, 5};
-    scenario.planners = {{"dstar-lite", {}}, {"dld-star-lite", {}}, {"astar", {}}, {"dijkstra", {}}};
-    session_ = std::make_unique<Session>(scenario);
-    session_->settle();
-    auto offscreen = app::Offscreen::create({width, height, 1});
-    ASSERT_TRUE(offscreen.ok()) << offscreen.error();
-    offscreen_ = std::move(*offscreen);
-    offscreen_->frame([this] { shell_ = std::make_unique<Shell>(offscreen_->stage().renderer()); });
-    frames(2);
-  }
-  void TearDown() override {
-    if (offscreen_) offscreen_->frame([this] { shell_.reset(); });
-  }
-  void frames(int count) {
-    for (int i = 0; i < count; ++i)
-      offscreen_->frame([this] {
-        session_->update(0);
-        shell_->draw(offscreen_->stage().look(), *session_, 0);
-      });
-  }
+  void SetUp() override { open("room.json", kWorld, 1440, 900); }
   void click(ImVec2 at) {
     InputQueue& input = offscreen_->stage().input();
     input.mouse_move(at.x, at.y);
@@ -47,14 +27,9 @@ class PanesTest : public testing::Test {
     const PixelArea& area = shell_->panels().canvas;
     return {offscreen_->stage().look(), count, area.min, area.max};
   }
-
-  std::unique_ptr<Session> session_;
-  std::unique_ptr<app::Offscreen> offscreen_;
-  std::unique_ptr<Shell> shell_;
 };
 
 TEST_F(PanesTest, FourMakeASquareThatFillsTheArea) {
-  open(1440, 900);
   const PaneGrid four = grid(4);
   EXPECT_EQ(four.min(0).y, four.min(1).y);
   EXPECT_EQ(four.min(0).x, four.min(2).x);
@@ -65,7 +40,6 @@ TEST_F(PanesTest, FourMakeASquareThatFillsTheArea) {
 }
 
 TEST_F(PanesTest, ThereAreAsManyAsThereIsRoomFor) {
-  open(1440, 900);
   const Look& look = offscreen_->stage().look();
   EXPECT_EQ(PaneGrid::room(look, {0, 0}, {1100, 700}), 4u);
   EXPECT_EQ(PaneGrid::room(look, {0, 0}, {1100, 300}), 3u);
@@ -74,7 +48,6 @@ TEST_F(PanesTest, ThereAreAsManyAsThereIsRoomFor) {
 }
 
 TEST_F(PanesTest, AClickOnATitleMakesItsPaneLeadAndASecondOneOffersPlanners) {
-  open(1440, 900);
   const ImVec2 title(grid(4).min(3).x + 40, grid(4).min(3).y + 24);
   click(title);
   EXPECT_EQ(session_->lead(), 3u);
@@ -83,11 +56,10 @@ TEST_F(PanesTest, AClickOnATitleMakesItsPaneLeadAndASecondOneOffersPlanners) {
   EXPECT_TRUE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
   click({title.x, title.y + 40});  // the first of the list
   EXPECT_EQ(session_->run().choice().id, planners().front().id);
-  EXPECT_EQ(session_->scenario().map, GridMap(20, 10)) << "the tool has not drawn through the title";
+  EXPECT_EQ(session_->scenario().map, GridMap(10, 5)) << "the tool has not drawn through the title";
 }
 
 TEST_F(PanesTest, SelectingInAPaneMakesItLead) {
-  open(1440, 900);
   shell_->view().tool = Tool::select;
   const ImVec2 low = grid(4).min(1), high = grid(4).max(1);
   click({(low.x + high.x) / 2, (low.y + high.y) / 2});

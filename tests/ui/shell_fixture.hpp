@@ -19,12 +19,12 @@ class ShellTest : public testing::Test {
     if (offscreen_) offscreen_->frame([this] { shell_.reset(); });
   }
 
-  /// Opens a window of 1280 x 800 on a scenario, held in a file of that name.
-  void open(const std::string& name, const std::string& scenario) {
+  /// Opens a window on a scenario, held in a file of that name.
+  void open(const std::string& name, const std::string& scenario, int width = 1280, int height = 800) {
     path_ = folder_.with(name, scenario);
     session_ = std::make_unique<Session>(*read_scenario(path_), path_);
     session_->settle();
-    auto offscreen = app::Offscreen::create({1280, 800, 1});
+    auto offscreen = app::Offscreen::create({width, height, 1});
     ASSERT_TRUE(offscreen.ok()) << offscreen.error();
     offscreen_ = std::move(*offscreen);
     offscreen_->frame([this] { shell_ = std::make_unique<Shell>(offscreen_->stage().renderer()); });
