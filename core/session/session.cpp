@@ -239,14 +239,7 @@ void Session::settle() {
   do update(0);
   while (checks_.comparing());
   checks_.settle(runs_);
-  while (hunting_) {
-    if (hunting_->direction > 0) {
-      const Mark* last = run().marks().empty() ? nullptr : &run().marks().back();
-      leading().finish(last == nullptr ? Target::plan() : Target::clock_at(last->clock + 1));
-    }
-    update(0);
-    checks_.settle(runs_);
-  }
+  settle_hunt();
   breakpoints_.look(run(), checked_log(), HUGE_VAL);
   watches_.look(runs_, HUGE_VAL);
 }

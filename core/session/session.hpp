@@ -153,6 +153,7 @@ class Session {
   void hunt_breakpoint(double milliseconds);
   void hunt_event();
   void find_nothing(const std::string& words);
+  void settle_hunt();
   void go_to_arrival();
   bool run_on();
   void stop_at(Hit hit);
