@@ -212,9 +212,8 @@ void Session::find_nothing(const std::string& words) {
   stop_hunt();
 }
 
-/// Waits until what is hunted is found, and the other panes have come to where they belong then.
+/// Waits until what is hunted is found, and the other panes have come to where they belong.
 void Session::settle_hunt() {
-  if (!hunting_) return;
   while (hunting_) {
     if (hunting_->direction > 0) {
       const Mark* last = run().marks().empty() ? nullptr : &run().marks().back();
@@ -224,7 +223,7 @@ void Session::settle_hunt() {
     checks_.settle(runs_);
   }
   const auto busy = [](const auto& run) { return run->busy(); };
-  while (std::any_of(runs_.begin(), runs_.end(), busy)) {
+  while (catching_up_ && std::any_of(runs_.begin(), runs_.end(), busy)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     update(0);
   }
