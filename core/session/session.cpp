@@ -29,8 +29,9 @@ const char* command_text(const Command& command) {
   return kTexts[command.index()];
 }
 
-Session::Session(Scenario scenario, std::string file)
+Session::Session(Scenario scenario, std::string file, const RunLimits& limits)
     : scenario_(std::make_shared<const Scenario>(std::move(scenario))),
+      limits_(limits),
       file_(std::move(file)),
       scripted_(scenario_->surprises.size()) {
   restart_runs();
@@ -50,10 +51,17 @@ Result<void> Session::apply(const Command& command) {
   return done;
 }
 
+std::unique_ptr<Run> Session::new_run(std::size_t planner) const {
+  RunLimits limits = limits_;
+  limits.log.bytes /= scenario_->planners.size();
+  return std::make_unique<Run>(scenario_, planner, limits);
+}
+
 void Session::restart_runs() {
   runs_.clear();
+  returning_.reset();
   for (std::size_t i = 0; i < scenario_->planners.size(); ++i) {
-    runs_.push_back(std::make_unique<Run>(scenario_, i));
+    runs_.push_back(new_run(i));
     runs_.back()->go(Target::plan());
   }
   lead_ = std::min(lead_, runs_.size() - 1);
@@ -62,13 +70,14 @@ void Session::restart_runs() {
 
 void Session::rebase_runs(const std::shared_ptr<const Scenario>& scenario, std::size_t common) {
   for (std::size_t i = 0; i < runs_.size(); ++i) {
-    if (!runs_[i]->rebase(scenario, common)) runs_[i] = std::make_unique<Run>(scenario, i);
+    if (!runs_[i]->rebase(scenario, common)) runs_[i] = new_run(i);
     runs_[i]->go(Target::plan());
   }
   follow_ = true;
 }
 
 void Session::replace(std::shared_ptr<const Scenario> scenario) {
+  returning_.reset();
   const auto common = common_surprises(*scenario_, *scenario);
   scenario_ = std::move(scenario);
   if (common)
@@ -102,6 +111,7 @@ Result<void> Session::run_command(const Restart&) {
 
 Result<void> Session::run_command(const Play& command) {
   playback_.direction = command.direction;
+  returning_.reset();
   owed_ = 0;
   for (const auto& run : runs_) run->set_travel(1);
   if (command.direction != 0) follow_ = false;
@@ -115,6 +125,7 @@ Result<void> Session::run_command(const SetSpeed& command) {
 
 Result<void> Session::run_command(const Step& command) {
   playback_.direction = 0;
+  returning_.reset();
   follow_ = false;
   Run& run = leading();
   for (int i = 0; i < std::abs(command.count); ++i) {
@@ -133,6 +144,7 @@ Result<void> Session::run_command(const Step& command) {
 }
 
 Result<void> Session::run_command(const Seek& command) {
+  returning_.reset();
   follow_ = command.position >= run().timeline().size();
   seek(command.position, command.travel);
   return {};
@@ -146,12 +158,14 @@ Result<void> Session::run_command(const Lead& command) {
 
 Result<void> Session::run_command(const RunToEnd&) {
   playback_.direction = 0;
+  returning_.reset();
   for (const auto& run : runs_) run->go(Target::end());
   follow_ = true;
   return {};
 }
 
 Result<void> Session::run_command(const Cancel&) {
+  returning_.reset();
   for (const auto& run : runs_) run->cancel();
   return {};
 }
@@ -176,11 +190,12 @@ bool Session::update(double seconds) {
   bool changed = false;
   for (const auto& run : runs_) {
     if (run->pump()) changed = true;
-    if (follow_ && run->timeline().cursor() != run->timeline().size()) {
+    if (follow_ && !returning_ && run->timeline().cursor() != run->timeline().size()) {
       run->timeline().seek(run->timeline().size());
       changed = true;
     }
   }
+  if (arrive()) changed = true;
   if (play(seconds)) changed = true;
   if (changed) ++revision_;
   return changed;
@@ -233,7 +248,8 @@ bool Session::play(double seconds) {
 }
 
 void Session::settle() {
-  for (const auto& run : runs_) run->finish(Target::plan());
+  for (std::size_t i = 0; i < runs_.size(); ++i)
+    runs_[i]->finish(returning_ ? Target::length_of(returning_->lengths[i]) : Target::plan());
   update(0);
 }
 
