@@ -46,7 +46,16 @@ Error too_large(const std::string& path, std::int64_t limit) {
   return cannot("read", path, "it has more than the allowed " + std::to_string(limit) + " bytes");
 }
 
-/// Returns 0 or the system's error code.
+Result<void> write_straight(const std::string& path, std::string_view bytes) {
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!file.valid()) return cannot("write", path, reason(errno));
+  if (const int code = write_all(file.number(), bytes); code != 0) return cannot("write", path, reason(code));
+  if (!file.close()) return cannot("write", path, reason(errno));
+  return {};
+}
+
+}  // namespace
+
 int write_all(int file, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(file, bytes.data(), std::min<std::size_t>(bytes.size(), 1u << 30));
@@ -57,16 +66,6 @@ int write_all(int file, std::string_view bytes) {
   }
   return 0;
 }
-
-Result<void> write_straight(const std::string& path, std::string_view bytes) {
-  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (!file.valid()) return cannot("write", path, reason(errno));
-  if (const int code = write_all(file.number(), bytes); code != 0) return cannot("write", path, reason(code));
-  if (!file.close()) return cannot("write", path, reason(errno));
-  return {};
-}
-
-}  // namespace
 
 Result<std::string> read_file(const std::string& path, std::int64_t limit) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
@@ -98,8 +97,7 @@ Result<void> write_file_atomically(const std::string& path, std::string_view byt
   if (exists && !S_ISREG(old.st_mode) && !S_ISDIR(old.st_mode)) return write_straight(path, bytes);
   Result<PendingFile> file = PendingFile::create(path);
   if (!file) return Error{file.error()};
-  if (const int code = write_all(file->descriptor(), bytes); code != 0)
-    return cannot("write", path, reason(code));
+  if (const auto written = file->write(bytes); !written) return written;
   return file->commit();
 }
 

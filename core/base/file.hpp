@@ -23,6 +23,9 @@ Result<std::string> read_file(const std::string& path, std::int64_t limit = kMax
 /// written straight to. The error names the path and the reason.
 Result<void> write_file_atomically(const std::string& path, std::string_view bytes);
 
+/// All bytes to an open file. Returns 0 or the system's error code.
+int write_all(int file, std::string_view bytes);
+
 /// The extension in lower case with its dot (".map"), or empty.
 std::string file_extension(std::string_view path);
 /// The file name without its folder and its last extension: "x.map" of "a/x.map.scen".

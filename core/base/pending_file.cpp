@@ -134,6 +134,12 @@ PendingFile::~PendingFile() {
   if (file_ >= 0) ::close(file_);
 }
 
+Result<void> PendingFile::write(std::string_view bytes) {
+  const int code = write_all(file_, bytes);
+  if (code != 0) return cannot_write(path_, code);
+  return {};
+}
+
 Result<void> PendingFile::commit() {
   int code = give_rights_and_flush(file_, target_);
   if (code == 0) code = replace_by_unnamed(file_, target_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "core/base/result.hpp"
 
@@ -24,6 +25,8 @@ class PendingFile {
 
   /// Open for reading and writing; closed by commit() and the destructor.
   [[nodiscard]] int descriptor() const { return file_; }
+  /// Appends bytes.
+  Result<void> write(std::string_view bytes);
   /// Flushes the bytes to the disk and puts them in place of the old file, with its rights.
   Result<void> commit();
 

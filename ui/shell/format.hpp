@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/base/cell.hpp"
-#include "core/base/cost.hpp"
 #include "core/base/words.hpp"
+#include "core/debug/event_words.hpp"
 #include "core/session/run.hpp"
 #include "ui/canvas_chips.hpp"
 
@@ -15,8 +15,7 @@ namespace replan::ui {
 /// "9 214": thousands apart, as grouped(std::int64_t).
 std::string grouped(std::size_t number);
 std::string fixed(double number, int decimals);
-/// "41.213", "∞".
-std::string cost_text(Cost cost, int decimals = 3);
+using replan::cost_text;
 /// "(31, 18)", or "none" for kNoNode.
 std::string node_text(const Run& run, NodeId node);
 /// "1.4 MB".

@@ -1,0 +1,157 @@
+#include "core/debug/event_words.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/words.hpp"
+
+namespace replan {
+namespace {
+
+constexpr const char* kInfinity = "∞";
+
+std::string change_text(const Grid2& lattice, const Event& event, std::uint64_t after) {
+  if (event.kind == EventKind::scalar) {
+    const auto which = static_cast<Scalar>(event.node);
+    return std::string(scalar_name(which)) + " = " + scalar_text(lattice, which, after);
+  }
+  return value_name(event.kind) + node_text(lattice, event.node) + ": " +
+         value_text(lattice, event.kind, after ^ event.delta) + " → " +
+         value_text(lattice, event.kind, after);
+}
+
+std::string happening_text(const Grid2& lattice, const Event& event) {
+  const std::string at = node_text(lattice, event.node);
+  const std::string target = node_text(lattice, static_cast<NodeId>(event.delta & 0xFFFFFFFFu));
+  switch (event.kind) {
+    case EventKind::line:
+      return "passed, nothing changed";
+    case EventKind::pop:
+      return "took " + at + " from the open list";
+    case EventKind::sight:
+      return (event.delta >> 32 != 0 ? at + " sees " : at + " does not see ") + target;
+    case EventKind::plan_begin:
+      return event.delta == 0 ? "the first plan begins" : "replan " + std::to_string(event.delta) + " begins";
+    case EventKind::plan_end:
+      return status_sentence(static_cast<PlanStatus>(event.delta));
+    case EventKind::move:
+      return "the robot enters " + at;
+    case EventKind::sensed:
+      return "the robot sees " + at + (event.delta != 0 ? " blocked" : " free");
+    case EventKind::surprise:
+      return "a surprise: the world changes";
+    case EventKind::unchecked:
+      return at + " trusts its remote parent " + target;
+    case EventKind::collision:
+      return "the plan leads into an obstacle at " + at;
+    case EventKind::waiting:
+      return "no path: the robot waits at " + at;
+    case EventKind::arrival:
+      return "the robot arrives at " + at;
+    case EventKind::gave_up:
+      return "the mission ends at " + at;
+    case EventKind::new_goal:
+      return "the goal is " + at + " now: a plan from scratch";
+    case EventKind::put_down:
+      return "the robot is put down at " + at;
+    case EventKind::forgotten:
+      return "the robot forgets what it saw moving at " + at;
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+const char* kind_id(EventKind kind) {
+  static constexpr std::array<const char*, 26> kIds = {
+      "g",        "rhs",     "queue",    "lp",       "rp",        "dist",      "visit",
+      "known",    "truth",   "scalar",   "line",     "pop",       "sight",     "plan-begin",
+      "plan-end", "move",    "sensed",   "surprise", "unchecked", "collision", "waiting",
+      "arrival",  "gave-up", "new-goal", "put-down", "forgotten"};
+  static_assert(kIds.size() == static_cast<std::size_t>(EventKind::forgotten) + 1);
+  return kIds[static_cast<std::size_t>(kind)];
+}
+
+const char* scalar_id(Scalar scalar) {
+  static constexpr std::array<const char*, static_cast<std::size_t>(Scalar::count)> kIds = {
+      "km", "s_start", "s_last", "s_goal", "robot", "moves", "replans"};
+  return scalar < Scalar::count ? kIds[static_cast<std::size_t>(scalar)] : "";
+}
+
+const char* value_name(EventKind kind) {
+  static constexpr std::array<const char*, kWideFields + kNarrowFields> kNames = {
+      "g", "rhs", "k1", "lp", "rp", "dist", "expansion", "the robot's map", "the world"};
+  const auto index = static_cast<std::size_t>(kind);
+  return index < kNames.size() ? kNames[index] : "";
+}
+
+const char* scalar_name(Scalar scalar) {
+  return scalar == Scalar::robot ? "the robot" : scalar_id(scalar);
+}
+
+std::string decimal_text(double number, int decimals) {
+  if (std::isinf(number)) return number > 0 ? kInfinity : std::string("-") + kInfinity;
+  std::array<char, 400> text{};  // the largest double has 309 digits
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, number);
+  return text.data();
+}
+
+std::string cost_text(Cost cost, int decimals) {
+  return cost.is_infinite() ? kInfinity : decimal_text(cost.to_double(), decimals);
+}
+
+std::string node_text(const Grid2& lattice, NodeId node) {
+  return node >= lattice.node_count() ? "none" : cell_text(lattice.position(node));
+}
+
+std::string value_text(const Grid2& lattice, EventKind kind, std::uint64_t raw) {
+  switch (kind) {
+    case EventKind::g:
+    case EventKind::rhs:
+    case EventKind::dist:
+      return cost_text(Cost{static_cast<std::int64_t>(raw)});
+    case EventKind::queue:
+      return raw == 0 ? "not in U" : cost_text(Cost{static_cast<std::int64_t>(raw) - 1});
+    case EventKind::lp:
+    case EventKind::rp:
+      return node_text(lattice, static_cast<NodeId>(raw) - 1u);
+    case EventKind::visit:
+      return std::to_string(raw & 0xFFFFFFFFu);
+    case EventKind::known:
+    case EventKind::truth:
+      return raw != 0 ? "obstacle" : "free";
+    default:
+      return std::to_string(raw);
+  }
+}
+
+std::string scalar_text(const Grid2& lattice, Scalar scalar, std::uint64_t raw) {
+  if (scalar == Scalar::km) return cost_text(Cost{static_cast<std::int64_t>(raw)});
+  const bool number = scalar == Scalar::moves || scalar == Scalar::replans;
+  return number ? std::to_string(raw) : node_text(lattice, static_cast<NodeId>(raw) - 1u);
+}
+
+std::string event_text(const Grid2& lattice, const Event& event, std::uint64_t after) {
+  return event.changes_value() ? change_text(lattice, event, after) : happening_text(lattice, event);
+}
+
+std::string event_text(const LogView& view, std::size_t position) {
+  if (position == 0) return "";
+  const Event& event = view.log.event(position - 1);
+  if (!event.changes_value()) return event_text(view.lattice, event, 0);
+  const bool here = position == view.log.cursor();
+  const std::uint64_t after = here ? view.log.state().value(event.kind, event.node)
+                                   : view.log.state_at(position).value(event.kind, event.node);
+  return event_text(view.lattice, event, after);
+}
+
+std::string line_name(const PlannerPage& page, int number) {
+  const PseudoLine* line = page.line(number);
+  if (line == nullptr) return "line " + std::to_string(number);
+  const std::string name = "line " + std::to_string(line->printed);
+  return page.code.size() < 2 ? name : name + " of " + page.block_of(number)->title;
+}
+
+}  // namespace replan

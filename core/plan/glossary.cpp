@@ -1,0 +1,333 @@
+// A table, and longer than a file should be for that reason alone.
+#include "core/plan/glossary.hpp"
+
+#include <algorithm>
+
+namespace replan {
+namespace {
+
+constexpr GlossaryTerm kTerms[] = {
+    // Values of a cell
+    {"g", "g",
+     "The cost from this cell to the goal that the search has settled on so far (A* and Dijkstra: from the "
+     "start "
+     "to this cell). Infinite until the cell is expanded."},
+    {"rhs", "rhs, the lookahead value",
+     "What g should be by the neighbours as they are now: the least c + g + dist over all cells that one "
+     "move leads "
+     "to, and 0 at the goal. Where rhs differs from g, the cell still has to be dealt with."},
+    {"c", "c, the cost of a move",
+     "1 for a straight step, the square root of 2 for a diagonal one, and infinite where an obstacle is in "
+     "the "
+     "way."},
+    {"dist", "dist, the clearance penalty",
+     "What entering the cell costs on top of the move because it lies near an obstacle: range − distance + 1 "
+     "within the range, and 0 beyond. It makes paths keep their distance."},
+    {"key", "Key",
+     "A cell's priority in the open list: two numbers [k1; k2], compared one after the other. The smallest "
+     "key is "
+     "taken next."},
+    {"k1", "k1, the first key component",
+     "min(g, rhs) + h + km: the cost of a path through this cell, as the heuristic h estimates it. The "
+     "number shown "
+     "is the one that the cell was put into the list with; it may be too low by now, never too high."},
+    {"k2", "k2, the second key component",
+     "min(g, rhs). It decides between cells with the same k1: the one nearer to the goal is taken first, and "
+     "raised "
+     "cells before those that depend on them."},
+    {"f", "f",
+     "g + h: the cost of a path through this cell, as the heuristic estimates it. A* takes the cell with the "
+     "smallest f next."},
+    {"lp", "lp, the local parent",
+     "The neighbour that this cell's rhs comes from: the next cell on a cheapest way to the goal, step by "
+     "step over "
+     "the grid."},
+    {"rp", "rp, the remote parent",
+     "A cell farther along the way to the goal that can be driven to in a straight line. The path follows "
+     "remote "
+     "parents, so it may have any angle."},
+    {"parent", "Parent",
+     "The neighbour that the search reached this cell from. Following the parents from the goal back to the "
+     "start "
+     "gives the path."},
+    {"order", "Expansion order",
+     "The number of the cell's latest expansion, counted over the whole run. Low numbers came first: the "
+     "wave that "
+     "the search ran in."},
+    {"times", "Times expanded",
+     "How often the cell was expanded. A plan from scratch expands most cells once; a repair expands some "
+     "again."},
+    {"state", "State of a cell",
+     "Consistent if g equals rhs, over(consistent) if g is larger, under(consistent) if g is smaller. Only "
+     "cells "
+     "that are not consistent wait in the open list."},
+    {"consistent", "Consistent", "g = rhs: the cell agrees with its neighbours and needs no work."},
+    {"overconsistent", "Overconsistent",
+     "g > rhs: a cheaper way has been found than the one settled. When the cell is expanded, g is lowered to "
+     "rhs, "
+     "and its neighbours hear of it."},
+    {"underconsistent", "Underconsistent",
+     "g < rhs: the way that g stands for has become dearer or is cut off. When the cell is expanded, g is "
+     "raised to "
+     "infinity first, so that no neighbour goes on relying on it."},
+    // The search
+    {"open-list", "U, the open list",
+     "The priority queue of the cells whose g and rhs differ (A*: of the cells that were reached and not yet "
+     "expanded), ordered by key. The search takes the first one, again and again."},
+    {"rank", "Place in the open list",
+     "How many cells would be taken before this one, plus one: #1 is next, if no key changes until then."},
+    {"expansion", "Expansion",
+     "One round of the main loop: a cell is taken from the open list, its g is settled or raised, and its "
+     "neighbours "
+     "are brought up to date."},
+    {"expansions", "Expansions",
+     "How many cells were taken from the open list and settled or raised: the usual measure of a search's "
+     "work that "
+     "does not depend on the machine."},
+    {"queue-operations", "Queue operations",
+     "How often something was put into the open list, taken out or given another key. Each costs time that "
+     "grows "
+     "with the logarithm of the list's length."},
+    {"sight-checks", "Sight checks",
+     "How often the search, or the path that was read out of it, asked whether two cells see each other."},
+    {"memory", "Memory of the planner",
+     "The most bytes that the planner held: its values per cell and its open list, the map not counted."},
+    {"km", "km, the key modifier",
+     "How far the robot has gone between replans, as the heuristic measures it. Keys that were made before "
+     "it moved "
+     "are too high by no more than that, so adding km to new keys keeps old ones comparable without "
+     "re-sorting the "
+     "list."},
+    {"stale-key", "Stale key",
+     "A key from before the robot moved or the costs changed. When its cell is taken, the key is worked out "
+     "anew; "
+     "if it has grown, the cell goes back into the list unexpanded."},
+    {"lookahead", "Lookahead",
+     "D* Lite keeps two values per cell: g, and rhs, which looks one step ahead. Comparing the two tells "
+     "which cells "
+     "a change of the map has touched, so only these are searched again."},
+    {"s_start", "s_start",
+     "Where the search thinks the robot is: the cell that keys are aimed at. It moves to the robot's cell "
+     "with each "
+     "replan."},
+    {"s_last", "s_last",
+     "Where the robot stood when km last grew. The heuristic from there to the robot's present cell is what "
+     "km grows "
+     "by next."},
+    {"heuristic", "Heuristic, h",
+     "A quick estimate of the cost between two cells that never exceeds the true one. It draws the search "
+     "towards "
+     "the end instead of in all directions; the closer to the truth, the fewer expansions."},
+    {"octile", "Octile distance",
+     "The exact cost between two cells on an empty grid with eight neighbours: diagonal steps as far as they "
+     "go, "
+     "then straight ones."},
+    {"euclidean", "Euclidean distance",
+     "The straight-line distance. Never more than the octile distance, so it misleads no search, but it "
+     "draws less "
+     "and more cells are expanded."},
+    {"chebyshev", "Chebyshev distance",
+     "The larger of the two differences of the coordinates: as if a diagonal step cost no more than a "
+     "straight "
+     "one."},
+    {"manhattan", "Manhattan distance",
+     "The sum of the differences of the coordinates: exact with four neighbours. With diagonal moves it "
+     "estimates "
+     "too much, and the path found may not be a shortest one."},
+    {"moves", "Neighbours",
+     "The cells that one move leads to: 8 with diagonals, 4 without (26 and 6 in 3D)."},
+    {"corners", "Corner rule",
+     "Which cells beside a diagonal move may be blocked: none (the robot never cuts a corner), at most one, "
+     "or any "
+     "(it may squeeze between two obstacles that touch)."},
+    {"sight", "Line of sight",
+     "Whether a straight line between two cells is clear: no cell that it crosses is an obstacle, or lies "
+     "near one "
+     "when clearance counts."},
+    {"supercover", "Supercover line",
+     "All cells that the segment touches. The strict rule: what is clear by it is free of obstacles."},
+    {"bresenham", "Bresenham line",
+     "The cells that a line-drawing algorithm fills. The rule of the DLD* Lite paper; it checks fewer cells, "
+     "and a "
+     "line may graze a corner that it does not look at."},
+    {"clearance", "Clearance",
+     "The distance to the nearest obstacle. Planners with clearance pay for cells that have little of it."},
+    {"clearance-range", "Clearance range", "How far from obstacles the penalty reaches, in cells."},
+    {"distance-transform", "Distance transform",
+     "The distance of every cell to its nearest obstacle, for all cells at once. After a change only the "
+     "cells "
+     "around it are worked out anew."},
+    {"chamfer", "Chamfer distance",
+     "A distance put together from steps of 1 and the square root of 2, in two passes over the map: the "
+     "octile "
+     "distance to the nearest obstacle, walls ignored."},
+    {"any-angle", "Any-angle path",
+     "A path whose straight segments may run in any direction, not only along the eight of the grid: "
+     "shorter, with "
+     "fewer turns."},
+    {"unchecked-parent", "Unchecked remote parent",
+     "A remote parent that the robot follows without anybody having looked whether the way is still clear. "
+     "Only with "
+     "remote parents as printed; it can lead into a wall."},
+    // A run
+    {"plan", "Plan",
+     "The path that the robot follows, and the search's values that it was read out of. It stands once the "
+     "search "
+     "has nothing left to do."},
+    {"replan", "Replan",
+     "What happens when the robot's map has changed: the planner takes in the changed cells and searches "
+     "until a "
+     "plan stands again."},
+    {"repair", "Repair",
+     "A replan that keeps what is still right and works out only the rest. The fewer vertices it touches "
+     "beside a "
+     "plan from scratch, the more the incremental search has saved."},
+    {"from-scratch", "Plan from scratch",
+     "Forgetting everything and planning on the map as it is now: what a repair is measured against."},
+    {"vertex", "Vertex", "A place that a path can go through: the centre of a free cell."},
+    {"surprise", "Surprise",
+     "A change of the world while the robot drives: obstacles that appear or go, at a step or when the robot "
+     "comes "
+     "near. It replans once it sees them, or at once if it is told."},
+    {"sensor", "Sensor",
+     "What the robot sees: cells within its radius. What differs from its map there is put right, and the "
+     "plan is "
+     "repaired."},
+    {"known", "The robot's map", "What the robot takes the world for. It plans on this map alone."},
+    {"truth", "The true world", "What really stands there, whether the robot knows it or not."},
+    {"moving-obstacle", "Moving obstacle",
+     "A box of cells that goes along a drawn way. It waits for the robot rather than run into it."},
+    {"robot-moves", "Moves", "How many cells the robot has entered."},
+    {"steps", "Steps", "The robot's clock: every move is a step, and so is every wait while it has no path."},
+    {"travelled", "Travelled",
+     "How far the robot has driven, in cells, along the straight segments of its paths."},
+    {"collision", "Collision",
+     "A plan led the robot into an obstacle that it knew or could see. It never happens with checked remote "
+     "parents."},
+    {"no-path", "No path",
+     "Nothing leads from the robot to the goal on its map. That is an answer, not an error: it waits, and "
+     "goes on "
+     "when a way opens."},
+    {"arrival", "Arrival", "The robot stands on the goal."},
+    // Figures of a path
+    {"nodes", "Nodes of a path",
+     "The corners of the path's polyline, both ends counted. Fewer nodes, fewer manoeuvres."},
+    {"length", "Path length",
+     "Measured along the path's straight segments, in cells; penalties are not in it."},
+    {"cost", "Path cost",
+     "What the search minimises: the moves of the path over the grid and the clearance penalties on it."},
+    {"turns", "Turns", "Inner corners where the path changes its heading."},
+    {"turning", "Turning", "The sum of all changes of heading along the path, in degrees."},
+    {"min-clearance", "Least clearance",
+     "From the path to the nearest obstacle's edge, at the narrowest place, in cells."},
+    {"mean-clearance", "Mean clearance",
+     "From the path to the nearest obstacle's edge, averaged over the path every tenth of a cell, in cells."},
+    {"plan-ms", "Time of the first plan",
+     "Wall time of the first search, in milliseconds. In the window every step is recorded meanwhile, which "
+     "a plain "
+     "run does not pay for."},
+    {"replan-ms", "Time of the replans",
+     "Wall time of all replans together, in milliseconds: taking in the changes, and the search."},
+    {"replans", "Replans", "How often the plan was repaired or made anew."},
+    // The debugger
+    {"event", "Event",
+     "One record of the log: a value that changed, a pseudo-code line that was passed, or something that "
+     "happened. "
+     "Each can be taken back, which is how the run goes backwards."},
+    {"log", "Log", "All events of a run in order. The same scenario gives the same log on every machine."},
+    {"position", "Position in the log",
+     "How many events lie before the playhead: 0 is before the first one. What is shown is the state after "
+     "that "
+     "many."},
+    {"key-frame", "Key frame",
+     "A whole state, kept every so many events, so that any position can be gone to without walking through "
+     "all "
+     "events from the beginning."},
+    {"record", "Record",
+     "The memory that the log and its key frames take: what it costs to be able to go back."},
+    {"code-line", "Pseudo-code line",
+     "The line of the published algorithm that the planner is at. Every event knows the line that made it."},
+    {"pop", "Taken from U",
+     "The cell with the smallest key leaves the open list, to be expanded or to go back with a newer key."},
+    {"breakpoint", "Breakpoint",
+     "A condition that the run stops at as soon as it comes true: an event, a code line, or values such as "
+     "g(12,40) > 30."},
+    {"watch", "Watch",
+     "A value that is drawn over the whole run as a small chart, so that its history is in sight."},
+    {"history", "History of a value",
+     "Every event that changed it, from the first to the last. A click goes there."},
+    {"last-writer", "Last written by",
+     "The latest event before the playhead that changed this value, and the line of pseudo-code that it came "
+     "from."},
+    {"invariant", "Invariant",
+     "A law that the planner's values must keep after every step, such as: a cell is in U exactly if g and "
+     "rhs "
+     "differ. The first step that breaks one is where a fault began."},
+    {"breach", "Breach", "A law that does not hold where it should: what is, and what should be."},
+    {"oracle", "Oracle",
+     "A second opinion: plain Dijkstra on the map as the robot knows it. The planner's plan must cost "
+     "exactly what "
+     "the oracle's does."},
+    {"difference", "First difference",
+     "The first event, expansion, cost or move in which two planners on the same world do not agree."},
+    {"lockstep", "Lockstep",
+     "Panes go on together: at every moment their robots have taken as many steps, or their searches as many "
+     "expansions."},
+    {"lead", "Leading pane", "The pane whose run the timeline and the tabs show. The other panes follow it."},
+    {"from-here", "Branch",
+     "An edit made while looking at the past: the run goes on from that moment, and the old future comes "
+     "back with "
+     "undo."},
+    {"trace", "Search trace",
+     "The log as a file for other programs: JSON Lines, or the format of the Posthoc visualiser."},
+    {"seed", "Seed",
+     "The number that chance is drawn from. The same seed gives the same world, on every machine."},
+};
+
+struct Alias {
+  std::string_view written, id;
+};
+constexpr Alias kAliases[] = {
+    {"U", "open-list"},
+    {"|U|", "open-list"},
+    {"queue", "open-list"},
+    {"open list", "open-list"},
+    {"in U", "rank"},
+    {"over", "overconsistent"},
+    {"under", "underconsistent"},
+    {"consistency", "state"},
+    {"as number", "order"},
+    {"expanded", "times"},
+    {"local parent", "lp"},
+    {"remote parent", "rp"},
+    {"path", "plan"},
+    {"range", "clearance-range"},
+    {"transform", "distance-transform"},
+    {"remote_parents", "rp"},
+    {"start", "s_start"},
+    {"last", "s_last"},
+    {"robot", "steps"},
+    {"line", "code-line"},
+    {"queue operations", "queue-operations"},
+    {"sight checks", "sight-checks"},
+    {"least clearance", "min-clearance"},
+    {"mean clearance", "mean-clearance"},
+    {"first plan", "plan-ms"},
+    {"path length", "length"},
+};
+
+}  // namespace
+
+std::span<const GlossaryTerm> glossary() {
+  return kTerms;
+}
+
+const GlossaryTerm* find_term(std::string_view id) {
+  for (const Alias& alias : kAliases)
+    if (alias.written == id) id = alias.id;
+  const auto* const found = std::find_if(std::begin(kTerms), std::end(kTerms),
+                                         [&](const GlossaryTerm& term) { return term.id == id; });
+  return found == std::end(kTerms) ? nullptr : found;
+}
+
+}  // namespace replan

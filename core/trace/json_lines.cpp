@@ -1,0 +1,227 @@
+#include "core/trace/json_lines.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "core/plan/planner.hpp"
+#include "core/sim/mission.hpp"
+#include "core/trace/trace_text.hpp"
+
+namespace replan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json settings_json(const LogView& view) {
+  Json result = Json::object();
+  for (const Parameter& parameter : view.info.parameters) {
+    const double value = view.settings.get(parameter);
+    Json& setting = result[std::string(parameter.key)];
+    if (parameter.type == ParameterType::choice)
+      setting = format_value(parameter, value);
+    else if (parameter.type == ParameterType::toggle)
+      setting = value != 0;
+    else
+      setting = value;
+  }
+  return result;
+}
+
+void boolean(std::string& out, bool value) {
+  out += value ? "true" : "false";
+}
+
+void cost(std::string& out, Cost cost) {
+  if (cost.is_infinite())
+    out += "\"inf\"";
+  else
+    append_cost(out, cost);
+}
+
+Cost as_cost(std::uint64_t raw) {
+  return {static_cast<std::int64_t>(raw)};
+}
+
+}  // namespace
+
+JsonLines::JsonLines(const TraceRun& run) : run_(run), initial_(run.view.log.state_at(0)) {}
+
+/// The opening, a row each of the two maps, and the end of the line.
+std::size_t JsonLines::head_parts() const {
+  return 2 + 2 * static_cast<std::size_t>(run_.view.lattice.height());
+}
+
+void JsonLines::head(std::string& out, std::size_t part) {
+  if (part == 0) return opening(out);
+  const auto rows = static_cast<std::size_t>(run_.view.lattice.height());
+  if (part == head_parts() - 1) return moving(out);
+  row(out, static_cast<int>((part - 1) % rows), part <= rows);
+}
+
+void JsonLines::opening(std::string& out) const {
+  const LogView& view = run_.view;
+  const Json head = {{"format", "replan-trace"},           {"version", kTraceVersion},
+                     {"scenario", run_.scenario},          {"planner", view.info.id},
+                     {"settings", settings_json(view)},    {"width", view.lattice.width()},
+                     {"height", view.lattice.height()},    {"start", {run_.start.x, run_.start.y}},
+                     {"goal", {run_.goal.x, run_.goal.y}}, {"events", view.log.size()}};
+  out += head.dump(-1, ' ', false, Json::error_handler_t::replace);
+  out.back() = ',';  // the maps are still to come
+}
+
+void JsonLines::row(std::string& out, int y, bool known) const {
+  if (y == 0) out += known ? "\"known\":[" : "\"walls\":[";
+  out += '"';
+  for (int x = 0; x < run_.view.lattice.width(); ++x) {
+    const NodeId node = run_.view.lattice.node(Cell{x, y});
+    out += (known ? initial_.known_blocked(node) : initial_.wall(node)) ? '@' : '.';
+  }
+  out += y + 1 == run_.view.lattice.height() ? "\"]," : "\",";
+}
+
+/// What moves: [x, y, how many of them] for each cell.
+void JsonLines::moving(std::string& out) const {
+  out += "\"moving\":[";
+  const std::size_t begin = out.size();
+  for (NodeId node = 0; node < initial_.node_count(); ++node) {
+    if (!initial_.moving(node)) continue;
+    if (out.size() > begin) out += ',';
+    const Cell at = run_.view.lattice.position(node);
+    out += '[';
+    append_whole(out, at.x);
+    out += ',';
+    append_whole(out, at.y);
+    out += ',';
+    append_whole(out, initial_.value(EventKind::truth, node) >> 1);
+    out += ']';
+  }
+  out += "]}\n";
+}
+
+void JsonLines::cell(std::string& out, NodeId node) const {
+  if (node >= run_.view.lattice.node_count()) {
+    out += "null";
+    return;
+  }
+  const Cell at = run_.view.lattice.position(node);
+  out += '[';
+  append_whole(out, at.x);
+  out += ',';
+  append_whole(out, at.y);
+  out += ']';
+}
+
+void JsonLines::event(std::string& out, std::size_t index, const Event& event, const SearchState& state) {
+  out += "{\"event\":";
+  append_whole(out, index);
+  out += ",\"line\":";
+  append_whole(out, event.line);
+  out += ",\"kind\":\"";
+  out += event_name(event.kind);
+  if (event.kind == EventKind::scalar) {
+    out += "\",\"name\":\"";
+    out += scalar_name(static_cast<Scalar>(event.node));
+    out += '"';
+  } else {
+    out += "\",\"cell\":";
+    cell(out, event.node);
+  }
+  if (event.changes_value()) {
+    const std::uint64_t before = state.value(event.kind, event.node);
+    out += ",\"before\":";
+    value(out, event, before);
+    out += ",\"after\":";
+    value(out, event, before ^ event.delta);
+  } else {
+    payload(out, event);
+  }
+  out += "}\n";
+}
+
+/// A raw value as its kind means it.
+void JsonLines::value(std::string& out, const Event& event, std::uint64_t raw) const {
+  switch (event.kind) {
+    case EventKind::g:
+    case EventKind::rhs:
+    case EventKind::dist:
+      return cost(out, as_cost(raw));
+    case EventKind::queue:
+      if (raw == 0)
+        out += "null";
+      else
+        cost(out, as_cost(raw - 1));
+      return;
+    case EventKind::lp:
+    case EventKind::rp:
+      return cell(out, static_cast<NodeId>(raw) - 1u);
+    case EventKind::visit:
+      out += "{\"order\":";
+      append_whole(out, static_cast<std::uint32_t>(raw));
+      out += ",\"times\":";
+      append_whole(out, raw >> 32);
+      out += '}';
+      return;
+    case EventKind::known:
+      return boolean(out, raw != 0);
+    case EventKind::truth:
+      out += "{\"wall\":";
+      boolean(out, (raw & 1) != 0);
+      out += ",\"moving\":";
+      append_whole(out, raw >> 1);
+      out += '}';
+      return;
+    default:
+      break;
+  }
+  switch (static_cast<Scalar>(event.node)) {
+    case Scalar::km:
+      return cost(out, as_cost(raw));
+    case Scalar::moves:
+    case Scalar::replans:
+      append_whole(out, raw);
+      return;
+    default:
+      return cell(out, static_cast<NodeId>(raw) - 1u);
+  }
+}
+
+/// What an event says that changes no value.
+void JsonLines::payload(std::string& out, const Event& event) const {
+  const auto with = [&out](const char* key) { ((out += ",\"") += key) += "\":"; };
+  switch (event.kind) {
+    case EventKind::sight:
+      with("target");
+      cell(out, static_cast<NodeId>(event.delta & 0xFFFFFFFFu));
+      with("clear");
+      return boolean(out, event.delta >> 32 != 0);
+    case EventKind::unchecked:
+      with("target");
+      return cell(out, static_cast<NodeId>(event.delta & 0xFFFFFFFFu));
+    case EventKind::plan_begin:
+      with("replan");
+      return append_whole(out, event.delta);
+    case EventKind::plan_end:
+      with("status");
+      ((out += '"') += status_name(static_cast<PlanStatus>(event.delta))) += '"';
+      return;
+    case EventKind::sensed:
+    case EventKind::forgotten:
+      with("blocked");
+      return boolean(out, event.delta != 0);
+    case EventKind::surprise:
+      with("number");
+      return append_whole(out, event.delta);
+    case EventKind::waiting:
+      with("steps");
+      return append_whole(out, event.delta);
+    case EventKind::gave_up:
+      with("why");
+      ((out += '"') += mission_state_name(static_cast<MissionState>(event.delta))) += '"';
+      return;
+    default:
+      return;
+  }
+}
+
+void JsonLines::tail(std::string&, const SearchState&) {}
+
+}  // namespace replan

@@ -1,0 +1,28 @@
+// The words and numbers of the trace formats.
+#pragma once
+
+#include <charconv>
+#include <concepts>
+#include <string>
+#include <string_view>
+
+#include "core/base/cost.hpp"
+#include "core/trace/event.hpp"
+
+namespace replan {
+
+/// The fixed name of a kind in files: "rhs", "plan_begin".
+std::string_view event_name(EventKind kind);
+/// The fixed name of a value of the run: "km", "robot".
+std::string_view scalar_name(Scalar scalar);
+
+void append_whole(std::string& out, std::integral auto number) {
+  char digits[24];
+  out.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+}
+
+/// A finite cost in cells, with as many decimals as it takes, ten at most: the number times 2^30, rounded, is
+/// the cost again. (A reader that holds numbers as doubles has it exactly up to 4 million cells.)
+void append_cost(std::string& out, Cost cost);
+
+}  // namespace replan
