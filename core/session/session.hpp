@@ -142,8 +142,8 @@ class Session {
   }
   void restart_runs();
   void rebase_runs(const std::shared_ptr<const Scenario>& scenario, std::size_t common);
-  [[nodiscard]] std::shared_ptr<const Scenario> take_back(const Scenario& from);
-  [[nodiscard]] std::shared_ptr<const Scenario> bring_back(const Scenario& from);
+  [[nodiscard]] std::shared_ptr<const Scenario> take_back(const Scenario& from, Moment now);
+  [[nodiscard]] std::shared_ptr<const Scenario> bring_back(const Scenario& from, Moment now);
   void commit_movers(std::string label, std::uint64_t stroke, std::vector<MovingObstacle> movers);
   [[nodiscard]] bool under_way() const;
   Result<void> edit_script(std::string label, std::uint64_t stroke, Surprise surprise);

@@ -44,11 +44,11 @@ bool Session::arrive() {
   return moved;
 }
 
-/// The last edit undone in `from`; it can be brought back afterwards.
-std::shared_ptr<const Scenario> Session::take_back(const Scenario& from) {
+/// The last edit undone in `from`; it can be brought back afterwards, and then to the moment `now`.
+std::shared_ptr<const Scenario> Session::take_back(const Scenario& from, Moment now) {
   Edit edit = std::move(undo_.back());
   undo_.pop_back();
-  edit.undone = moment();
+  edit.undone = std::move(now);
   auto scenario = std::make_shared<Scenario>(*edit.rest_before);
   scenario->map.blocked = edit.map_before.empty() ? from.map.blocked : edit.map_before;
   // Backwards: a cell may have been written several times in one stroke.
@@ -59,9 +59,10 @@ std::shared_ptr<const Scenario> Session::take_back(const Scenario& from) {
   return scenario;
 }
 
-std::shared_ptr<const Scenario> Session::bring_back(const Scenario& from) {
+std::shared_ptr<const Scenario> Session::bring_back(const Scenario& from, Moment now) {
   Edit edit = std::move(redo_.back());
   redo_.pop_back();
+  edit.left = std::move(now);
   auto scenario = std::make_shared<Scenario>(*edit.rest_after);
   scenario->map.blocked = edit.map_after.empty() ? from.map.blocked : edit.map_after;
   for (const CellValue& each : edit.cells) scenario->map.blocked[each.cell] = each.after;
@@ -73,7 +74,7 @@ std::shared_ptr<const Scenario> Session::bring_back(const Scenario& from) {
 Result<void> Session::run_command(const Undo&) {
   if (undo_.empty()) return Error{"there is nothing to undo"};
   say("undo: " + undo_.back().label);
-  replace(take_back(*scenario_));
+  replace(take_back(*scenario_, moment()));
   return_to(redo_.back().left);
   return {};
 }
@@ -81,7 +82,7 @@ Result<void> Session::run_command(const Undo&) {
 Result<void> Session::run_command(const Redo&) {
   if (redo_.empty()) return Error{"there is nothing to redo"};
   say("redo: " + redo_.back().label);
-  replace(bring_back(*scenario_));
+  replace(bring_back(*scenario_, moment()));
   return_to(undo_.back().undone);
   return {};
 }
@@ -91,11 +92,19 @@ Result<void> Session::run_command(const GoToHistory& command) {
   if (command.position == undo_.size()) return {};
   const bool back = command.position < undo_.size();
   std::shared_ptr<const Scenario> scenario = scenario_;
-  while (undo_.size() > command.position) scenario = take_back(*scenario);
-  while (undo_.size() < command.position) scenario = bring_back(*scenario);
+  // On the way each edit leads to the moment at which it was left when it was there last.
+  Moment now = moment();
+  while (undo_.size() > command.position) {
+    scenario = take_back(*scenario, std::move(now));
+    now = redo_.back().left;
+  }
+  while (undo_.size() < command.position) {
+    scenario = bring_back(*scenario, std::move(now));
+    now = undo_.back().undone;
+  }
   say(undo_.empty() ? "back to the beginning" : (back ? "back to: " : "on to: ") + undo_.back().label);
   replace(std::move(scenario));
-  return_to(back ? redo_.back().left : undo_.back().undone);
+  return_to(std::move(now));
   return {};
 }
 

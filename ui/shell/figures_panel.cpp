@@ -47,7 +47,7 @@ const Row kRunRows[] = {
     {"first plan", "ms", "Wall time, while every step is being recorded; planning without a record is several times as fast.", [](Figures, const replan::Mark& m, const Run&) { return milliseconds(m.figures.plan_ms); }},
     {"replans", "ms", "Wall time of all replans together, while every step is being recorded.", [](Figures, const replan::Mark& m, const Run&) { return milliseconds(m.figures.replan_ms); }},
     {"replans", "", "How often the plan was repaired or made anew.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.replans); }},
-    {"record", "", "Memory of the run's log and its key frames, which is what stepping back costs.", [](Figures, const replan::Mark&, const Run& r) { return bytes_text(r.timeline().log_bytes() + r.timeline().frame_bytes()); }},
+    {"record", "", "Memory of the run's log and its key frames, which is what stepping back costs. Beyond 1 GiB for all panes together the oldest stretches are dropped, and planned once more when you go there.", [](Figures, const replan::Mark&, const Run& r) { return bytes_text(r.timeline().log_bytes() + r.timeline().frame_bytes()); }},
 };
 const Row kRobotRows[] = {
     {"moves", "", "Cells that the robot has entered.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.moves); }},

@@ -1,0 +1,94 @@
+// Missions drawn from a seed: surprises, moving obstacles, sensors of every kind.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/world/scenario.hpp"
+#include "tests/support/worlds.hpp"
+
+namespace replan::test {
+
+inline Cell random_cell(Random& random, const GridMap& map) {
+  return {random.between(0, map.width - 1), random.between(0, map.height - 1)};
+}
+
+inline Surprise random_surprise(Random& random, const GridMap& map) {
+  Surprise surprise;
+  if (random.chance(0.7)) {
+    surprise.at.move = random.between(0, 30);
+  } else {
+    surprise.at.near = random_cell(random, map);
+    surprise.at.within = 6 * random.unit();
+  }
+  surprise.announced = random.chance(0.3);
+  if (random.chance(0.1)) surprise.goal = random_cell(random, map);
+  if (random.chance(0.1)) surprise.robot = random_cell(random, map);
+  const Cell low = random_cell(random, map);
+  const Cell high{std::min(map.width - 1, low.x + random.between(0, 4)),
+                  std::min(map.height - 1, low.y + random.between(0, 4))};
+  const bool blocked = random.chance(0.6);
+  for (int y = low.y; y <= high.y; ++y)
+    for (int x = low.x; x <= high.x; ++x) surprise.cells.push_back({{x, y}, blocked});
+  return surprise;
+}
+
+inline MovingObstacle random_mover(Random& random, const GridMap& map) {
+  constexpr double kSpeeds[] = {0.3, 1, 2, 4, 11};
+  MovingObstacle mover;
+  for (int corners = random.between(1, 4); corners > 0; --corners)
+    mover.way.push_back(random_cell(random, map));
+  mover.width = random.between(1, 3);
+  mover.height = random.between(1, 3);
+  mover.speed = kSpeeds[random.below(5)];
+  mover.at_end = static_cast<WayEnd>(random.below(3));
+  if (random.chance(0.3)) mover.from = random.between(0, 20);
+  return mover;
+}
+
+/// A small world with everything that can happen in one, and one planner with any settings.
+inline Scenario random_scenario(Random& random, const PlannerInfo& info) {
+  constexpr double kRadii[] = {0, 1, 1.5, 2, 3, 4.5, 6, 10, 40};
+  constexpr double kSpeeds[] = {0.5, 2, 4, 20};
+  Scenario scenario;
+  const auto size = random_size<2>(random, {4, 3}, {20, 16});
+  scenario.map = GridMap(size[0], size[1]);
+  scenario.map.blocked = random_cells<2>(random, size);
+  for (std::uint8_t& cell : scenario.map.blocked)
+    if (cell != 0 && random.chance(0.1)) cell = kUnmapped;
+  scenario.start = random_cell(random, scenario.map);
+  scenario.goal = random_cell(random, scenario.map);
+  if (random.chance(0.9)) {
+    scenario.map.set(scenario.start, false);
+    scenario.map.set(scenario.goal, false);
+  }
+  scenario.robot = {.knowledge = static_cast<Knowledge>(random.below(3)),
+                    .sensor_radius = kRadii[random.below(9)],
+                    .sensor_blocked = random.chance(0.5),
+                    .motion = static_cast<Motion>(random.below(2)),
+                    .speed = kSpeeds[random.below(4)],
+                    .patience = random.chance(0.5) ? 10.0 : 40.0};
+  for (int n = random.between(0, 4); n > 0; --n)
+    scenario.surprises.push_back(random_surprise(random, scenario.map));
+  for (int n = random.between(0, 4); n > 0; --n)
+    scenario.movers.push_back(random_mover(random, scenario.map));
+  scenario.planners = {{std::string(info.id), random_settings(random, info)}};
+  return scenario;
+}
+
+inline std::vector<const PlannerInfo*> every_planner() {
+  std::vector<const PlannerInfo*> all;
+  for (const PlannerInfo& info : planners()) all.push_back(&info);
+  return all;
+}
+/// Of a test that runs for every planner.
+inline std::string planner_test_name(const ::testing::TestParamInfo<const PlannerInfo*>& param) {
+  std::string name(param.param->id);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+}  // namespace replan::test
