@@ -29,7 +29,7 @@ void Session::return_to(Moment moment) {
 /// Puts the cursors where they were as soon as the runs have come that far. True if one has moved.
 bool Session::arrive() {
   if (!returning_) return false;
-  bool there = true, moved = false;
+  bool there = true, moved = false, longer = false;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     Timeline& log = runs_[i]->timeline();
     const std::size_t cursor = std::min(returning_->cursors[i], log.size());
@@ -38,8 +38,10 @@ bool Session::arrive() {
       moved = true;
     }
     if (log.size() < returning_->lengths[i] && runs_[i]->busy()) there = false;
+    // An edit that made no difference: the run has gone on since.
+    if (log.size() > returning_->lengths[i]) longer = true;
   }
-  follow_ = returning_->follow;
+  follow_ = returning_->follow && !longer;
   if (there) returning_.reset();
   return moved;
 }
