@@ -41,7 +41,7 @@ Scenario built_in_world() {
   for (int y = 7; y < 24; ++y) scenario.map.set({23, y}, true);
   scenario.start = {3, 12};
   scenario.goal = {32, 12};
-  scenario.planners = {{.id = std::string(planners().back().id), .settings = {}}};
+  scenario.planners = {{.id = std::string(sound_planners().back().id), .settings = {}}};
   return scenario;
 }
 

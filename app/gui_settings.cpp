@@ -55,9 +55,9 @@ Remembered read_settings(const std::string& path) {
   result.view.brush = whole(json, "brush", 1, 64, 1);
   result.view.editing.round = whole(json, "round_brush", 0, 1, 0) != 0;
   result.view.tab = whole(json, "tab", ui::kPlannerTab, ui::kLogTab, ui::kCellTab);
-  result.side_width = static_cast<float>(number(json, "side_width", 280, 640, result.side_width));
+  result.side_width = static_cast<float>(number(json, "side_width", 340, 640, result.side_width));
   result.caption = flag(json, "caption", true);
-  result.unit = static_cast<StepUnit>(whole(json, "step_unit", 0, 3, static_cast<int>(result.unit)));
+  result.unit = static_cast<StepUnit>(whole(json, "step_unit", 0, 4, static_cast<int>(result.unit)));
   result.speed = number(json, "speed", 0.1, Session::kFullSpeed, result.speed);
   return result;
 }

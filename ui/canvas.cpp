@@ -167,11 +167,14 @@ void Canvas::Parts::point(const Session& session, const Run& run, ViewState& sta
     if (hovered && state.view.hovered == hovered) state.view.hovered.reset();
     hovered.reset();
   }
+  // The right button erases; with Shift it asks for the cell's menu instead.
+  const bool menu = ImGui::GetIO().KeyShift && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+  if (menu && inside && !hand.busy()) state.menu = cell;
   const double radius = 9 * state.view.scale / screen.camera.zoom;
   const Pointer pointer{.cell = cell,
                         .inside = inside,
                         .left_pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Left),
-                        .right_pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Right),
+                        .right_pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Right) && !menu,
                         .left_down = ImGui::IsMouseDown(ImGuiMouseButton_Left),
                         .right_down = ImGui::IsMouseDown(ImGuiMouseButton_Right),
                         .reach = std::max(0.5, radius)};

@@ -26,6 +26,7 @@ struct ViewState {
   bool panels = true;  ///< side panel and tool strip shown
   int tab = 1;         ///< chosen side tab
   bool legend = true;
+  std::optional<Cell> menu;  ///< the cell whose menu is asked for
   bool live = true;  ///< a window; else a picture, which shows no wall times and waits for what is worked out
 };
 

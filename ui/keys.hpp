@@ -32,6 +32,7 @@ inline constexpr int kRightShift = 344;
 inline constexpr int kRightControl = 345;
 inline constexpr int kRightAlt = 346;
 inline constexpr int kRightSuper = 347;
+inline constexpr int kMenu = 348;
 inline constexpr int kCount = 349;
 
 /// Tells ImGui which numbers its own navigation and text fields listen to.

@@ -95,9 +95,10 @@ struct KeyValue {
   ImU32 colour = 0;     ///< of the value; 0: text
   bool strong = false;  ///< semibold
 };
-/// Pairs in `columns` columns, filled row by row.
-void key_values(const Look& look, std::span<const KeyValue> pairs, int columns = 2,
-                Align align = Align::left);
+/// Pairs in `columns` columns, filled row by row. Returns the number of the one under the mouse, -1 for none; it is
+/// the last item, and lit if `live`.
+int key_values(const Look& look, std::span<const KeyValue> pairs, int columns = 2,
+               Align align = Align::left, bool live = false);
 
 struct Column {
   const char* name;
@@ -109,18 +110,37 @@ struct TableCell {
   ImU32 colour = 0;
   bool strong = false;
 };
-void table_header(const Look& look, std::span<const Column> columns);
+/// Returns the number of the column under the mouse, -1 for none; the header is the last item.
+int table_header(const Look& look, std::span<const Column> columns);
 /// One row of fixed height (fits ImGuiListClipper); returns whether it was clicked.
 bool table_row(const Look& look, int id, std::span<const Column> columns, std::span<const TableCell> cells,
                bool selected = false);
+
+/// Rows of equal height that scroll by their number: ImGui's scroll positions are floats, too coarse for a
+/// million rows. `first` is the row at the top and may lie between two.
+struct RowScroll {
+  double first = 0;
+};
+/// The rows that are to be drawn, [first, last).
+struct RowsInSight {
+  std::size_t first = 0, last = 0;
+};
+/// Begins a list of `count` rows of Metrics::row, `height` pixels high; 0: the rest of the window. Draw the
+/// rows in sight, with table_row() or as high, then end_rows().
+RowsInSight begin_rows(const Look& look, const char* id, std::size_t count, float height, RowScroll& scroll);
+void end_rows();
+/// Scrolls as little as is needed for the row to be in sight; `height` as for begin_rows().
+void reveal_row(const Look& look, std::size_t row, std::size_t count, float height, RowScroll& scroll);
 
 struct CodeLine {
   int number = 0;
   std::string_view text;
   bool current = false;
   bool breakpoint = false;
+  bool reached = true;
 };
-/// A line of pseudo-code; returns whether it was clicked (to set a breakpoint).
+/// A line of pseudo-code; returns whether it was clicked in its gutter (to set a breakpoint). Nothing is
+/// clicked in a line that is not `reached`; it stands back.
 bool code_line(const Look& look, const CodeLine& line);
 
 /// A dot and its text: a verdict in the status bar.
@@ -147,6 +167,12 @@ struct SliderSpec {
 };
 /// A label, its value with unit, and a track; a click on the value lets it be typed. Whether it changed.
 bool slider(const Look& look, const SliderSpec& spec, double& value, const Hint& what = {});
+
+/// A field for an expression, in the face of numbers; its text is red while `bad`. Whether Enter was pressed.
+bool code_field(const Look& look, const char* id, const char* placeholder, std::string& text, float width,
+                bool bad);
+/// Words that can be clicked, in the accent's colour.
+bool link(const Look& look, const char* id, std::string_view words, const ImFont* font);
 
 /// A one-line text field with an icon, a hint inside it and the key that leads to it.
 bool search_box(const Look& look, const char* id, const char* placeholder, const char* keys,

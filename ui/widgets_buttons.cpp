@@ -123,14 +123,20 @@ bool tabs(const Look& look, const char* id, std::span<const char* const> names, 
   list.AddRectFilled({origin.x, bottom - look.px.hair}, {origin.x + ImGui::GetContentRegionAvail().x, bottom},
                      look.theme.line);
   const int before = current;
-  float x = origin.x + look.px(10);
+  float words = 0;
+  for (const char* name : names) words += text_width(look.fonts.ui, name);
+  // As much space between them as there is room for.
+  const float room = ImGui::GetContentRegionAvail().x - look.px(16) - words;
+  const float gap =
+      std::clamp(std::floor(room / (2 * static_cast<float>(names.size()))), look.px(3), look.px(10));
+  float x = origin.x + look.px(8);
   for (int i = 0; i < static_cast<int>(names.size()); ++i) {
     const char* name = names[static_cast<std::size_t>(i)];
     ImGui::SetCursorScreenPos({x, origin.y});
-    const Pressed area = press(name, {text_width(look.fonts.ui, name) + look.px(20), height}, true);
+    const Pressed area = press(name, {text_width(look.fonts.ui, name) + 2 * gap, height}, true);
     if (area.clicked) current = i;
     const ImU32 colour = i == current || area.hovered ? look.theme.text : look.theme.dim;
-    draw_text(list, look.fonts.ui, {x + look.px(10), origin.y + look.px(14)}, colour, name);
+    draw_text(list, look.fonts.ui, {x + gap, origin.y + look.px(14)}, colour, name);
     if (i == current) list.AddRectFilled({area.min.x, bottom - look.px(2)}, area.max, look.theme.accent);
     x = area.max.x;
   }

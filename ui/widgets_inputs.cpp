@@ -191,6 +191,20 @@ bool combo(const Look& look, const char* id, std::span<const char* const> items,
   return current != before;
 }
 
+bool code_field(const Look& look, const char* id, const char* placeholder, std::string& text, float width,
+                bool bad) {
+  const float vertical = (look.px.control - look.fonts.mono->FontSize) * 0.5f;
+  ImGui::PushFont(look.fonts.mono);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(10), vertical));
+  if (bad) ImGui::PushStyleColor(ImGuiCol_Text, look.theme.bad);
+  ImGui::SetNextItemWidth(width);
+  const bool entered = ImGui::InputTextWithHint(id, placeholder, &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (bad) ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+  return entered;
+}
+
 bool search_box(const Look& look, const char* id, const char* placeholder, const char* keys,
                 std::string& text, float width) {
   const float vertical = (look.px(26) - look.fonts.ui->FontSize) * 0.5f;

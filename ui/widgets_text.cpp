@@ -76,6 +76,20 @@ void paragraph(const ImFont* font, ImU32 colour, std::string_view text_to_wrap) 
   ImGui::PopTextWrapPos();
 }
 
+bool link(const Look& look, const char* id, std::string_view words, const ImFont* font) {
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float width = text_width(font, words);
+  const bool clicked = ImGui::InvisibleButton(id, {std::max(width, 1.0f), font->FontSize});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_text(list, font, origin, look.theme.accent, words);
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    const float y = origin.y + font->FontSize;
+    list.AddRectFilled({origin.x, y}, {origin.x + width, y + look.px.hair}, look.theme.accent);
+  }
+  return clicked;
+}
+
 void key_chip(const Look& look, const char* keys) {
   const ImFont* font = look.fonts.small;
   // As high as a line of text, drawn a pixel over it, so that it stands beside text without moving it.

@@ -48,38 +48,47 @@ void for_columns(const Look& look, std::span<const Column> columns, float left, 
 
 }  // namespace
 
-void key_values(const Look& look, std::span<const KeyValue> pairs, int columns, Align align) {
+int key_values(const Look& look, std::span<const KeyValue> pairs, int columns, Align align, bool live) {
   const float row = look.px(22);
   const float width = ImGui::GetContentRegionAvail().x / static_cast<float>(std::max(columns, 1));
-  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const int lines = (static_cast<int>(pairs.size()) + columns - 1) / std::max(columns, 1);
+  const ImVec2 origin = ImGui::GetCursorScreenPos(), mouse = ImGui::GetIO().MousePos;
+  ImGui::Dummy({ImGui::GetContentRegionAvail().x, static_cast<float>(lines) * row});
+  int hovered = -1;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto column = static_cast<float>(static_cast<int>(i) % columns);
     const auto line = static_cast<float>(static_cast<int>(i) / columns);
-    const float left = origin.x + column * width;
+    const float left = origin.x + column * width, top = origin.y + line * row;
     const float middle = left + width * 0.5f;
     const float right = left + width - look.px.xs;
-    const float y = origin.y + line * row + (row - look.fonts.mono->FontSize) * 0.5f;
+    const float y = top + (row - look.fonts.mono->FontSize) * 0.5f;
+    const bool inside = mouse.x >= left && mouse.x < left + width && mouse.y >= top && mouse.y < top + row;
+    if (inside && ImGui::IsItemHovered()) hovered = static_cast<int>(i);
+    if (live && hovered == static_cast<int>(i))
+      list.AddRectFilled({left - look.px.xs, top}, {right, top + row}, look.theme.hover, look.px(4));
     draw_between(list, look.fonts.mono, left, middle - look.px.xs, y, Align::left, look.theme.dim,
                  pairs[i].key);
     draw_between(list, figures(look, pairs[i].strong), middle, right, y, align,
                  colour_or(pairs[i].colour, look.theme.text), pairs[i].value);
   }
-  const int lines = (static_cast<int>(pairs.size()) + columns - 1) / std::max(columns, 1);
-  ImGui::Dummy({ImGui::GetContentRegionAvail().x, static_cast<float>(lines) * row});
+  return hovered;
 }
 
-void table_header(const Look& look, std::span<const Column> columns) {
+int table_header(const Look& look, std::span<const Column> columns) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float y = origin.y + (look.px.row - look.fonts.mono->FontSize) * 0.5f;
+  int at = -1;
   for_columns(look, columns, origin.x, width, [&](std::size_t i, float left, float right) {
     draw_between(list, look.fonts.mono, left, right, y, columns[i].align, look.theme.faint, columns[i].name);
+    if (ImGui::GetIO().MousePos.x >= left && ImGui::GetIO().MousePos.x < right) at = static_cast<int>(i);
   });
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::Dummy({width, look.px.row});
   ImGui::PopStyleVar();
+  return ImGui::IsItemHovered() ? at : -1;
 }
 
 bool table_row(const Look& look, int id, std::span<const Column> columns, std::span<const TableCell> cells,
@@ -110,30 +119,39 @@ bool code_line(const Look& look, const CodeLine& line) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const float height = look.px(20);
+  const float gutter = look.px(34);
   ImGui::PushID(line.number);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-  const bool clicked = ImGui::InvisibleButton("line", {std::max(width, 1.0f), height});
+  const bool pressed = ImGui::InvisibleButton("line", {std::max(width, 1.0f), height});
   ImGui::PopStyleVar();
   ImGui::PopID();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float bottom = origin.y + height;
-  if (line.current || ImGui::IsItemHovered()) {
+  const bool hovered = line.reached && ImGui::IsItemHovered();
+  const bool in_gutter = line.reached && ImGui::GetIO().MousePos.x < origin.x + gutter;
+  if (line.current || hovered) {
     list.AddRectFilled(origin, {origin.x + width, bottom},
                        line.current ? look.theme.selected : look.theme.hover);
   }
   if (line.current) list.AddRectFilled(origin, {origin.x + look.px(3), bottom}, look.theme.accent);
   const float y = origin.y + (height - look.fonts.mono->FontSize) * 0.5f;
-  if (line.breakpoint) {
-    list.AddCircleFilled({origin.x + look.px(30), origin.y + height * 0.5f}, look.px(3), look.theme.bad);
+  if (line.breakpoint || (hovered && in_gutter)) {
+    const ImVec2 dot(origin.x + look.px(30), origin.y + height * 0.5f);
+    list.AddCircleFilled(dot, look.px(line.breakpoint ? 4 : 3),
+                         line.breakpoint ? look.theme.bad : with_alpha(look.theme.bad, 0.45f));
   }
   std::array<char, 16> digits{};
   const char* end = std::to_chars(digits.data(), digits.data() + digits.size(), line.number).ptr;
   const std::string_view number(digits.data(), static_cast<std::size_t>(end - digits.data()));
-  draw_between(list, look.fonts.mono, origin.x, origin.x + look.px(24), y, Align::right, look.theme.faint,
-               number);
-  draw_text(list, look.fonts.mono, {origin.x + look.px(36), y},
-            line.current ? look.theme.text : look.theme.dim, line.text);
-  return clicked;
+  const ImU32 back = mix(look.theme.panel, look.theme.faint, 0.75f);
+  draw_between(list, look.fonts.mono, origin.x, origin.x + look.px(24), y, Align::right,
+               line.reached ? look.theme.faint : back, number);
+  draw_text(list, look.fonts.mono, {origin.x + look.px(38), y},
+            line.current    ? look.theme.text
+            : !line.reached ? back
+                            : look.theme.dim,
+            line.text);
+  return pressed && in_gutter;
 }
 
 void status(const Look& look, ImU32 colour, std::string_view words) {

@@ -77,7 +77,7 @@ Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids,
   std::vector<PlannerChoice> result;
   for (const std::string& id : ids) {
     if (id == "all") {
-      for (const PlannerInfo& info : planners()) result.push_back({std::string(info.id), {}});
+      for (const PlannerInfo& info : sound_planners()) result.push_back({std::string(info.id), {}});
       continue;
     }
     const auto info = require_planner(id);

@@ -7,6 +7,7 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
 #include "core/base/file.hpp"
+#include "core/plan/glossary.hpp"
 #include "core/plan/registry.hpp"
 #include "core/scene/view.hpp"
 #include "core/world/generator_list.hpp"
@@ -60,6 +61,7 @@ Result<Listing> list_planners() {
                                         {"incremental", info.incremental},
                                         {"any_angle", info.any_angle},
                                         {"clearance", info.clearance},
+                                        {"exercise", info.exercise},
                                         {"settings", std::move(settings)}});
   }
   listing.text = table.text();
@@ -148,6 +150,17 @@ Result<Listing> list_maps() {
   return listing;
 }
 
+Result<Listing> list_terms() {
+  constexpr std::size_t kIndent = 4;
+  Listing listing;
+  for (const GlossaryTerm& term : glossary()) {
+    listing.text +=
+        std::string(term.title) + "\n" + std::string(kIndent, ' ') + wrapped(term.text, kIndent) + "\n";
+    listing.json["terms"].push_back({{"id", term.id}, {"title", term.title}, {"text", term.text}});
+  }
+  return listing;
+}
+
 struct Kind {
   std::string_view name;
   Result<Listing> (*list)();
@@ -155,7 +168,8 @@ struct Kind {
 constexpr Kind kKinds[] = {{"planners", list_planners},
                            {"maps", list_maps},
                            {"overlays", list_overlays},
-                           {"generators", list_generators}};
+                           {"generators", list_generators},
+                           {"terms", list_terms}};
 
 Result<int> list(const std::string& what, bool json) {
   std::vector<std::string_view> names;
@@ -168,7 +182,7 @@ Result<int> list(const std::string& what, bool json) {
     return kDone;
   }
   return Error{"cannot list '" + what + "'" +
-               suggestion(what, names, "; give planners, maps, overlays or generators")};
+               suggestion(what, names, "; give planners, maps, overlays, generators or terms")};
 }
 
 std::string footer() {
@@ -176,7 +190,9 @@ std::string footer() {
          "  replan list planners\n"
          "      Each planner's id, as --planner takes it, and what it does.\n"
          "  replan list overlays --json\n"
-         "      What 'replan render --overlay' can draw, for a program.\n\n" +
+         "      What 'replan render --overlay' can draw, for a program.\n"
+         "  replan list terms\n"
+         "      What g, rhs, km and the other words of the window mean.\n\n" +
          settings_help();
 }
 
@@ -187,10 +203,10 @@ Command add_list(CLI::App& program) {
     std::string what;
     bool json = false;
   };
-  CLI::App* app =
-      program.add_subcommand("list", "Show which planners, maps, overlays or generators there are");
+  CLI::App* app = program.add_subcommand(
+      "list", "Show which planners, maps, overlays or generators there are, and what words mean");
   const auto arguments = std::make_shared<Arguments>();
-  app->add_option("WHAT", arguments->what, "planners, maps, overlays or generators")->required();
+  app->add_option("WHAT", arguments->what, "planners, maps, overlays, generators or terms")->required();
   app->add_flag("--json", arguments->json, "Print the list as JSON");
   app->footer(footer);
   return {app, [arguments] { return list(arguments->what, arguments->json); }};

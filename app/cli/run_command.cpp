@@ -5,6 +5,8 @@
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
+#include "app/cli/run_check.hpp"
+#include "app/cli/run_trace.hpp"
 #include "core/base/file.hpp"
 #include "core/study/run_report.hpp"
 
@@ -14,7 +16,9 @@ namespace {
 struct RunArguments {
   WorldArguments world;
   bool json = false;
+  bool check = false;
   std::string csv;
+  TraceArguments trace;
 };
 
 std::string plans_table(std::span<const RunReport> reports) {
@@ -88,6 +92,8 @@ std::string summary(const WorldArguments& arguments, const Scenario& world,
 Result<int> run(const RunArguments& arguments) {
   const auto world = arguments.world.load();
   if (!world) return Error{world.error()};
+  if (arguments.check) return check_runs(*world, arguments.json);
+  if (const auto good = arguments.trace.check(); !good) return Error{good.error()};
   std::vector<RunReport> reports;
   bool succeeded = true;
   for (const PlannerChoice& choice : world->planners) {
@@ -100,6 +106,8 @@ Result<int> run(const RunArguments& arguments) {
   if (!arguments.csv.empty() && !table_out)
     if (const auto written = write_file_atomically(arguments.csv, runs_csv(reports)); !written)
       return Error{written.error()};
+  if (const auto traced = arguments.trace.write(*world, !arguments.world.map.empty()); !traced)
+    return Error{traced.error()};
   print(arguments.json ? runs_json(reports)
         : table_out    ? runs_csv(reports)
                        : summary(arguments.world, *world, reports));
@@ -114,7 +122,11 @@ std::string footer() {
          "range=3\n"
          "      Compares two plans on a map.\n"
          "  replan run maps/demo.json --planner all --set astar.heuristic=euclidean --json\n"
-         "      The figures of all planners, for a program.\n\n"
+         "      The figures of all planners, for a program.\n"
+         "  replan run maps/broken-planner.json --check\n"
+         "      Where does a broken planner go wrong first?\n"
+         "  replan run maps/demo.json --trace demo.trace.yaml --trace-map demo.map\n"
+         "      The search for the Posthoc visualiser, and the map to lay under it.\n\n"
          "Status, path and the figures of its shape are those of the first plan; times and counters are of "
          "the whole\n"
          "run. Exit code 0 if every planner found a path (and its robot arrived), 1 if not, 2 for bad "
@@ -131,6 +143,11 @@ Command add_run(CLI::App& program) {
   app->add_flag("--json", arguments->json, "Print the runs as JSON, paths included");
   app->add_option("--csv", arguments->csv, "Write the figures as CSV too; '-' prints them instead")
       ->type_name("FILE");
+  arguments->trace.declare(*app);
+  app->add_flag("--check", arguments->check,
+                "Hold the planners to their laws and each plan to an oracle, and print the verdicts instead")
+      ->excludes("--csv")
+      ->excludes("--trace");
   app->footer(footer);
   return {app, [arguments] { return run(*arguments); }};
 }

@@ -34,7 +34,7 @@ _replan_settings() {
 
 _replan_options() {
   case "$1" in
-    run) echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set --json --csv" ;;
+    run) echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set --json --csv --check --trace --trace-map" ;;
     batch) echo "-h --help --map --planner --set --limit --json" ;;
     render)
       echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set -o --output --size --scale" \
@@ -64,6 +64,8 @@ _replan() {
     --map) _replan_files $maps; return ;;
     --unknown) COMPREPLY=($(compgen -W "blocked free unmapped" -- "$cur")); return ;;
     --csv) _replan_files csv; return ;;
+    --trace) _replan_files jsonl yaml yml json; return ;;
+    --trace-map) _replan_files map; return ;;
     -o | --output) _replan_files png svg gif webp mp4; return ;;
     --start | --goal | --size | --scale | --limit | --threshold | --slice | --fps | --hold) return ;;
     --panes) COMPREPLY=($(compgen -W "1 2 4 all" -- "$cur")); return ;;
@@ -77,7 +79,7 @@ _replan() {
     run | render) _replan_files json ;;
     batch) _replan_files scen 3dscen ;;
     convert) _replan_files json 3dmap $maps ;;
-    list) COMPREPLY=($(compgen -W "planners maps overlays generators" -- "$cur")) ;;
+    list) COMPREPLY=($(compgen -W "planners maps overlays generators terms" -- "$cur")) ;;
     *)
       _replan_files json $maps
       COMPREPLY+=($(compgen -W "$commands" -- "$cur"))

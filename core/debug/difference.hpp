@@ -21,7 +21,8 @@ enum class Compare : std::uint8_t {
 struct Difference {
   Compare what = Compare::expansions;
   std::array<std::size_t, 2> panes{};
-  std::array<std::size_t, 2> positions{};  ///< past the two events that differ
+  std::array<std::size_t, 2>
+      positions{};    ///< past the two events that differ; the end of a log that has no more
   std::string words;  ///< "expansion 214: D* Lite takes (31, 18), DLD* Lite takes (32, 19)"
 };
 

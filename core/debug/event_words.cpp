@@ -14,7 +14,7 @@ constexpr const char* kInfinity = "∞";
 std::string change_text(const Grid2& lattice, const Event& event, std::uint64_t after) {
   if (event.kind == EventKind::scalar) {
     const auto which = static_cast<Scalar>(event.node);
-    return std::string(scalar_name(which)) + " = " + scalar_text(lattice, which, after);
+    return std::string(value_name(which)) + " = " + scalar_text(lattice, which, after);
   }
   return value_name(event.kind) + node_text(lattice, event.node) + ": " +
          value_text(lattice, event.kind, after ^ event.delta) + " → " +
@@ -64,22 +64,6 @@ std::string happening_text(const Grid2& lattice, const Event& event) {
 
 }  // namespace
 
-const char* kind_id(EventKind kind) {
-  static constexpr std::array<const char*, 26> kIds = {
-      "g",        "rhs",     "queue",    "lp",       "rp",        "dist",      "visit",
-      "known",    "truth",   "scalar",   "line",     "pop",       "sight",     "plan-begin",
-      "plan-end", "move",    "sensed",   "surprise", "unchecked", "collision", "waiting",
-      "arrival",  "gave-up", "new-goal", "put-down", "forgotten"};
-  static_assert(kIds.size() == static_cast<std::size_t>(EventKind::forgotten) + 1);
-  return kIds[static_cast<std::size_t>(kind)];
-}
-
-const char* scalar_id(Scalar scalar) {
-  static constexpr std::array<const char*, static_cast<std::size_t>(Scalar::count)> kIds = {
-      "km", "s_start", "s_last", "s_goal", "robot", "moves", "replans"};
-  return scalar < Scalar::count ? kIds[static_cast<std::size_t>(scalar)] : "";
-}
-
 const char* value_name(EventKind kind) {
   static constexpr std::array<const char*, kWideFields + kNarrowFields> kNames = {
       "g", "rhs", "k1", "lp", "rp", "dist", "expansion", "the robot's map", "the world"};
@@ -87,8 +71,10 @@ const char* value_name(EventKind kind) {
   return index < kNames.size() ? kNames[index] : "";
 }
 
-const char* scalar_name(Scalar scalar) {
-  return scalar == Scalar::robot ? "the robot" : scalar_id(scalar);
+const char* value_name(Scalar scalar) {
+  static constexpr std::array<const char*, static_cast<std::size_t>(Scalar::count)> kNames = {
+      "km", "s_start", "s_last", "s_goal", "the robot", "moves", "replans"};
+  return scalar < Scalar::count ? kNames[static_cast<std::size_t>(scalar)] : "";
 }
 
 std::string decimal_text(double number, int decimals) {
@@ -139,7 +125,7 @@ std::string event_text(const Grid2& lattice, const Event& event, std::uint64_t a
 
 std::string event_text(const LogView& view, std::size_t position) {
   if (position == 0) return "";
-  const Event& event = view.log.event(position - 1);
+  const Event event = view.log.event(position - 1);
   if (!event.changes_value()) return event_text(view.lattice, event, 0);
   const bool here = position == view.log.cursor();
   const std::uint64_t after = here ? view.log.state().value(event.kind, event.node)

@@ -12,15 +12,11 @@
 
 namespace replan {
 
-/// The kind as its fixed name in exports and JSON output: "rhs", "plan-begin", ...
-const char* kind_id(EventKind kind);
-/// The scalar as its fixed name there: "km", "s_start", "robot", ...
-const char* scalar_id(Scalar scalar);
 /// What the value of that kind is called in sentences: "rhs", "k1", "the robot's map", ... Only for kinds
 /// that change a value of a node.
 const char* value_name(EventKind kind);
 /// The same for a value of the whole run: "km", "the robot", ...
-const char* scalar_name(Scalar scalar);
+const char* value_name(Scalar scalar);
 
 /// With that many decimals; "∞".
 std::string decimal_text(double number, int decimals);

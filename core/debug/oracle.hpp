@@ -1,4 +1,4 @@
-// The oracle: what a plan costs by plain Dijkstra on the map as the robot knows it.
+// The oracle's word on plans: what each costs by plain Dijkstra on the map as the robot knows it.
 #pragma once
 
 #include <cstddef>
@@ -18,6 +18,7 @@ struct Disagreement {
 
 struct OracleReport {
   bool on = false;
+  bool exact = true;  ///< false: with these settings the planner does not promise a cheapest plan, only one
   std::size_t asked = 0;  ///< plans that were compared
   bool busy = false;      ///< more are being worked out
   std::size_t disagreements = 0;

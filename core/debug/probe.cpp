@@ -112,16 +112,6 @@ std::size_t last_until(std::span<const std::size_t> positions, std::size_t posit
   return found == positions.begin() ? 0 : *std::prev(found);
 }
 
-std::int64_t count_queued(const SearchState& state) {
-  std::int64_t count = 0;
-  for (std::size_t begin = 0; begin < state.node_count(); begin += SearchState::kPage) {
-    const std::uint64_t* page = state.page(EventKind::queue, static_cast<NodeId>(begin));
-    if (page != nullptr)
-      count += std::count_if(page, page + SearchState::kPage, [](std::uint64_t held) { return held != 0; });
-  }
-  return count;
-}
-
 }  // namespace
 
 Probe::Probe(const LogView& view, Condition condition, std::size_t position, Verdicts verdicts,
@@ -169,11 +159,13 @@ void Probe::load(std::optional<std::int64_t> expansions_before) {
   if (condition_.uses(Op::expansions))
     expansions_ = expansions_before ? *expansions_before : ExpansionCount().before(view_.log, position_);
   if (slots_.empty() && walked_.empty()) return;
+  if (walked_.empty() && position_ == view_.log.cursor()) {
+    for (Slot& slot : slots_) slot.raw = view_.log.state().value(slot.kind, slot.node);
+    return;
+  }
   SearchState state = view_.log.state_at(position_);
   for (Slot& slot : slots_) slot.raw = state.value(slot.kind, slot.node);
-  if (walked_.empty()) return;
-  if (walked_.has(EventKind::queue)) queue_size_ = count_queued(state);
-  state_ = std::move(state);
+  if (!walked_.empty()) state_ = std::move(state);
 }
 
 NodeId Probe::node_of(const Term& term) const {
@@ -191,7 +183,7 @@ Probe::Slot* Probe::find_slot(EventKind kind, NodeId node) {
 
 /// Whether anything that the expression reads may change with the event.
 bool Probe::is_interesting(std::size_t index) const {
-  const Event& event = view_.log.event(index);
+  const Event event = view_.log.event(index);
   if (walked_.has(event.kind) || noted_.has(event.kind)) return true;
   if (slot_kinds_.has(event.kind) && (slot_nodes_ & node_bit(event.node)) != 0) return true;
   return reads_line_ && event.line != line_before(index);
@@ -227,15 +219,9 @@ bool Probe::cross(const Event& event) {
       read = true;
     }
   if (!walked_.has(event.kind)) return read;
-  if (event.kind == EventKind::queue) {
-    const bool before = state_.queued(event.node);
-    state_.apply(event);
-    const bool after = state_.queued(event.node);
-    queue_size_ += (after ? 1 : 0) - (before ? 1 : 0);
-    return read || before != after;
-  }
+  const std::size_t queued = state_.queue_size();
   state_.apply(event);
-  return read;
+  return read || queued != state_.queue_size();
 }
 
 /// One event on. False if nothing happened that the expression could see.
@@ -432,7 +418,7 @@ Probe::Number Probe::number(const Term& term) {
     case Op::replans:
       return count(raw(EventKind::scalar, static_cast<NodeId>(*scalar_of(term.op))));
     case Op::queue_size:
-      return {static_cast<double>(queue_size_), {}};
+      return {static_cast<double>(state_.queue_size()), {}};
     case Op::expansions:
       return {static_cast<double>(expansions_), {}};
     case Op::line:
@@ -457,7 +443,7 @@ NodeId Probe::cell(const Term& term) {
 }
 
 bool Probe::happens(const Term& term) {
-  const Event& event = view_.log.event(position_ - 1);
+  const Event event = view_.log.event(position_ - 1);
   switch (term.op) {
     case Op::taken:
       return event.kind == EventKind::pop && event.node == node_of(term);
@@ -472,7 +458,7 @@ bool Probe::happens(const Term& term) {
 
 /// Whether the latest event is the one that is asked for.
 bool Probe::event_is(Happening happening) {
-  const Event& event = view_.log.event(position_ - 1);
+  const Event event = view_.log.event(position_ - 1);
   if (happening == Happening::invariant) return last_until(verdicts_.breaches, position_) == position_;
   if (happening == Happening::oracle) return last_until(verdicts_.disagreements, position_) == position_;
   if (!kinds_of(happening).has(event.kind)) return false;
@@ -497,7 +483,7 @@ bool Probe::event_is(Happening happening) {
 
 /// Whether the latest event made a value another one.
 bool Probe::changes(const Term& term) {
-  const Event& event = view_.log.event(position_ - 1);
+  const Event event = view_.log.event(position_ - 1);
   const auto scalar = scalar_of(term.op);
   const bool touched =
       scalar ? event.kind == EventKind::scalar && event.node == static_cast<NodeId>(*scalar)

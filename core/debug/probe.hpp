@@ -127,7 +127,6 @@ class Probe {
 
   // What is known at the position.
   SearchState state_;  // only the walked kinds are kept up
-  std::int64_t queue_size_ = 0;
   std::int64_t expansions_ = 0;
   ExpansionTeller teller_;
   bool with_event_ = true;  // whether what is about the latest event counts

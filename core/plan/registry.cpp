@@ -1,5 +1,7 @@
 #include "core/plan/registry.hpp"
 
+#include <algorithm>
+
 #define REPLAN_PLANNER_HEADERS
 #include "core/planners/planners.def"
 #undef REPLAN_PLANNER_HEADERS
@@ -25,6 +27,13 @@ std::span<const PlannerInfo> planners() {
 #undef REPLAN_PLANNER
   };
   return all;
+}
+
+std::span<const PlannerInfo> sound_planners() {
+  const auto all = planners();
+  const auto first =
+      std::find_if(all.begin(), all.end(), [](const PlannerInfo& info) { return info.exercise; });
+  return {all.begin(), first};
 }
 
 const PlannerInfo* find_planner(std::string_view id) {

@@ -43,6 +43,8 @@ struct PlannerInfo {
 
 /// All planners, in the order of planners.def.
 std::span<const PlannerInfo> planners();
+/// All but the exercises, which come last in planners.def.
+std::span<const PlannerInfo> sound_planners();
 /// The planner of that id, or nullptr.
 const PlannerInfo* find_planner(std::string_view id);
 /// As find_planner(), with an error that suggests the nearest id.

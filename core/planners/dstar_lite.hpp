@@ -82,11 +82,17 @@ inline PlannerInfo describe(DStarLiteSwitches switches) {
   return info;
 }
 
-template <Lattice L, Tracer T>
+/// Nothing is wrong. What a policy that puts mistakes in answers is in broken_dstar_lite.hpp.
+struct NoFaults {
+  static constexpr bool kAny = false;
+  explicit NoFaults(const Settings&) {}
+};
+
+template <Lattice L, Tracer T, class Faults = NoFaults>
 class DStarLite final : public Planner<L> {
  public:
   DStarLite(const L& lattice, const Settings& settings, T& tracer, DStarLiteSwitches switches)
-      : lattice_(lattice), tr_(tracer), nodes_(lattice.node_count()), switches_(switches) {
+      : lattice_(lattice), tr_(tracer), nodes_(lattice.node_count()), switches_(switches), faults_(settings) {
     using namespace parameters;
     heuristic_ =
         static_cast<Heuristic>(kHeuristicByChoice[static_cast<std::size_t>(settings.get(kHeuristic))]);
@@ -148,7 +154,7 @@ class DStarLite final : public Planner<L> {
            sight_map_.memory_bytes() + marked_.capacity();
   }
 
-  /// Algorithm 1, line 6, from the start on.
+  /// Algorithm 1, line 6, from the start on. Only parents that may be wrong are watched for circles.
   Path path() override {
     tr_.line(106);
     Path result;
@@ -156,7 +162,7 @@ class DStarLite final : public Planner<L> {
     std::unordered_set<NodeId> passed;
     result.nodes.push_back(start_);
     for (NodeId s = start_; s != goal_;) {
-      if (!checked_ && !passed.insert(s).second) {
+      if ((Faults::kAny || !checked_) && !passed.insert(s).second) {
         result.loops = true;
         break;
       }
@@ -297,6 +303,8 @@ class DStarLite final : public Planner<L> {
     set_g(u, Cost::infinity());
     for (std::uint32_t rest = lattice_.moves(u); rest != 0; rest &= rest - 1) {
       const int d = std::countr_zero(rest);
+      if constexpr (Faults::kAny)
+        if (faults_.forgets_predecessor(d)) continue;
       const NodeId s = lattice_.neighbour(u, d);
       if (nodes_[s].lp == static_cast<std::uint32_t>(L::reverse(d)) && s != goal_) update_vertex(s);
     }
@@ -314,6 +322,8 @@ class DStarLite final : public Planner<L> {
         const Cost sum = L::step_cost(d) + nodes_[s].g + dist(s);
         if (sum < best) {
           best = sum;
+          if constexpr (Faults::kAny)
+            if (faults_.keeps_first_parent() && parent != kNoDirection) continue;
           parent = static_cast<std::uint32_t>(d);
         }
       }
@@ -345,7 +355,9 @@ class DStarLite final : public Planner<L> {
       tr_.line(25);
       set_rp(u, lp(u));
     }
-    if (node.g != node.rhs) {
+    bool wanted = node.g != node.rhs;
+    if constexpr (Faults::kAny) wanted |= faults_.leaves_in_queue() && node.slot != 0;
+    if (wanted) {
       tr_.line(31);
       if (node.slot != 0)
         re_key(u, calculate_key(u, at));
@@ -454,6 +466,8 @@ class DStarLite final : public Planner<L> {
   [[nodiscard]] Key calculate_key(NodeId s) const { return calculate_key(s, lattice_.coordinates(s)); }
   [[nodiscard]] Key calculate_key(NodeId s, const Coordinates& at) const {
     const Cost least = std::min(nodes_[s].g, nodes_[s].rhs);
+    if constexpr (Faults::kAny)
+      if (faults_.forgets_km()) return {least + lattice_.bound(heuristic_, start_at_, at), least};
     return {least + lattice_.bound(heuristic_, start_at_, at) + km_, least};
   }
   [[nodiscard]] Key top_key() const { return open_.empty() ? Key{} : open_.top().key; }
@@ -555,6 +569,7 @@ class DStarLite final : public Planner<L> {
   ClearanceField<L::kDimensions> clearance_;
   SightMap<L::kDimensions> sight_map_;
   DStarLiteSwitches switches_;
+  [[no_unique_address]] Faults faults_;
   ClearanceRules clearance_rules_;
   Heuristic heuristic_ = Heuristic::octile;
   SightRule sight_rule_ = SightRule::supercover;

@@ -7,20 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "core/debug/expansions.hpp"
+#include "core/session/stop_search.hpp"
+#include "core/world/scenario.hpp"
+
 namespace replan {
 
-/// A place of the run that is worth stopping at, as a condition (core/debug/condition.hpp).
-struct Breakpoint {
-  std::string condition;
-  bool enabled = true;
-  friend bool operator==(const Breakpoint&, const Breakpoint&) = default;
-};
-
-/// A position of the leading run's log at which an enabled breakpoint stops.
-struct Hit {
-  std::size_t position = 0;
-  std::size_t breakpoint = 0;  ///< index
-};
+class Run;
 
 /// A search for a breakpoint or a change that goes on over several updates.
 struct Hunt {
@@ -28,20 +21,80 @@ struct Hunt {
   double fraction = -1;  ///< of the way; below 0: not known
 };
 
+/// What checkers have said of the leading run, and how far they have come. Beyond that event(invariant) and
+/// event(oracle) are not looked for yet.
+struct CheckedLog {
+  Verdicts verdicts;
+  std::size_t laws = SIZE_MAX;    ///< events that were held against the laws
+  std::size_t oracle = SIZE_MAX;  ///< events up to which the oracle was asked
+};
+
 /// Read by panels; changed by the session's commands and update() alone.
 class Breakpoints {
  public:
+  /// Positions of hits that are kept.
+  static constexpr std::size_t kMostHits = 10'000;
+
   [[nodiscard]] std::span<const Breakpoint> list() const { return list_; }
+  /// Why a breakpoint of the list cannot be looked for, as a sentence: its condition makes no sense on the
+  /// world as it is now. Empty if all is well.
+  [[nodiscard]] const std::string& problem(std::size_t index) const { return read_[index].problem; }
   /// Where the leading run stops, as far as it was looked through; ascending.
   [[nodiscard]] std::span<const Hit> hits() const { return hits_; }
+  /// How far it was looked through, in events: hits() are all there are until then.
+  [[nodiscard]] std::size_t looked_through() const { return looked_; }
   /// Why the cursor stands where it does, as a sentence; empty unless it was stopped there.
   [[nodiscard]] const std::string& stopped() const { return stopped_; }
   /// The search that is under way.
   [[nodiscard]] const std::optional<Hunt>& hunt() const { return hunt_; }
 
+  // For the session.
+
+  /// Takes over a list. What cannot be read on this world stays in it, with its problem.
+  void set_list(std::vector<Breakpoint> list, WorldSize world);
+  Result<void> add(const std::string& condition, WorldSize world);
+  void enable(std::size_t index, bool enabled);
+  void remove(std::size_t index);
+  /// The world has another size now.
+  void read_again(WorldSize world);
+  /// The conditions that are looked for.
+  [[nodiscard]] std::vector<NumberedCondition> wanted() const;
+  [[nodiscard]] bool wants_any() const;
+  [[nodiscard]] const Condition& condition(std::size_t index) const { return *read_[index].condition; }
+  /// How far a log can be looked through: checkers that are asked for may be behind.
+  [[nodiscard]] std::size_t can_look_to(const CheckedLog& checked, std::size_t size) const;
+
+  /// Looks further through the run's log, for at most that many milliseconds. True if something new was
+  /// found.
+  bool look(const Run& run, const CheckedLog& checked, double milliseconds);
+  /// Expansions before a position of the run that look() looks at.
+  std::int64_t expansions_before(const Run& run, std::size_t position);
+  /// The first hit after a position, the last one before it, if it is among those that are known.
+  [[nodiscard]] const Hit* known_after(std::size_t position) const;
+  [[nodiscard]] const Hit* known_before(std::size_t position) const;
+
+  void set_stopped(std::string words) { stopped_ = std::move(words); }
+  void set_hunt(std::optional<Hunt> hunt) { hunt_ = hunt; }
+
  private:
+  struct Reading {
+    std::optional<Condition> condition;
+    std::string problem;
+  };
+  [[nodiscard]] static Reading read(const std::string& condition, WorldSize world);
+  [[nodiscard]] bool is_wanted(std::size_t index) const {
+    return list_[index].enabled && read_[index].condition;
+  }
+  void look_again();
+  void follow_log(const Run& run);
+
   std::vector<Breakpoint> list_;
+  std::vector<Reading> read_;  // one for each of the list
   std::vector<Hit> hits_;
+  std::size_t looked_ = 0;
+  std::uint64_t log_id_ = 0;          // of the log that was looked at
+  std::optional<StopSearch> search_;  // at looked_
+  ExpansionCount expansions_;
   std::string stopped_;
   std::optional<Hunt> hunt_;
 };

@@ -2,7 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "core/debug/difference.hpp"
 #include "core/debug/laws.hpp"
@@ -10,19 +14,65 @@
 
 namespace replan {
 
+class Run;
+
 /// Read by panels; changed by the session's commands and update() alone.
 class Checks {
  public:
+  /// Worlds up to so many cells are held to their laws unless somebody switches that off: it costs the
+  /// drawing thread less than a quarter of a frame there. In larger ones it is off until somebody switches it
+  /// on.
+  static constexpr std::size_t kCellsByDefault = std::size_t{512} * 512;
+
+  Checks();
+  ~Checks();
+  Checks(Checks&&) noexcept;
+  Checks& operator=(Checks&&) noexcept;
+
+  /// Panes beyond the last have a report that is not on.
   [[nodiscard]] LawReport laws(std::size_t pane) const;
   [[nodiscard]] OracleReport oracle(std::size_t pane) const;
+  /// The first thousand, by position.
+  [[nodiscard]] std::span<const Breach> breaches(std::size_t pane) const;
+  [[nodiscard]] std::span<const Disagreement> disagreements(std::size_t pane) const;
   /// What the last FindDifference came to; nothing if the two were found to be alike, or none was asked for.
   [[nodiscard]] const std::optional<Difference>& difference() const { return difference_; }
+  /// The same as a sentence, "alike to the end" included; empty if none was asked for.
+  [[nodiscard]] const std::string& comparison() const { return comparison_; }
   /// While two runs are still being compared.
   [[nodiscard]] bool comparing() const { return comparing_; }
+  /// Whether there is more to check of what the logs hold: another update is due.
+  [[nodiscard]] bool busy() const { return busy_ || comparing_; }
 
  private:
+  friend class Session;
+
+  struct Pane;
+  struct Comparison;
+  using Runs = std::span<const std::unique_ptr<Run>>;
+
+  /// Switches both for all panes; what was found before is forgotten where it is switched off.
+  void set(bool laws, bool oracle);
+  /// Goes on for some milliseconds. True if anything that is shown here changed.
+  bool update(Runs runs);
+  /// Goes on to the end of the logs as they are.
+  void settle(Runs runs);
+  void compare(Runs runs, const std::array<std::size_t, 2>& panes, Compare what);
+  void stop_comparing();
+  /// Goes on comparing. True if it has just come to an end.
+  bool compare_on(Runs runs);
+
+  void meet(Runs runs);
+  [[nodiscard]] bool laws_on(const Run& run) const;
+
+  std::vector<Pane> panes_;
+  std::unique_ptr<Comparison> comparison_under_way_;
+  std::optional<bool> laws_;  // what somebody chose
+  bool oracle_ = false;
   std::optional<Difference> difference_;
+  std::string comparison_;
   bool comparing_ = false;
+  bool busy_ = false;
 };
 
 }  // namespace replan

@@ -8,18 +8,12 @@
 #include <vector>
 
 #include "core/debug/difference.hpp"
+#include "core/session/lockstep.hpp"
 #include "core/session/stepping.hpp"
 #include "core/world/scenario.hpp"
 #include "core/world/transform.hpp"
 
 namespace replan {
-
-/// What panes in lockstep have in common at every moment.
-enum class Lockstep : std::uint8_t {
-  expansions,  ///< the robot's step, and the expansions since
-  moves,       ///< the robot's step: each stands where it goes on from there
-  race,        ///< the expansions since the beginning: each goes on to its own end
-};
 
 /// Cells and their new values. Strokes with the same nonzero number are taken back together.
 struct PaintCells {
@@ -145,7 +139,8 @@ struct Lead {
 struct SetLockstep {
   Lockstep by = Lockstep::expansions;
 };
-/// From 1 to 4. Further planners are added at the end, others than those that are there already.
+/// From 1 to 4. Further planners are added at the end, others than those that are there already; the last
+/// ones go first. The runs that stay are kept as they are.
 struct SetPanes {
   std::size_t count = 2;
 };

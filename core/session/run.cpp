@@ -151,6 +151,10 @@ bool Run::busy() const {
   return working_ || !ready_.empty() || handover_.has_value();
 }
 
+bool Run::over() const {
+  return !busy() && !marks_.empty() && marks_.back().state != MissionState::driving;
+}
+
 bool Run::pump() {
   const auto until = std::chrono::steady_clock::now() + kPumpTime;
   bool came = false;
@@ -225,10 +229,11 @@ void Run::take_over_part() {
 
 void Run::note_events(std::span<const Event> events) {
   std::size_t position = timeline_.size();
+  if (!counter_) counter_.emplace(timeline_, position);
   for (const Event& event : events) {
     const std::size_t bucket = position / kCurveChunk;
     if (bucket >= curve_.size()) curve_.resize(bucket + 1);
-    if (event.kind == EventKind::visit) ++curve_[bucket];
+    if (counter_->take(event)) ++curve_[bucket];
     if (is_marker(event.kind)) markers_.push_back({position, event.kind});
     ++position;
   }
@@ -240,47 +245,16 @@ const Mark* Run::mark_at(std::size_t position) const {
   return after == marks_.begin() ? nullptr : &*std::prev(after);
 }
 
-std::size_t Run::clock_begins(std::int64_t clock) const {
-  if (clock < 0) return 0;
-  const auto first = std::lower_bound(marks_.begin(), marks_.end(), clock,
-                                      [](const Mark& mark, std::int64_t c) { return mark.clock < c; });
-  return first == marks_.end() ? timeline_.size() : first->event;
-}
-
-std::int64_t Run::expansions_between(std::size_t from, std::size_t to) const {
-  std::int64_t count = 0;
-  for (std::size_t p = from; p < to;) {
-    if (p % kCurveChunk == 0 && p + kCurveChunk <= to) {
-      count += curve_[p / kCurveChunk];
-      p += kCurveChunk;
-    } else {
-      count += timeline_.event(p++).kind == EventKind::visit;
-    }
+void Run::adopt(std::shared_ptr<const Scenario> scenario) {
+  const Target target = target_;
+  bool worked = false;
+  {
+    const std::scoped_lock lock(mutex_);
+    worked = working_;
   }
-  return count;
-}
-
-Run::Progress Run::progress(std::size_t position) const {
-  const Mark* mark = mark_at(position);
-  const std::int64_t clock = mark == nullptr ? -1 : mark->clock;
-  return {clock, expansions_between(clock_begins(clock), position)};
-}
-
-std::size_t Run::position_of(const Progress& progress) const {
-  std::size_t p = clock_begins(progress.clock);
-  const std::size_t end = clock_begins(progress.clock + 1);
-  for (std::int64_t left = progress.expansions; p < end;) {
-    const bool whole = p % kCurveChunk == 0 && p + kCurveChunk <= end;
-    if (whole && curve_[p / kCurveChunk] < left) {
-      left -= curve_[p / kCurveChunk];
-      p += kCurveChunk;
-    } else if (left <= 0 && timeline_.event(p).kind == EventKind::pop) {
-      return p;
-    } else {
-      left -= timeline_.event(p++).kind == EventKind::visit;
-    }
-  }
-  return end;
+  cancel();  // the mission may be about to be made from the old one
+  scenario_ = std::move(scenario);
+  if (worked) go(target);
 }
 
 }  // namespace replan

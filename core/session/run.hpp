@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/debug/log_view.hpp"
+#include "core/session/expansions.hpp"
 #include "core/session/reexecution.hpp"
 #include "core/sim/mission.hpp"
 #include "core/trace/timeline.hpp"
@@ -85,15 +86,6 @@ class Run {
   /// Where a surprise that is added at the end of the list, due at `clock`, would happen: the first decision
   /// of the robot at that step after all others that are due then. nullptr if the run has not come that far.
   [[nodiscard]] const Mark* mark_for_new_surprise(std::int64_t clock) const;
-  /// How far a position is: the robot's clock (-1 before the first plan stands), and the expansions since the
-  /// clock came to that.
-  struct Progress {
-    std::int64_t clock = -1;
-    std::int64_t expansions = 0;
-  };
-  [[nodiscard]] Progress progress(std::size_t position) const;
-  /// The position that is as far, as nearly as this run has come.
-  [[nodiscard]] std::size_t position_of(const Progress& progress) const;
   /// Expansions in each of the log's chunks of kCurveChunk events: the curve under the timeline.
   [[nodiscard]] std::span<const std::uint32_t> expansion_curve() const { return curve_; }
   static constexpr std::size_t kCurveChunk = 256;
@@ -105,6 +97,8 @@ class Run {
   bool pump();
   /// True while the background works towards the target.
   [[nodiscard]] bool busy() const;
+  /// True if there is nothing left to do: the robot has arrived or can go no farther.
+  [[nodiscard]] bool over() const;
   /// Why the background could not go on (out of memory, log too long), as a sentence; empty if nothing went
   /// wrong.
   [[nodiscard]] std::string failure() const;
@@ -117,6 +111,9 @@ class Run {
   /// first makes a difference, so that what follows is the run of that scenario; false if there is no such
   /// place after the first plan (the run has to start afresh).
   bool rebase(std::shared_ptr<const Scenario> scenario, std::size_t common);
+  /// Puts in a scenario that differs in nothing that this run is made of: other planners, names. It goes on
+  /// as it was.
+  void adopt(std::shared_ptr<const Scenario> scenario);
 
  private:
   struct Batch {
@@ -138,8 +135,6 @@ class Run {
   void work(const std::stop_token& stop);
   [[nodiscard]] Batch slice();
   [[nodiscard]] bool reached() const;
-  [[nodiscard]] std::size_t clock_begins(std::int64_t clock) const;
-  [[nodiscard]] std::int64_t expansions_between(std::size_t from, std::size_t to) const;
   [[nodiscard]] bool next_batch();
   void take_over_part();
   void take_over_all();
@@ -161,6 +156,7 @@ class Run {
   RunLimits limits_;
   std::unique_ptr<Reexecution> reexecution_;  // made when it is first needed
   std::optional<Handover> handover_;
+  std::optional<ExpansionCounter> counter_;  // at the end of the log
 
   // The thread's own while working_, the owner's while not.
   Recorder recorder_;

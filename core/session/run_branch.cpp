@@ -106,8 +106,9 @@ void Run::cut(std::size_t mark_count) {
   while (!markers_.empty() && markers_.back().event >= size) markers_.pop_back();
   curve_.resize(size / kCurveChunk);
   std::uint32_t expansions = 0;
+  counter_.emplace(timeline_, curve_.size() * kCurveChunk);
   for (std::size_t i = curve_.size() * kCurveChunk; i < size; ++i)
-    expansions += timeline_.event(i).kind == EventKind::visit;
+    expansions += counter_->take(timeline_.event(i)) ? 1 : 0;
   curve_.push_back(expansions);
   recorded_ = size;
   mission_->restore(marks_.back(), timeline_.head());

@@ -6,11 +6,11 @@
 namespace replan {
 namespace {
 
-/// How many surprises two scenarios begin with in common, or nothing if a run cannot be carried over at all.
+/// How many surprises two scenarios begin with in common, or nothing if no run can be carried over, whatever
+/// its planner.
 std::optional<std::size_t> common_surprises(const Scenario& a, const Scenario& b) {
-  const bool same_run = a.map == b.map && a.start == b.start && a.goal == b.goal &&
-                        a.planners == b.planners && a.robot == b.robot && a.movers == b.movers &&
-                        a.seed == b.seed;
+  const bool same_run = a.map == b.map && a.start == b.start && a.goal == b.goal && a.robot == b.robot &&
+                        a.movers == b.movers && a.seed == b.seed;
   if (!same_run) return std::nullopt;
   const auto parted =
       std::mismatch(a.surprises.begin(), a.surprises.end(), b.surprises.begin(), b.surprises.end());
@@ -68,22 +68,17 @@ void Session::restart_runs() {
   follow_ = true;
 }
 
-void Session::rebase_runs(const std::shared_ptr<const Scenario>& scenario, std::size_t common) {
-  for (std::size_t i = 0; i < runs_.size(); ++i) {
-    if (!runs_[i]->rebase(scenario, common)) runs_[i] = new_run(i);
-    runs_[i]->go(Target::plan());
-  }
-  follow_ = true;
-}
-
 void Session::replace(std::shared_ptr<const Scenario> scenario) {
   returning_.reset();
   const auto common = common_surprises(*scenario_, *scenario);
+  const bool same_script = scenario_->surprises == scenario->surprises;
   scenario_ = std::move(scenario);
-  if (common)
-    rebase_runs(scenario_, *common);
-  else
+  if (!common)
     restart_runs();
+  else if (same_script)
+    replace_panes();
+  else
+    rebase_runs(*common);
 }
 
 Result<void> Session::run_command(const ReplaceScenario& command) {
@@ -150,12 +145,6 @@ Result<void> Session::run_command(const Seek& command) {
   return {};
 }
 
-Result<void> Session::run_command(const Lead& command) {
-  if (command.pane >= runs_.size()) return Error{"there is no such pane"};
-  lead_ = command.pane;
-  return {};
-}
-
 Result<void> Session::run_command(const RunToEnd&) {
   playback_.direction = 0;
   returning_.reset();
@@ -166,37 +155,33 @@ Result<void> Session::run_command(const RunToEnd&) {
 
 Result<void> Session::run_command(const Cancel&) {
   returning_.reset();
+  checks_.stop_comparing();
   for (const auto& run : runs_) run->cancel();
+  catching_up_ = false;
   return {};
 }
 
-// The other panes go along in lockstep: to the same step of the robot, and as many expansions into its plan.
 void Session::seek(std::size_t position, double travel) {
   Run& first = leading();
   for (const auto& run : runs_) run->set_travel(std::clamp(travel, 0.0, 1.0));
   first.timeline().seek(std::min(position, first.timeline().size()));
-  if (runs_.size() == 1) return;
-  const Run::Progress progress = first.progress(first.timeline().cursor());
-  for (const auto& each : runs_) {
-    Run& run = *each;
-    if (&run == &first) continue;
-    const bool behind = run.marks().empty() || run.marks().back().clock <= progress.clock;
-    if (behind && !run.busy()) run.go(Target::clock_at(progress.clock + 1));
-    run.timeline().seek(run.position_of(progress));
-  }
+  follow_lead();
 }
 
 bool Session::update(double seconds) {
   bool changed = false;
-  for (const auto& run : runs_) {
+  for (const auto& run : runs_)
     if (run->pump()) changed = true;
-    if (follow_ && !returning_ && run->timeline().cursor() != run->timeline().size()) {
-      run->timeline().seek(run->timeline().size());
-      changed = true;
-    }
+  const bool returning = returning_.has_value();
+  Run& first = leading();
+  if (follow_ && !returning && first.timeline().cursor() != first.timeline().size()) {
+    first.timeline().seek(first.timeline().size());
+    changed = true;
   }
   if (arrive()) changed = true;
+  if (changed && !returning && (follow_ || catching_up_)) follow_lead();
   if (play(seconds)) changed = true;
+  if (check()) changed = true;
   if (changed) ++revision_;
   return changed;
 }
@@ -239,8 +224,7 @@ bool Session::play(double seconds) {
   const Mark* last = run.marks().empty() ? nullptr : &run.marks().back();
   const bool can_go_on = (last == nullptr || last->state == MissionState::driving) && run.failure().empty();
   if (playback_.direction > 0 && can_go_on && run.timeline().size() - cursor < 64 && !run.busy())
-    for (const auto& each : runs_)
-      each->go(last == nullptr ? Target::plan() : Target::clock_at(last->clock + 4));
+    run.go(last == nullptr ? Target::plan() : Target::clock_at(last->clock + 4));
   const bool finished =
       playback_.direction > 0 ? cursor >= run.timeline().size() && !can_go_on && !run.busy() : cursor == 0;
   if (finished) playback_.direction = 0;
@@ -248,9 +232,13 @@ bool Session::play(double seconds) {
 }
 
 void Session::settle() {
-  for (std::size_t i = 0; i < runs_.size(); ++i)
-    runs_[i]->finish(returning_ ? Target::length_of(returning_->lengths[i]) : Target::plan());
-  update(0);
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    const Target way = returning_ ? Target::length_of(returning_->lengths[i]) : Target::plan();
+    runs_[i]->finish(checks_.comparing() ? Target::end() : way);
+  }
+  do update(0);
+  while (checks_.comparing());
+  checks_.settle(runs_);
 }
 
 std::string Session::failure() const {

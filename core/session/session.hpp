@@ -141,7 +141,11 @@ class Session {
     return *runs_[lead_];
   }
   void restart_runs();
-  void rebase_runs(const std::shared_ptr<const Scenario>& scenario, std::size_t common);
+  void rebase_runs(std::size_t common);
+  void replace_panes();
+  void follow_lead();
+  /// A planner with those of the settings that it declares too.
+  [[nodiscard]] static PlannerChoice choice_of(const PlannerInfo& info, const Settings& settings);
   [[nodiscard]] std::shared_ptr<const Scenario> take_back(const Scenario& from, Moment now);
   [[nodiscard]] std::shared_ptr<const Scenario> bring_back(const Scenario& from, Moment now);
   void commit_movers(std::string label, std::uint64_t stroke, std::vector<MovingObstacle> movers);
@@ -149,6 +153,8 @@ class Session {
   Result<void> edit_script(std::string label, std::uint64_t stroke, Surprise surprise);
   void seek(std::size_t position, double travel = 1);
   bool play(double seconds);
+  bool check();
+  void show_difference();
   [[nodiscard]] double seconds_of(const Run& run, std::size_t from, std::size_t to) const;
   void say(std::string line) {
     log_.push_back(std::move(line));
@@ -166,9 +172,10 @@ class Session {
   Breakpoints breakpoints_;
   Watches watches_;
   Checks checks_;
-  double owed_ = 0;          // seconds of play not yet shown; negative: the last stop still lasts so long
-  double step_seconds_ = 0;  // how long the last stop lasts in all
-  bool follow_ = true;       // the cursor stays at the end of the log
+  double owed_ = 0;           // seconds of play not yet shown; negative: the last stop still lasts so long
+  double step_seconds_ = 0;   // how long the last stop lasts in all
+  bool follow_ = true;        // the cursor stays at the end of the log
+  bool catching_up_ = false;  // a pane beside the leading one has yet to run to where it belongs
   std::uint64_t serials_ = 0, saved_at_ = 0;
   std::size_t taken_up_ = 0;      // unsaved edits that came with the scenario
   std::size_t scripted_ = 0;      // surprises that came with the scenario

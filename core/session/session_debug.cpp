@@ -1,16 +1,8 @@
-// The session's debugger: what its commands do to breakpoints, watches, checks and panes.
+// The session's debugger: what its commands do to breakpoints, watches and checks.
 #include "core/session/session.hpp"
 
 namespace replan {
 
-Result<void> Session::run_command(const SetLockstep& command) {
-  lockstep_ = command.by;
-  return {};
-}
-
-Result<void> Session::run_command(const SetPanes&) {
-  return Error{"not built yet"};
-}
 Result<void> Session::run_command(const AddBreakpoint&) {
   return Error{"not built yet"};
 }
@@ -30,12 +22,6 @@ Result<void> Session::run_command(const AddWatch&) {
   return Error{"not built yet"};
 }
 Result<void> Session::run_command(const RemoveWatch&) {
-  return Error{"not built yet"};
-}
-Result<void> Session::run_command(const SetChecks&) {
-  return Error{"not built yet"};
-}
-Result<void> Session::run_command(const FindDifference&) {
   return Error{"not built yet"};
 }
 

@@ -116,16 +116,20 @@ Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool anno
   return {};
 }
 
+PlannerChoice Session::choice_of(const PlannerInfo& info, const Settings& settings) {
+  PlannerChoice choice{std::string(info.id), {}};
+  for (const auto& [key, value] : settings.values())
+    if (const Parameter* parameter = find_parameter(info.parameters, key);
+        parameter != nullptr && parse_value(*parameter, format_value(*parameter, value)).ok())
+      choice.settings.set(key, value);
+  return choice;
+}
+
 Result<void> Session::run_command(const ChoosePlanner& command) {
   const auto info = require_planner(command.id);
   if (!info) return Error{info.error()};
   if (command.pane >= scenario_->planners.size()) return Error{"there is no such pane"};
-  PlannerChoice choice{command.id, {}};
-  // Settings that the new planner declares too are kept.
-  for (const auto& [key, value] : scenario_->planners[command.pane].settings.values())
-    if (const Parameter* parameter = find_parameter((*info)->parameters, key);
-        parameter != nullptr && parse_value(*parameter, format_value(*parameter, value)).ok())
-      choice.settings.set(key, value);
+  PlannerChoice choice = choice_of(**info, scenario_->planners[command.pane].settings);
   if (choice == scenario_->planners[command.pane]) return {};
   Scenario changed = *scenario_;
   changed.planners[command.pane] = std::move(choice);

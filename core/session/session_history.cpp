@@ -23,6 +23,7 @@ void Session::return_to(Moment moment) {
   for (std::size_t i = 0; i < runs_.size(); ++i)
     if (runs_[i]->timeline().size() < moment.lengths[i]) runs_[i]->go(Target::length_of(moment.lengths[i]));
   returning_ = std::move(moment);
+  catching_up_ = false;
   arrive();
 }
 

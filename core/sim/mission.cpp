@@ -131,6 +131,7 @@ void Mission<T>::plan_stands() {
   now_.next = 0;
   now_.figures.counters = now_.before_goal + planner_->counters();
   now_.figures.last_plan = planner_->counters() - before_plan_;
+  now_.figures.peak_bytes = std::max(now_.figures.peak_bytes, planner_->memory_bytes());
   tr_.note(EventKind::plan_end, robot_, static_cast<std::uint64_t>(status));
   now_.state = MissionState::driving;
 }

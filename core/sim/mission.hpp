@@ -35,10 +35,11 @@ struct MissionFigures {
   double travelled = 0;  ///< cells, along the route
   std::int64_t collisions = 0;
   std::int64_t replans = 0;
-  double plan_ms = 0;    ///< wall time of the first plan
-  double replan_ms = 0;  ///< of all replans together: taking in the changes and the search
-  Counters counters;     ///< of the planner, all plans together
-  Counters last_plan;    ///< of the latest plan or replan alone
+  double plan_ms = 0;          ///< wall time of the first plan
+  double replan_ms = 0;        ///< of all replans together: taking in the changes and the search
+  Counters counters;           ///< of the planner, all plans together
+  Counters last_plan;          ///< of the latest plan or replan alone
+  std::size_t peak_bytes = 0;  ///< held by the planner at most, the map not counted
 };
 
 /// A moment between two decisions of the robot, from which a mission can be taken up again.

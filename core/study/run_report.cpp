@@ -28,12 +28,20 @@ void report_plan(RunReport& report, const Grid2& lattice, const Path& path, Plan
   report.figures = path_figures(lattice, path.nodes);
 }
 
-double finite(double value) {
-  return std::isfinite(value) ? value : 0;
+std::optional<double> finite(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+RobotReport robot_report(const Mark& mark) {
+  return {.ending = mark.state,
+          .moves = mark.figures.moves,
+          .travelled = mark.figures.travelled,
+          .collisions = mark.figures.collisions,
+          .replans = mark.figures.replans};
 }
 
 std::string csv_number(const NamedFigure& figure) {
-  return plain_number(figure.value).dump();
+  return plain_number(figure.value.value_or(0)).dump();
 }
 
 Json figures_json(std::span<const NamedFigure> figures) {
@@ -41,9 +49,9 @@ Json figures_json(std::span<const NamedFigure> figures) {
   for (const NamedFigure& figure : figures) {
     Json& value = result[std::string(figure.key)];
     if (figure.whole)
-      value = static_cast<std::int64_t>(figure.value);
+      value = static_cast<std::int64_t>(figure.value.value_or(0));
     else
-      value = figure.value;
+      value = figure.value.value_or(0);
   }
   return result;
 }
@@ -83,12 +91,23 @@ RunReport drive(const Scenario& scenario, const PlannerChoice& choice) {
   report.replan_ms = figures.replan_ms;
   report.replans = figures.replans;
   report.counters = figures.counters;
-  report.memory_bytes = static_cast<std::int64_t>(mission.planner().memory_bytes());
-  report.robot = RobotReport{.ending = mission.state(),
-                             .moves = figures.moves,
-                             .travelled = figures.travelled,
-                             .collisions = figures.collisions,
-                             .replans = figures.replans};
+  report.memory_bytes = static_cast<std::int64_t>(figures.peak_bytes);
+  report.robot = robot_report(mission.now());
+  return report;
+}
+
+RunReport report_at(const Mark& mark, const PathFigures& figures, const PlannerChoice& choice) {
+  RunReport report;
+  report.planner = choice.id;
+  report.status = status_name(mark.route->status);
+  report.figures = figures;
+  report.plan_ms = mark.figures.plan_ms;
+  report.replan_ms = mark.figures.replan_ms;
+  report.replans = mark.figures.replans;
+  report.counters = mark.figures.counters;
+  report.last_plan = mark.figures.last_plan;
+  report.memory_bytes = static_cast<std::int64_t>(mark.figures.peak_bytes);
+  report.robot = robot_report(mark);
   return report;
 }
 
@@ -97,12 +116,16 @@ std::vector<NamedFigure> named_figures(const RunReport& report) {
     return NamedFigure{key, static_cast<double>(value), true};
   };
   const auto real = [](std::string_view key, double value) { return NamedFigure{key, finite(value), false}; };
-  return {whole("nodes", report.figures.nodes),
-          real("length", report.figures.length),
-          whole("turns", report.figures.turns),
-          real("turning_angle_deg", report.figures.turning_angle_deg),
-          real("min_clearance", report.figures.min_clearance),
-          real("mean_clearance", report.figures.mean_clearance),
+  const auto of_path = [&report](NamedFigure figure) {
+    if (report.figures.nodes == 0) figure.value.reset();
+    return figure;
+  };
+  return {of_path(whole("nodes", report.figures.nodes)),
+          of_path(real("length", report.figures.length)),
+          of_path(whole("turns", report.figures.turns)),
+          of_path(real("turning_angle_deg", report.figures.turning_angle_deg)),
+          of_path(real("min_clearance", report.figures.min_clearance)),
+          of_path(real("mean_clearance", report.figures.mean_clearance)),
           real("plan_ms", report.plan_ms),
           real("replan_ms", report.replan_ms),
           whole("replans", report.replans),

@@ -37,7 +37,8 @@ struct RunReport {
   double replan_ms = 0;  ///< of all replans together
   std::int64_t replans = 0;
   Counters counters;
-  std::int64_t memory_bytes = 0;  ///< held by the planner, the map not counted
+  std::int64_t memory_bytes = 0;      ///< held by the planner at most, the map not counted
+  std::optional<Counters> last_plan;  ///< the work of the latest plan alone, where that is told
   std::optional<RobotReport> robot;
 
   /// True if the plan leads to the goal and the robot, where there is one, arrived.
@@ -49,20 +50,25 @@ RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoi
 /// Drives the scenario's robot with one planner until there is nothing more to do.
 RunReport drive(const Scenario& scenario, const PlannerChoice& choice);
 
+/// How a run stands at a mark: the plan that stands there with the figures of its path, and the work until
+/// then. The path itself is left out.
+RunReport report_at(const Mark& mark, const PathFigures& figures, const PlannerChoice& choice);
+
 /// A figure by its fixed name in JSON and CSV.
 struct NamedFigure {
   std::string_view key;
-  double value = 0;    ///< always finite
-  bool whole = false;  ///< counts; times and lengths are not
+  std::optional<double> value;  ///< always finite; nothing for the shape of a path that there is not
+  bool whole = false;           ///< counts; times and lengths are not
 };
 /// The 13 figures of a run: nodes, length, ... memory_bytes.
 std::vector<NamedFigure> named_figures(const RunReport& report);
 /// moves, travelled, collisions, replans.
 std::vector<NamedFigure> named_figures(const RobotReport& robot);
 
-/// `{"runs": [...]}`.
+/// `{"runs": [...]}`. All figures are numbers; 0 stands for what a run without a path has not.
 std::string runs_json(std::span<const RunReport> reports);
-/// One line for each run under a line of names; the path is left out.
+/// One line for each run under a line of names; the path is left out. 0 stands
+/// for what a run without a path has not.
 std::string runs_csv(std::span<const RunReport> reports);
 
 }  // namespace replan

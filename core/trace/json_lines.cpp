@@ -1,15 +1,13 @@
 #include "core/trace/json_lines.hpp"
 
-#include <nlohmann/json.hpp>
-
+#include "core/debug/event_words.hpp"
 #include "core/plan/planner.hpp"
 #include "core/sim/mission.hpp"
 #include "core/trace/trace_text.hpp"
+#include "core/world/json_reader.hpp"
 
 namespace replan {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json settings_json(const LogView& view) {
   Json result = Json::object();
@@ -21,7 +19,7 @@ Json settings_json(const LogView& view) {
     else if (parameter.type == ParameterType::toggle)
       setting = value != 0;
     else
-      setting = value;
+      setting = plain_number(value);
   }
   return result;
 }
@@ -43,7 +41,8 @@ Cost as_cost(std::uint64_t raw) {
 
 }  // namespace
 
-JsonLines::JsonLines(const TraceRun& run) : run_(run), initial_(run.view.log.state_at(0)) {}
+JsonLines::JsonLines(const TraceRun& run)
+    : run_(run), initial_(run.view.log.state_at(0)), events_(run.view.log.size()) {}
 
 /// The opening, a row each of the two maps, and the end of the line.
 std::size_t JsonLines::head_parts() const {
@@ -63,7 +62,7 @@ void JsonLines::opening(std::string& out) const {
                      {"scenario", run_.scenario},          {"planner", view.info.id},
                      {"settings", settings_json(view)},    {"width", view.lattice.width()},
                      {"height", view.lattice.height()},    {"start", {run_.start.x, run_.start.y}},
-                     {"goal", {run_.goal.x, run_.goal.y}}, {"events", view.log.size()}};
+                     {"goal", {run_.goal.x, run_.goal.y}}, {"events", events_}};
   out += head.dump(-1, ' ', false, Json::error_handler_t::replace);
   out.back() = ',';  // the maps are still to come
 }
@@ -116,10 +115,10 @@ void JsonLines::event(std::string& out, std::size_t index, const Event& event, c
   out += ",\"line\":";
   append_whole(out, event.line);
   out += ",\"kind\":\"";
-  out += event_name(event.kind);
+  out += kind_id(event.kind);
   if (event.kind == EventKind::scalar) {
     out += "\",\"name\":\"";
-    out += scalar_name(static_cast<Scalar>(event.node));
+    out += scalar_id(static_cast<Scalar>(event.node));
     out += '"';
   } else {
     out += "\",\"cell\":";

@@ -29,6 +29,7 @@ class JsonLines final : public TraceEncoder {
 
   const TraceRun& run_;
   SearchState initial_;
+  std::size_t events_;  // when it began
 };
 
 }  // namespace replan

@@ -97,6 +97,22 @@ struct ViewSetup {
   friend bool operator==(const ViewSetup&, const ViewSetup&) = default;
 };
 
+/// A place of the run that is worth stopping at, as a condition (core/debug/condition.hpp).
+struct Breakpoint {
+  std::string condition;
+  bool enabled = true;
+  friend bool operator==(const Breakpoint&, const Breakpoint&) = default;
+};
+
+/// What is looked for in the run. Not part of it.
+struct DebugSetup {
+  std::vector<Breakpoint> breakpoints;
+  std::vector<std::string> watches;  ///< expressions that are followed
+  friend bool operator==(const DebugSetup&, const DebugSetup&) = default;
+};
+
+/// The most breakpoints and watches of a scenario.
+inline constexpr std::size_t kMaxBreakpoints = 64, kMaxWatches = 16;
 /// The most moving obstacles of a scenario, and the longest side of one.
 inline constexpr std::size_t kMaxMovers = 100;
 inline constexpr int kMaxMoverSide = 64;
@@ -116,6 +132,7 @@ struct Scenario {
   std::vector<Surprise> surprises;
   std::vector<MovingObstacle> movers;
   ViewSetup view;
+  DebugSetup debug;
   std::uint64_t seed = 1;
   friend bool operator==(const Scenario&, const Scenario&) = default;
 };

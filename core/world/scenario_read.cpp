@@ -3,6 +3,7 @@
 
 #include "core/base/file.hpp"
 #include "core/base/words.hpp"
+#include "core/debug/condition.hpp"
 #include "core/plan/registry.hpp"
 #include "core/world/json_reader.hpp"
 #include "core/world/map_file.hpp"
@@ -35,7 +36,7 @@ class ScenarioReader {
   Scenario read() {
     check_version();
     if (!root_.expect_object({"replan", "name", "caption", "map", "start", "goal", "planners", "robot",
-                              "surprises", "movers", "view", "seed"}))
+                              "surprises", "movers", "view", "debug", "seed"}))
       return {};
     if (const auto node = root_.find("name")) scenario_.name = node->text();
     if (const auto node = root_.find("caption")) scenario_.caption = node->text();
@@ -53,6 +54,7 @@ class ScenarioReader {
       for (const JsonNode& item : node->items(0, kMaxMovers, "a list of at most 100 moving obstacles"))
         read_mover(item);
     if (const auto node = root_.find("view")) read_view(*node);
+    if (const auto node = root_.find("debug")) read_debug(*node);
     if (const auto node = root_.find("seed")) scenario_.seed = seed(*node);
     return std::move(scenario_);
   }
@@ -302,6 +304,36 @@ class ScenarioReader {
     if (!x || !y || !zoom) return;
     view.camera = {x->number(-kMaxCamera, kMaxCamera), y->number(-kMaxCamera, kMaxCamera),
                    zoom->number(kMinZoom, kMaxZoom)};
+  }
+
+  void read_debug(const JsonNode& node) {
+    if (!node.expect_object({"breakpoints", "watches"})) return;
+    if (const auto breakpoints = node.find("breakpoints"))
+      for (const JsonNode& item :
+           breakpoints->items(0, kMaxBreakpoints, "a list of at most 64 breakpoints"))
+        read_breakpoint(item);
+    const WorldSize size{scenario_.map.width, scenario_.map.height};
+    if (const auto watches = node.find("watches"))
+      for (const JsonNode& item : watches->items(0, kMaxWatches, "a list of at most 16 watches")) {
+        scenario_.debug.watches.push_back(item.text());
+        if (!item.value().is_string()) continue;
+        if (const auto read = parse_quantity(scenario_.debug.watches.back(), size); !read)
+          item.fail(read.error());
+      }
+  }
+
+  void read_breakpoint(const JsonNode& node) {
+    if (!node.expect_object({"condition", "enabled"})) return;
+    const auto condition = node.require("condition");
+    if (!condition) return;
+    Breakpoint breakpoint{condition->text(), true};
+    if (const auto enabled = node.find("enabled")) breakpoint.enabled = enabled->toggle();
+    if (condition->value().is_string())
+      if (const auto read =
+              parse_condition(breakpoint.condition, {scenario_.map.width, scenario_.map.height});
+          !read)
+        condition->fail(read.error());
+    scenario_.debug.breakpoints.push_back(std::move(breakpoint));
   }
 
   static std::uint64_t seed(const JsonNode& node) {

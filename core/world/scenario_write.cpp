@@ -139,6 +139,17 @@ Json view_json(const ViewSetup& view) {
   return result;
 }
 
+Json debug_json(const DebugSetup& debug) {
+  Json result = Json::object();
+  for (const Breakpoint& breakpoint : debug.breakpoints) {
+    Json one = {{"condition", breakpoint.condition}};
+    if (!breakpoint.enabled) one["enabled"] = false;
+    result["breakpoints"].push_back(std::move(one));
+  }
+  if (!debug.watches.empty()) result["watches"] = debug.watches;
+  return result;
+}
+
 }  // namespace
 
 std::string scenario_text(const Scenario& scenario) {
@@ -155,6 +166,7 @@ std::string scenario_text(const Scenario& scenario) {
     document["surprises"].push_back(surprise_json(surprise));
   for (const MovingObstacle& mover : scenario.movers) document["movers"].push_back(mover_json(mover));
   if (scenario.view != ViewSetup{}) document["view"] = view_json(scenario.view);
+  if (scenario.debug != DebugSetup{}) document["debug"] = debug_json(scenario.debug);
   document["seed"] = scenario.seed;
   return pretty_json(document);
 }

@@ -12,6 +12,7 @@
 
 #include "core/plan/registry.hpp"
 #include "workload.hpp"
+#include "worlds.hpp"
 
 namespace {
 
@@ -112,6 +113,8 @@ int run_events(const Options& options) {
 int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i)
     if (std::string_view(argv[i]) == "--events") return run_events(parse(argc, argv));
+  replan::bench::register_plans();
+  replan::bench::register_checks();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

@@ -139,7 +139,8 @@ class Plain {
     bool popped = false;
     std::int64_t expansions = 0, expansions_before = 0;
     for (std::size_t p = 0; p <= log_.log.size(); ++p) {
-      const Event* event = p == 0 ? nullptr : &log_.log.event(p - 1);
+      const Event latest = p == 0 ? Event{} : log_.log.event(p - 1);
+      const Event* event = p == 0 ? nullptr : &latest;
       if (event != nullptr) {
         before = state;
         state.apply(*event);

@@ -236,7 +236,16 @@ TEST_P(LongLogs, UndoBringsTheOldFutureBack) {
   EXPECT_LT(longer, compared / 4);
 }
 
-INSTANTIATE_TEST_SUITE_P(Planners, LongLogs, ::testing::ValuesIn(every_planner()), planner_test_name);
+std::vector<const PlannerInfo*> every_planner() {
+  std::vector<const PlannerInfo*> all;
+  for (const PlannerInfo& info : planners()) all.push_back(&info);
+  return all;
+}
+INSTANTIATE_TEST_SUITE_P(Planners, LongLogs, ::testing::ValuesIn(every_planner()), [](const auto& param) {
+  std::string name(param.param->id);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
 
 }  // namespace
 }  // namespace replan::test

@@ -7,7 +7,6 @@
 #include "core/sim/mission.hpp"
 #include "core/trace/search_state.hpp"
 #include "tests/support/missions.hpp"
-#include "tests/support/worlds.hpp"
 
 namespace replan::test {
 namespace {
@@ -172,7 +171,7 @@ class RandomMissions : public ::testing::TestWithParam<const PlannerInfo*> {};
 TEST_P(RandomMissions, endWithoutACollision) {
   const PlannerInfo& info = *GetParam();
   Totals totals;
-  const auto count = static_cast<std::uint64_t>(kMissions) / planners().size();
+  const auto count = static_cast<std::uint64_t>(kMissions) / sound_planners().size();
   for (std::uint64_t seed = 0; seed < count; ++seed) {
     Random random(seed * 1000 + static_cast<std::uint64_t>(&info - planners().data()));
     const Scenario scenario = random_scenario(random, info);
@@ -199,7 +198,17 @@ TEST_P(RandomMissions, endWithoutACollision) {
     EXPECT_GT(count_of, 20);
 }
 
-INSTANTIATE_TEST_SUITE_P(Planners, RandomMissions, ::testing::ValuesIn(every_planner()), planner_test_name);
+std::vector<const PlannerInfo*> every_planner() {
+  std::vector<const PlannerInfo*> all;
+  for (const PlannerInfo& info : sound_planners()) all.push_back(&info);
+  return all;
+}
+INSTANTIATE_TEST_SUITE_P(Planners, RandomMissions, ::testing::ValuesIn(every_planner()),
+                         [](const auto& param) {
+                           std::string name(param.param->id);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace replan::test

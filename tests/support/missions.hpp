@@ -1,12 +1,9 @@
-// Missions drawn from a seed: surprises, moving obstacles, sensors of every kind.
+// Missions drawn from a seed: what tests of the simulator and of the debugger run on.
 #pragma once
 
-#include <algorithm>
 #include <string>
-#include <vector>
 
-#include <gtest/gtest.h>
-
+#include "core/sim/mission.hpp"
 #include "core/world/scenario.hpp"
 #include "tests/support/worlds.hpp"
 
@@ -49,12 +46,13 @@ inline MovingObstacle random_mover(Random& random, const GridMap& map) {
   return mover;
 }
 
-/// A small world with everything that can happen in one, and one planner with any settings.
-inline Scenario random_scenario(Random& random, const PlannerInfo& info) {
+/// A small world with a planner, a robot, surprises and moving obstacles; all kinds of settings.
+inline Scenario random_scenario(Random& random, const PlannerInfo& info,
+                                Grid2::Coordinates largest = {20, 16}) {
   constexpr double kRadii[] = {0, 1, 1.5, 2, 3, 4.5, 6, 10, 40};
   constexpr double kSpeeds[] = {0.5, 2, 4, 20};
   Scenario scenario;
-  const auto size = random_size<2>(random, {4, 3}, {20, 16});
+  const auto size = random_size<2>(random, {4, 3}, largest);
   scenario.map = GridMap(size[0], size[1]);
   scenario.map.blocked = random_cells<2>(random, size);
   for (std::uint8_t& cell : scenario.map.blocked)
@@ -77,18 +75,6 @@ inline Scenario random_scenario(Random& random, const PlannerInfo& info) {
     scenario.movers.push_back(random_mover(random, scenario.map));
   scenario.planners = {{std::string(info.id), random_settings(random, info)}};
   return scenario;
-}
-
-inline std::vector<const PlannerInfo*> every_planner() {
-  std::vector<const PlannerInfo*> all;
-  for (const PlannerInfo& info : planners()) all.push_back(&info);
-  return all;
-}
-/// Of a test that runs for every planner.
-inline std::string planner_test_name(const ::testing::TestParamInfo<const PlannerInfo*>& param) {
-  std::string name(param.param->id);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
 }
 
 }  // namespace replan::test

@@ -72,8 +72,9 @@ class SchemaCheck {
       return std::any_of(rule.begin(), rule.end(), [&](const auto& r) { return type_holds(value, r); });
     const auto type = rule.get<std::string>();
     return (type == "object" && value.is_object()) || (type == "array" && value.is_array()) ||
-           (type == "string" && value.is_string()) || (type == "boolean" && value.is_boolean()) ||
-           (type == "number" && value.is_number()) || (type == "integer" && value.is_number_integer());
+           (type == "null" && value.is_null()) || (type == "string" && value.is_string()) ||
+           (type == "boolean" && value.is_boolean()) || (type == "number" && value.is_number()) ||
+           (type == "integer" && value.is_number_integer());
   }
 
   static bool has_all(const SchemaJson& value, const SchemaJson& keys) {

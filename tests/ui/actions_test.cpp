@@ -55,6 +55,8 @@ TEST(Actions, PromisedKeysLeadWhereTheyShould) {
   EXPECT_EQ(keys(ActionId::save_as), "Ctrl+Shift+S");
   EXPECT_EQ(keys(ActionId::keys), "F1");
   EXPECT_EQ(keys(ActionId::overlay_g), "1");
+  EXPECT_EQ(keys(ActionId::breakpoint_back), ",");
+  EXPECT_EQ(keys(ActionId::breakpoint_forward), ".");
 }
 
 /// A frame of ImGui with some keys down, without a window.

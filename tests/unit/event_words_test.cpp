@@ -1,8 +1,6 @@
 // Events in words.
 #include "core/debug/event_words.hpp"
 
-#include <set>
-
 #include <gtest/gtest.h>
 
 namespace replan::test {
@@ -30,19 +28,6 @@ TEST(EventWords, tellWhatEachKindOfEventDid) {
   EXPECT_EQ(text(EventKind::pop, at, 0), "took (3, 2) from the open list");
   EXPECT_EQ(text(EventKind::sight, at, std::uint64_t{at + 1u} | std::uint64_t{1} << 32),
             "(3, 2) sees (4, 2)");
-}
-
-TEST(EventWords, everyKindHasAnIdOfItsOwn) {
-  std::set<std::string> ids;
-  for (int kind = 0; kind <= static_cast<int>(EventKind::forgotten); ++kind) {
-    const char* id = kind_id(static_cast<EventKind>(kind));
-    EXPECT_TRUE(ids.insert(id).second) << id;
-  }
-  EXPECT_STREQ(kind_id(EventKind::g), "g");
-  EXPECT_STREQ(kind_id(EventKind::scalar), "scalar");
-  EXPECT_STREQ(kind_id(EventKind::pop), "pop");
-  EXPECT_STREQ(kind_id(EventKind::collision), "collision");
-  EXPECT_STREQ(kind_id(EventKind::forgotten), "forgotten");
 }
 
 TEST(EventWords, tellAnyPositionOfALog) {

@@ -42,7 +42,9 @@ std::set<int> recorded_lines(const std::string& planner) {
   Mission<Recorder> mission(scenario, scenario.planners.front(), recorder);
   while (mission.advance(1000)) {
   }
-  EXPECT_EQ(mission.state(), MissionState::arrived) << planner;
+  if (!find_planner(planner)->exercise) {
+    EXPECT_EQ(mission.state(), MissionState::arrived) << planner;
+  }
   EXPECT_GT(mission.now().figures.replans, 0) << planner;
   std::set<int> lines;
   for (const Event& event : recorder.buffer()) lines.insert(event.line);

@@ -35,6 +35,8 @@ json full_document() {
       {"at": {"move": 20}, "goal": [0, 2], "robot": [3, 0]}],
     "movers": [{"way": [[0, 0], [3, 1]], "size": [2, 1], "speed": 0.5, "at_end": "loop", "from": 3}],
     "view": {"overlays": ["g", "path"], "theme": "light", "camera": {"x": 1.5, "y": 2, "zoom": 14}},
+    "debug": {"breakpoints": [{"condition": "g(3, 2) > 1 || taken", "enabled": false}, {"condition": "km > 5"}],
+              "watches": ["size(U)", "rhs(0, 0)"]},
     "seed": 18446744073709551615})");
 }
 
@@ -87,7 +89,22 @@ TEST(Scenario, ReadsEveryKey) {
   EXPECT_EQ(scenario->surprises[2].at.within, 5);
   EXPECT_EQ(scenario->view.theme, "light");
   EXPECT_EQ(scenario->view.camera, (ViewSetup::Camera{1.5, 2, 14}));
+  EXPECT_EQ(scenario->debug.breakpoints,
+            (std::vector<Breakpoint>{{"g(3, 2) > 1 || taken", false}, {"km > 5", true}}));
+  EXPECT_EQ(scenario->debug.watches, (std::vector<std::string>{"size(U)", "rhs(0, 0)"}));
   EXPECT_EQ(scenario->seed, 18446744073709551615ull);
+}
+
+TEST(Scenario, BreakpointsAndWatchesMustReadOnItsWorld) {
+  EXPECT_NE(error_with("/debug/breakpoints/1/condition", "g(4, 0) > 1")
+                .find("character 2: (4, 0) is outside the world: x goes from 0 to 3, y from 0 to 2"),
+            std::string::npos);
+  EXPECT_NE(error_with("/debug/breakpoints/1/condition", "km").find("character 1: a breakpoint needs a truth"),
+            std::string::npos);
+  EXPECT_NE(error_with("/debug/watches/0", "size(V)").find("character 1: 'size' is told of the open list only"),
+            std::string::npos);
+  EXPECT_NE(error_with("/debug/watches", std::vector<std::string>(17, "km")).find("a list of at most 16 watches"),
+            std::string::npos);
 }
 
 TEST(Scenario, TextIsReadBackEqual) {

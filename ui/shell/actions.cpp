@@ -55,6 +55,8 @@ std::string key_name(int key) {
       return "End";
     case key::kDelete:
       return "Del";
+    case key::kMenu:
+      return "Menu";
     default:
       break;
   }
@@ -182,6 +184,16 @@ bool available(const Action& action, const ActionContext& context) {
     case ActionId::pin_up:
     case ActionId::pin_down:
       return context.view.view.pinned || context.view.view.hovered;
+    case ActionId::break_on_cell:
+    case ActionId::watch_cell:
+    case ActionId::change_back:
+    case ActionId::change_forward:
+    case ActionId::cell_menu:
+      return context.cell().has_value();
+    case ActionId::first_breach:
+      return first_breach(session).has_value();
+    case ActionId::first_difference:
+      return session.runs().size() > 1;
     case ActionId::record_canvas:
       return !context.panels.recording.finishing &&
              !(context.panels.recording.on && context.panels.recording.window);
@@ -236,6 +248,10 @@ bool checked(const Action& action, const ActionContext& context) {
       return context.panels.recording.on && context.panels.recording.window;
     case ActionId::caption:
       return context.panels.caption;
+    case ActionId::check_laws:
+      return context.session.checks().laws(context.session.lead()).on;
+    case ActionId::check_oracle:
+      return context.session.checks().oracle(context.session.lead()).on;
     default:
       break;
   }

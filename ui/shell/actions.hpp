@@ -26,7 +26,7 @@ enum class ActionId : std::uint8_t {
   count
 };
 
-enum class Menu : std::uint8_t { file, edit, world, planner, view, record, help, overlays };
+enum class Menu : std::uint8_t { file, edit, world, planner, debug, view, record, help, overlays };
 
 /// A key with its modifiers; key 0: none.
 struct Chord {
@@ -58,12 +58,24 @@ struct ActionContext {
   void show_history();
   // Through the clipboard, as text (core/world/ascii_map.hpp).
   void copy_world();
+  void copy_state();
   void copy_region();
   void cut_region();
   void paste();
   void move_pin(int dx, int dy);
   void toggle_overlay(Overlay overlay);
   void show_tab(int tab);
+  // The debugger's; those about a cell take the pinned one, else the one under the cursor.
+  [[nodiscard]] std::optional<Cell> cell() const;
+  void go_to_breakpoint(int direction);
+  void break_on_cell();
+  void watch_cell();
+  void go_to_change(int direction);
+  void open_cell_menu();
+  void switch_checks(bool laws, bool oracle);
+  void go_to_breach();
+  void find_difference();
+  void show_open_list(bool touched);
 };
 
 struct Action {

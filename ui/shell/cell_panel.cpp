@@ -2,12 +2,15 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <optional>
 #include <vector>
 
+#include "core/debug/open_order.hpp"
 #include "core/trace/search_state.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
+#include "ui/shell/term_hint.hpp"
 
 namespace replan::ui {
 namespace {
@@ -31,7 +34,7 @@ struct CellView {
         state(of.timeline().state()),
         cell(at),
         node(of.lattice().node(at)),
-        lookahead(of.info().incremental) {}
+        lookahead(of.info().values == SearchValues::lookahead) {}
 };
 
 /// Moves from the cell on the robot's map at the cursor: of a window of 3 x 3 cells under the same rules.
@@ -75,49 +78,130 @@ std::pair<const char*, ImU32> consistency(const Theme& theme, const CellView& vi
 std::string rank_text(const CellView& view) {
   constexpr std::size_t kMostNodes = std::size_t{1} << 20;
   if (!view.state.queued(view.node)) return "no";
-  if (!view.lookahead || view.state.node_count() > kMostNodes) return "yes";
-  const auto key = [&](NodeId n) { return std::tuple(view.state.k1(n), view.state.k2(n), n); };
-  const auto mine = key(view.node);
+  if (view.state.node_count() > kMostNodes) return "yes";
+  const SearchValues values = view.run.info().values;
+  const OpenEntry mine = open_entry(view.state, values, view.node);
   std::size_t rank = 1;
   for (NodeId n = 0; n < view.state.node_count(); ++n) {
-    if (n % PagedArray<std::uint64_t>::kPage == 0 && !view.state.touched(EventKind::queue, n)) {
-      n += static_cast<NodeId>(PagedArray<std::uint64_t>::kPage) - 1;
+    if (n % SearchState::kPage == 0 && !view.state.touched(EventKind::queue, n)) {
+      n += static_cast<NodeId>(SearchState::kPage) - 1;
       continue;
     }
-    if (view.state.queued(n) && key(n) < mine) ++rank;
+    if (view.state.queued(n) && open_entry(view.state, values, n) < mine) ++rank;
   }
   return "yes, #" + std::to_string(rank);
 }
 
-void values(Frame& frame, const CellView& view) {
-  const Look& look = frame.look;
+/// One value of the block at the top: what it is called, what it is, and which events write it.
+struct Field {
+  const char* name;
+  std::string value;
+  EventKind kind;
+  ImU32 colour = 0;
+  bool strong = false;
+};
+
+std::string key_text(const CellView& view) {
+  if (!view.state.queued(view.node)) return "—";
+  const std::string k1 = cost_text(view.state.k1(view.node), 1);
+  return view.lookahead ? k1 + " ; " + cost_text(view.state.k2(view.node), 1) : k1;
+}
+
+std::vector<Field> fields_of(const Theme& theme, const CellView& view) {
   const SearchState& state = view.state;
   const PlannerInfo& info = view.run.info();
-  const auto [state_word, state_colour] = consistency(look.theme, view);
-  const bool marked = state_colour != look.theme.text && state_colour != look.theme.dim;
-  const std::string g = cost_text(state.g(view.node)), rhs = cost_text(state.rhs(view.node)),
-                    dist = cost_text(state.dist(view.node));
-  const std::string lp = node_text(view.run, state.lp(view.node)),
-                    rp = node_text(view.run, state.rp(view.node));
-  const std::string queue = rank_text(view), order = grouped(std::int64_t{state.order(view.node)});
-  const std::string times = std::to_string(state.times_expanded(view.node)) + "×";
-  std::string key = "—";
-  if (state.queued(view.node))
-    key =
-        cost_text(state.k1(view.node), 1) + (view.lookahead ? " ; " + cost_text(state.k2(view.node), 1) : "");
-  std::vector<KeyValue> pairs = {{"g", g}};
-  if (view.lookahead) pairs.push_back({"rhs", rhs});
-  if (info.clearance) pairs.push_back({"dist", dist});
-  pairs.push_back({"state", state_word, state_colour, marked});
-  pairs.push_back({view.lookahead ? "key" : "f", key});
-  pairs.push_back({"in U", queue});
-  pairs.push_back({view.lookahead ? "lp" : "parent", lp});
-  if (info.sight) pairs.push_back({"rp", rp});
+  const auto [state_word, state_colour] = consistency(theme, view);
+  const bool marked = state_colour != theme.text && state_colour != theme.dim;
+  std::vector<Field> fields = {{"g", cost_text(state.g(view.node)), EventKind::g}};
+  if (view.lookahead) fields.push_back({"rhs", cost_text(state.rhs(view.node)), EventKind::rhs});
+  if (info.clearance) fields.push_back({"dist", cost_text(state.dist(view.node)), EventKind::dist});
+  fields.push_back(
+      {"state", state_word, view.lookahead ? EventKind::rhs : EventKind::g, state_colour, marked});
+  fields.push_back({view.lookahead ? "key" : "f", key_text(view), EventKind::queue});
+  fields.push_back({"in U", rank_text(view), EventKind::queue});
+  fields.push_back(
+      {view.lookahead ? "lp" : "parent", node_text(view.run, state.lp(view.node)), EventKind::lp});
+  if (info.sight) fields.push_back({"rp", node_text(view.run, state.rp(view.node)), EventKind::rp});
   if (state.order(view.node) != 0) {
-    pairs.push_back({"expanded", times});
-    pairs.push_back({"as number", order});
+    fields.push_back({"expanded", std::to_string(state.times_expanded(view.node)) + "×", EventKind::visit});
+    fields.push_back({"as number", grouped(std::int64_t{state.order(view.node)}), EventKind::visit});
   }
-  key_values(look, pairs);
+  return fields;
+}
+
+/// Who wrote a value last, as a tooltip, and what a click on it does.
+void value_hint(Frame& frame, const CellView& view, const Field& field) {
+  const auto written = view.run.timeline().last_event(view.node, {field.kind}, view.run.timeline().cursor());
+  const std::string title = std::string(field.name) + " = " + field.value;
+  const GlossaryTerm* term = find_term(field.name);
+  const std::string words = (term == nullptr ? "" : std::string(term->text) + "\n\n") +
+                            (written ? "Written by event " + grouped(*written + 1) + ", " +
+                                           origin_text(frame, *written) + ". Click to go there.\n"
+                                     : std::string("Not written yet in this run.\n")) +
+                            "Right click for its other changes, to break on it or to watch it.";
+  hint(frame.look, {title.c_str(), "", words.c_str()});
+  if (!written) return;
+  ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) frame.commands.push_back(Seek{*written + 1});
+}
+
+/// The block at the top. A value leads to the event that wrote it, and has a menu.
+void values(Frame& frame, const CellView& view) {
+  const Look& look = frame.look;
+  const std::vector<Field> fields = fields_of(look.theme, view);
+  std::vector<KeyValue> pairs;
+  for (const Field& field : fields) pairs.push_back({field.name, field.value, field.colour, field.strong});
+  const int at = key_values(look, pairs, 2, Align::left, true);
+  int& chosen = frame.panels.debugger.chosen_value;
+  if (at >= 0) {
+    value_hint(frame, view, fields[static_cast<std::size_t>(at)]);
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+      chosen = at;
+      ImGui::OpenPopup("value menu");
+    }
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.m, look.px(10)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px.s, look.px(7)));
+  if (ImGui::BeginPopup("value menu")) {
+    const Field& field = fields[std::min(static_cast<std::size_t>(chosen), fields.size() - 1)];
+    value_menu_items(frame, field.name, field.kind, view.cell);
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar(2);
+}
+
+/// What the last replan made of the cell's values.
+std::string touched_text(const Touched* mine) {
+  if (mine == nullptr) return "did not touch it";
+  const auto part = [](const char* name, Cost before, Cost after) {
+    return std::string(name) + " " + cost_text(before, 2) + " → " + cost_text(after, 2);
+  };
+  const bool g = mine->g_before != mine->g_after, rhs = mine->rhs_before != mine->rhs_after;
+  if (!g && !rhs) return "touched it: its values came out the same";
+  std::string words = "touched it: ";
+  if (g) words += part("g", mine->g_before, mine->g_after);
+  if (rhs) words += (g ? ", " : "") + part("rhs", mine->rhs_before, mine->rhs_after);
+  return words;
+}
+
+/// Whether the last replan came to the cell; its name leads to the list of all that it touched.
+void touched_line(Frame& frame, const CellView& view) {
+  const Look& look = frame.look;
+  const TouchedList* touched = touched_by_last_replan(frame.panels, view.run);
+  if (touched == nullptr) return;
+  const Touched* mine = touched->find(view.node);
+  ImGui::Dummy({0, look.px.xs});
+  const std::string name = "Replan " + grouped(last_replan(view.run)->number);
+  if (link(look, "touched", name, look.fonts.ui)) perform(frame, ActionId::show_touched);
+  const std::string all =
+      "It touched " + count_text(static_cast<std::int64_t>(touched->list().size()), "vertex", "vertices") +
+      ". Click for all of them.";
+  hint(look, {name.c_str(), "", all.c_str()});
+  ImGui::SameLine(0, look.px.xs);
+  const std::string words = touched_text(mine);
+  text(look.fonts.ui, mine == nullptr ? look.theme.faint : look.theme.warning,
+       elide(look.fonts.ui, words, ImGui::GetContentRegionAvail().x));
+  hint(look, {"", "", words.c_str()});
 }
 
 /// Why there is nothing to add up; empty if there is.
@@ -139,7 +223,7 @@ void offer_table(Frame& frame, const CellView& view, const std::vector<Offer>& a
   std::vector<Column> columns = {{"neighbour", 1.6f, Align::left}, {"c", 1}, {"g", 1.2f}};
   if (with_dist) columns.push_back({"dist"});
   columns.push_back({"sum", 1.2f});
-  table_header(look, columns);
+  table_head(look, columns);
   std::size_t shown = 0;
   for (; shown < all.size() && !all[shown].sum.is_infinite(); ++shown) {
     const Offer& offer = all[shown];
@@ -150,7 +234,7 @@ void offer_table(Frame& frame, const CellView& view, const std::vector<Offer>& a
     if (with_dist) cells.push_back({dist});
     cells.push_back({sum, 0, winner});
     if (table_row(look, static_cast<int>(shown), columns, cells, winner))
-      frame.view.view.pinned = view.run.lattice().position(offer.node);
+      show_cell(frame, view.run.lattice().position(offer.node));
   }
   if (shown == all.size()) return;
   std::vector<TableCell> cells(columns.size());
@@ -191,6 +275,20 @@ void code_excerpt(Frame& frame) {
   draw_pseudo_code(frame, *block, 4);
 }
 
+/// The cell, and the button that opens its menu.
+void heading(Frame& frame, Cell cell) {
+  const Look& look = frame.look;
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float right = origin.x + ImGui::GetContentRegionAvail().x;
+  section_title(look,
+                "Cell " + cell_text(cell) + (frame.view.view.pinned ? " — pinned" : " — under the cursor"));
+  const ImVec2 below = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos({right - look.px(24), origin.y - look.px(5)});
+  const Action& menu = action(ActionId::cell_menu);
+  if (small_button(look, "cell menu", {.icon = menu.icon, .hint = menu.hint()})) frame.view.menu = cell;
+  ImGui::SetCursorScreenPos(below);
+}
+
 }  // namespace
 
 void draw_cell_panel(Frame& frame) {
@@ -202,11 +300,13 @@ void draw_cell_panel(Frame& frame) {
     return;
   }
   const CellView view(frame.run(), *cell);
-  section_title(look,
-                "Cell " + cell_text(*cell) + (frame.view.view.pinned ? " — pinned" : " — under the cursor"));
+  heading(frame, *cell);
   values(frame, view);
+  touched_line(frame, view);
   section_rule(look);
   explain(frame, view);
+  section_rule(look);
+  draw_history(frame, *cell);
   code_excerpt(frame);
 }
 

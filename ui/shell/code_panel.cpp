@@ -4,6 +4,7 @@
 #include <imgui_internal.h>
 
 #include "ui/icons.hpp"
+#include "ui/shell/conditions.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
 
@@ -23,11 +24,12 @@ void continuation(const Look& look, const PseudoLine& line, bool current, ImU32 
     list.AddRectFilled(origin, {origin.x + look.px(3), origin.y + size.y}, look.theme.accent);
   }
   draw_text(list, look.fonts.mono,
-            {origin.x + look.px(36), origin.y + (size.y - look.fonts.mono->FontSize) * 0.5f}, colour,
+            {origin.x + look.px(38), origin.y + (size.y - look.fonts.mono->FontSize) * 0.5f}, colour,
             line.text);
 }
 
-void pseudo_line(const Look& look, const PseudoLine& line, bool current) {
+void pseudo_line(Frame& frame, const PseudoLine& line, bool current) {
+  const Look& look = frame.look;
   if (line.number == 0) {
     continuation(look, line, current,
                  current       ? look.theme.text
@@ -36,14 +38,18 @@ void pseudo_line(const Look& look, const PseudoLine& line, bool current) {
     return;
   }
   if (!line.unused) {
-    code_line(look, {line.printed, line.text, current});
+    const std::string condition = when_line(line.number);
+    const bool set = find_breakpoint(frame.session, condition).has_value();
+    if (code_line(look, {line.printed, line.text, current, set}))
+      frame.commands.push_back(toggle_breakpoint(frame.session, condition));
+    if (ImGui::GetIO().MousePos.x < ImGui::GetItemRectMin().x + look.px(34))
+      hint(look, {set ? "Remove the breakpoint" : "Set a breakpoint", "",
+                  set ? "The playhead no longer stops on this line."
+                      : "The playhead stops whenever the planner comes to this line."});
     return;
   }
-  // Lines that this planner never comes to stand back.
-  Look faint = look;
-  faint.theme.dim = mix(look.theme.panel, look.theme.faint, 0.75f);
-  faint.theme.faint = faint.theme.dim;
-  code_line(faint, {line.printed, line.text, current});
+  code_line(look, {.number = line.printed, .text = line.text, .current = current, .reached = false});
+  hint(look, {"", "", "This planner never comes to this line."});
 }
 
 void what_happened(Frame& frame) {
@@ -89,7 +95,7 @@ void draw_pseudo_code(Frame& frame, const PseudoBlock& block, int around) {
     const PseudoLine& line = block.lines[i];
     if (line.number != 0) number = line.number;
     const bool lit = number == current && number != 0;
-    pseudo_line(frame.look, line, lit);
+    pseudo_line(frame, line, lit);
     if (around == 0 && lit && line.number != 0 && frame.panels.code_line != current) {
       const ImRect seen = ImGui::GetCurrentWindow()->InnerClipRect;
       if (ImGui::GetItemRectMin().y < seen.Min.y || ImGui::GetItemRectMax().y > seen.Max.y)

@@ -70,6 +70,12 @@ void Dialogs::ask_capture(bool film, std::string path) {
   show(film ? DialogKind::film : DialogKind::picture);
 }
 
+void Dialogs::ask_trace(const TraceFacts& facts, std::string path) {
+  trace_facts_ = facts;
+  capture_path_ = std::move(path);
+  show(DialogKind::trace);
+}
+
 void Dialogs::wait_for(std::string name) {
   name_ = std::move(name);
   since_ = std::chrono::steady_clock::now();
@@ -156,6 +162,8 @@ Decision Dialogs::content(const Look& look) {
       return capture_dialog(look, true);
     case DialogKind::picture:
       return capture_dialog(look, false);
+    case DialogKind::trace:
+      return trace_dialog(look);
     case DialogKind::none:
       break;
   }

@@ -24,7 +24,8 @@ enum class DialogKind : std::uint8_t {
   recover,
   keys,
   film,
-  picture
+  picture,
+  trace
 };
 
 /// What the user decided.
@@ -37,6 +38,7 @@ struct Decision {
     save_elsewhere,
     new_world,
     capture,
+    export_trace,
     save_first,
     discard,
     overwrite,
@@ -46,12 +48,19 @@ struct Decision {
     forget,
     cancel
   } kind = Kind::none;
-  std::string path = {};    ///< for open, open_world, save and capture
+  std::string path = {};    ///< for open, open_world, save, capture and export_trace
   MapReading reading = {};  ///< for open
   int width = 0;            ///< for new_world
   int height = 0;
   int fps = 0;            ///< for capture of a film
   std::size_t index = 0;  ///< for recover and forget: which of those on offer
+  bool map = false;       ///< for export_trace: its map too
+};
+
+/// What there is to write of a run.
+struct TraceFacts {
+  std::size_t events = 0;
+  std::size_t steps = 0, bytes = 0;  ///< of a trace for Posthoc, about
 };
 
 /// A question with two or three answers.
@@ -78,6 +87,8 @@ class Dialogs {
   void offer(std::vector<AutosaveNote> notes);
   /// Asks for the name of a film or picture, `path` to begin with.
   void ask_capture(bool film, std::string path);
+  /// Asks for the name of a trace, `path` to begin with.
+  void ask_trace(const TraceFacts& facts, std::string path);
   /// Tells that a file is being read, once that takes longer than a moment.
   void wait_for(std::string name);
 
@@ -101,6 +112,7 @@ class Dialogs {
   Decision file_dialog(const Look& look, float height);
   Decision world_dialog(const Look& look, float height);
   Decision capture_dialog(const Look& look, bool film);
+  Decision trace_dialog(const Look& look);
   Decision new_world_dialog(const Look& look);
   Decision question_dialog(const Look& look);
   Decision recover_dialog(const Look& look);
@@ -120,6 +132,8 @@ class Dialogs {
   double width_ = 48, height_ = 32;  // of the new world
   std::string capture_path_;
   double fps_ = 30;  // of the film
+  TraceFacts trace_facts_;
+  bool trace_map_ = true;  // what was chosen last
 };
 
 }  // namespace replan::ui

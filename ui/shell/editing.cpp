@@ -1,6 +1,8 @@
 // What the editing actions do: tools, selection, and cells through the clipboard as text.
 #include <algorithm>
 
+#include "core/base/words.hpp"
+#include "core/debug/case_text.hpp"
 #include "core/world/ascii_map.hpp"
 #include "ui/canvas_tools.hpp"
 #include "ui/shell/actions.hpp"
@@ -95,6 +97,15 @@ void ActionContext::copy_world() {
   say(panels, "Copied the world as text: " + size_text(scenario.map.width, scenario.map.height));
 }
 
+void ActionContext::copy_state() {
+  const Run& run = session.run();
+  CaseFocus focus{session.lead(), view.view.pinned, std::nullopt};
+  if (view.editing.region) focus.region = as_region(*view.editing.region);
+  ImGui::SetClipboardText(case_text(run.scenario(), run.log_view(), focus).c_str());
+  say(panels, "Copied the state at event " + std::to_string(run.timeline().cursor()) +
+                  " as text; pasting it comes back here");
+}
+
 void ActionContext::copy_region() {
   const MapRegion region = as_region(*view.editing.region);
   const MapFile world{session.world(), std::nullopt, std::nullopt};
@@ -112,6 +123,13 @@ void ActionContext::cut_region() {
 void ActionContext::paste() {
   const char* text = ImGui::GetClipboardText();
   if (text == nullptr || *text == '\0') return say(panels, "The clipboard holds no text", true);
+  if (is_case_text(text)) {
+    Result<CaseMoment> moment = parse_case_text(text, "the clipboard");
+    if (!moment) return say(panels, moment.error(), true);
+    panels.pasted = std::make_shared<const CaseMoment>(std::move(moment.value()));
+    wish = Wish::go_to_pasted;
+    return;
+  }
   const Result<MapFile> read = parse_ascii_map(text, "the clipboard");
   if (!read) return say(panels, read.error(), true);
   const Scenario& scenario = session.scenario();

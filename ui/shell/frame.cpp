@@ -1,6 +1,10 @@
 #include "ui/shell/frame.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/trace/search_state.hpp"
+#include "ui/shell/panels.hpp"
 
 namespace replan::ui {
 
@@ -31,6 +35,90 @@ const Result<PlannerPage>& page_of(PanelState& panels, std::string_view planner)
   const auto found = panels.pages.find(planner);
   if (found != panels.pages.end()) return found->second;
   return panels.pages.emplace(std::string(planner), read_page(planner)).first->second;
+}
+
+std::optional<ReplanSpan> last_replan(const Run& run) {
+  const std::size_t cursor = run.timeline().cursor();
+  const auto markers = run.markers();
+  const auto after = std::partition_point(markers.begin(), markers.end(),
+                                          [cursor](const Marker& m) { return m.event < cursor; });
+  std::size_t end = cursor;
+  for (auto at = after; at != markers.begin();) {
+    --at;
+    if (at->kind == EventKind::plan_end) end = at->event + 1;
+    if (at->kind != EventKind::plan_begin) continue;
+    const std::uint64_t number = run.timeline().event(at->event).delta;
+    if (number == 0) return std::nullopt;
+    return ReplanSpan{number, at->event, end};
+  }
+  return std::nullopt;
+}
+
+const TouchedList* touched_by_last_replan(PanelState& panels, const Run& run) {
+  const std::optional<ReplanSpan> span = last_replan(run);
+  if (!span) return nullptr;
+  panels.debugger.touched.follow(run.log_view(), run.log_id(), span->begin, span->end);
+  return &panels.debugger.touched;
+}
+
+void show_cell(Frame& frame, Cell cell) {
+  View& view = frame.view.view;
+  view.pinned = cell;
+  if (view.camera.zoom <= 0) return;  // the whole world is in sight
+  const PixelArea& area = frame.panels.canvas;
+  const double panes = static_cast<double>(std::max<std::size_t>(frame.session.runs().size(), 1));
+  const double half_width = (area.max.x - area.min.x) / panes / 2 / view.camera.zoom;
+  const double half_height = (area.max.y - area.min.y) / 2 / view.camera.zoom;
+  const double x = cell.x + 0.5, y = cell.y + 0.5;
+  if (std::abs(x - view.camera.x) > half_width * 0.9) view.camera.x = x;
+  if (std::abs(y - view.camera.y) > half_height * 0.9) view.camera.y = y;
+}
+
+void point_at(Frame& frame, Cell cell) {
+  if (!ImGui::IsItemHovered()) return;
+  frame.panels.animated = frame.view.view.hovered != cell;  // it was drawn without it
+  frame.view.view.hovered = frame.panels.debugger.pointed = cell;
+}
+
+namespace {
+
+/// The name of the function that a line of pseudo-code is in; empty if there is none.
+std::string function_of(const PlannerPage& page, int number) {
+  const PseudoBlock* block = page.block_of(number);
+  if (block == nullptr) return "";
+  constexpr std::string_view kKeyword = "function ";
+  std::string name;
+  for (const PseudoLine& line : block->lines) {
+    if (line.text.starts_with(kKeyword)) {
+      const std::string_view rest = std::string_view(line.text).substr(kKeyword.size());
+      name = rest.substr(0, rest.find('('));
+    }
+    if (line.number == number) break;
+  }
+  return name;
+}
+
+}  // namespace
+
+std::string origin_text(Frame& frame, std::size_t event) {
+  const Run& run = frame.run();
+  const int number = run.timeline().event(event).line;
+  std::string words;
+  if (const Result<PlannerPage>& page = page_of(frame.panels, run.choice().id); page && number != 0) {
+    const PseudoLine* line = page->line(number);
+    const std::string function = function_of(*page, number);
+    if (line != nullptr) words = "line " + std::to_string(line->printed);
+    if (line != nullptr && !function.empty()) words += " of " + function;
+  }
+  const auto markers = run.markers();
+  const auto behind = std::partition_point(markers.begin(), markers.end(),
+                                           [event](const Marker& m) { return m.event <= event; });
+  const auto plan = std::find_if(std::make_reverse_iterator(behind), markers.rend(),
+                                 [](const Marker& m) { return m.kind == EventKind::plan_begin; });
+  if (plan == markers.rend()) return words;
+  const std::uint64_t replan = run.timeline().event(plan->event).delta;
+  const std::string in = replan == 0 ? "in the first plan" : "in replan " + std::to_string(replan);
+  return words.empty() ? in : words + ", " + in;
 }
 
 int current_line(const Run& run) {

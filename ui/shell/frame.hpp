@@ -14,15 +14,22 @@
 #include "core/session/session.hpp"
 #include "ui/canvas.hpp"
 #include "ui/look.hpp"
+#include "ui/shell/debugger_state.hpp"
 #include "ui/shell/recording.hpp"
+
+namespace replan {
+struct CaseMoment;
+}
 
 namespace replan::ui {
 
 inline constexpr int kPlannerTab = 0;
 inline constexpr int kCellTab = 1;
-inline constexpr int kCodeTab = 2;
-inline constexpr int kFiguresTab = 3;
-inline constexpr int kLogTab = 4;
+inline constexpr int kOpenListTab = 2;
+inline constexpr int kCodeTab = 3;
+inline constexpr int kFiguresTab = 4;
+inline constexpr int kDebugTab = 5;
+inline constexpr int kLogTab = 6;
 
 /// What an action asks of the shell itself; done after drawing.
 enum class Wish : std::uint8_t {
@@ -41,6 +48,9 @@ enum class Wish : std::uint8_t {
   record_window,
   picture_canvas,
   picture_window,
+  export_trace,
+  stop_export,
+  go_to_pasted,  ///< PanelState::pasted
   generate,
   resize
 };
@@ -63,12 +73,15 @@ struct PanelState {
   int code_line = 0;          ///< the line that the Code page scrolled to
   bool animated = false;      ///< something on it moves by itself
   double zoom = 0;            ///< device pixels per cell on the canvas, as fitted or chosen
-  RecordingState recording;   ///< told by the owner of the pixels
-  PixelArea canvas;           ///< where the canvas was drawn last
-  double frame_ms = 0;        ///< CPU time of a frame, smoothed; 0: not measured
-  float tool_height = 0;      ///< what the tool's choices took in the last frame, in pixels
-  bool history = false;       ///< the Log tab lists the edits
-  std::string said;           ///< a sentence for the user, to be shown over the canvas
+  DebuggerState debugger;     ///< of the Cell, Open list and Debug tabs
+  double exporting = -1;  ///< how much of a trace has been written, 0 to 1; below 0: none is being written
+  std::shared_ptr<const CaseMoment> pasted;  ///< a moment as text, for its wish
+  RecordingState recording;                  ///< told by the owner of the pixels
+  PixelArea canvas;                          ///< where the canvas was drawn last
+  double frame_ms = 0;                       ///< CPU time of a frame, smoothed; 0: not measured
+  float tool_height = 0;                     ///< what the tool's choices took in the last frame, in pixels
+  bool history = false;                      ///< the Log tab lists the edits
+  std::string said;                          ///< a sentence for the user, to be shown over the canvas
   bool said_bad = false;
   std::vector<std::string> recent;   ///< files that were opened last, the latest first
   std::string wished;                ///< the file that a wish is about
@@ -97,6 +110,28 @@ void area(const char* id, ImVec2 pos, ImVec2 size, ImU32 ground, ImVec2 padding,
 
 /// The page of a planner, read once.
 const Result<PlannerPage>& page_of(PanelState& panels, std::string_view planner);
+/// The replan that the cursor is in or behind: its number, and the stretch of the log up to the cursor that
+/// is its own. Nothing before the first one.
+struct ReplanSpan {
+  std::uint64_t number = 0;
+  std::size_t begin = 0, end = 0;
+};
+std::optional<ReplanSpan> last_replan(const Run& run);
+/// What that replan touched, read on as the log grows; nullptr before the first one.
+const TouchedList* touched_by_last_replan(PanelState& panels, const Run& run);
+/// Pins the cell, and moves the view there if it is out of sight.
+void show_cell(Frame& frame, Cell cell);
+/// Where something first went wrong: a law broken, or the oracle of another mind. Of the leading pane if it
+/// has one, else of the first pane that has.
+struct FirstBreach {
+  std::size_t pane = 0, position = 0;
+  bool law = true;  ///< else the oracle
+};
+std::optional<FirstBreach> first_breach(const Session& session);
+/// For rows of tables that stand for a cell: while the last item is under the mouse, the canvas shows the
+/// cell as if the mouse were there.
+void point_at(Frame& frame, Cell cell);
+
 /// The page's line that the latest event at the cursor belongs to; 0 before the first.
 int current_line(const Run& run);
 

@@ -52,6 +52,7 @@ void menu_items(Frame& frame, Menu menu) {
 
 void planner_items(Frame& frame) {
   for (const PlannerInfo& info : planners()) {
+    if (info.exercise && &info == sound_planners().data() + sound_planners().size()) ImGui::Separator();
     const bool chosen = frame.run().choice().id == info.id;
     if (ImGui::MenuItemEx(std::string(info.name).c_str(), "", "", chosen))
       frame.commands.push_back(ChoosePlanner{frame.session.lead(), std::string(info.id)});
@@ -68,6 +69,13 @@ void menu(Frame& frame, const char* name, Menu which) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(frame.look.px.s, frame.look.px(7)));
   if (which == Menu::planner) planner_items(frame);
   menu_items(frame, which);
+  if (which == Menu::planner) {
+    ImGui::Separator();
+    if (ImGui::BeginMenuEx("Debug", icon::bug)) {
+      menu_items(frame, Menu::debug);
+      ImGui::EndMenu();
+    }
+  }
   if (which == Menu::view) {
     ImGui::Separator();
     if (ImGui::BeginMenuEx("Overlays", icon::eye)) {

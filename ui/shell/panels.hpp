@@ -25,9 +25,25 @@ void draw_status_bar(Frame& frame);
 void draw_side(Frame& frame);
 void draw_planner_panel(Frame& frame);
 void draw_cell_panel(Frame& frame);
+void draw_open_list_panel(Frame& frame);
 void draw_code_panel(Frame& frame);
 void draw_figures_panel(Frame& frame);
+void draw_debug_panel(Frame& frame);
+// Its sections about the planners.
+void draw_checks(Frame& frame);
+void draw_difference(Frame& frame);
 void draw_log_panel(Frame& frame);
+/// What the Cell tab says of the cell's past.
+void draw_history(Frame& frame, Cell cell);
+/// The menu of the cell that ViewState::menu asks for, as a popup.
+void draw_cell_menu(Frame& frame);
+// Entries of menus: for the cell, and for one value of it, called `name`.
+void cell_menu_items(Frame& frame, Cell cell);
+void value_menu_items(Frame& frame, const char* name, EventKind kind, Cell cell);
+/// Where an event of the leading run came from: "line 21 of UpdateVertex, in replan 3".
+std::string origin_text(Frame& frame, std::size_t event);
+/// Over the canvas, its lower right corner at `corner`: why the playhead stopped, or what it looks for.
+void draw_stop(Frame& frame, ImVec2 corner);
 
 /// All overlays with their switches, keys and explanations; for popups and menus.
 void draw_overlay_switches(Frame& frame);

@@ -46,9 +46,13 @@ void choose_planner(Frame& frame) {
       current != before)
     frame.commands.push_back(
         ChoosePlanner{frame.session.lead(), std::string(planners()[static_cast<std::size_t>(current)].id)});
+  hint(look,
+       {"Planner", "", "What searches in the leading pane. Another one plans the same world from scratch."});
   const PlannerInfo& info = frame.run().info();
   paragraph(look.fonts.ui, look.theme.dim, info.summary);
-  if (button(look, "Idea and limits", ButtonKind::quiet, icon::book)) perform(frame, ActionId::planner_page);
+  const bool page = button(look, "Idea and limits", ButtonKind::quiet, icon::book);
+  hint(look, action(ActionId::planner_page).hint());
+  if (page) perform(frame, ActionId::planner_page);
 }
 
 bool choice_setting(const Look& look, const Parameter& parameter, const Hint& what, double& value) {
@@ -108,7 +112,8 @@ void setting(Frame& frame, const Parameter& parameter) {
       changed = number_setting(frame, parameter, what, value);
       break;
   }
-  if (changed) frame.commands.push_back(SetParameter{frame.session.lead(), std::string(parameter.key), value});
+  if (changed)
+    frame.commands.push_back(SetParameter{frame.session.lead(), std::string(parameter.key), value});
 }
 
 /// How the robot drives; true if something was changed.

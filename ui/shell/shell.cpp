@@ -14,7 +14,7 @@
 namespace replan::ui {
 namespace {
 
-constexpr float kNarrowestSide = 280, kWidestSide = 640, kNarrowestCanvas = 320;
+constexpr float kNarrowestSide = 340, kWidestSide = 640, kNarrowestCanvas = 320;
 constexpr float kNarrowestPane = 340;
 constexpr float kCaption = 32;  // height of the line over the canvas
 
@@ -52,14 +52,17 @@ void Shell::draw(const Look& look, Session& session, double) {
   take_commands(session, commands);
   take_wish(session, wish);
   take_decision(session, decision);
+  if (const auto outcome = export_.go_on(session)) tell(outcome->words, outcome->bad);
+  panels_.exporting = export_.busy() ? export_.share() : -1;
+  await_moment(session);
   keep(session);
 }
 
 bool Shell::wants_frames(const Session& session) const {
-  const bool busy =
-      std::any_of(session.runs().begin(), session.runs().end(), [](const auto& run) { return run->busy(); });
+  const bool busy = session.checks().busy() || std::any_of(session.runs().begin(), session.runs().end(),
+                                                           [](const auto& run) { return run->busy(); });
   return busy || session.playback().direction != 0 || session.revision() != drawn_ || held_ ||
-         panels_.animated || dialogs_.animated() ||
+         panels_.animated || dialogs_.animated() || export_.busy() || awaited_ ||
          std::any_of(canvases_.begin(), canvases_.end(), [](const auto& each) { return each->animating(); });
 }
 
@@ -110,9 +113,12 @@ void Shell::draw_parts(Frame& frame) {
       area("tool options", {split, bottom - tool}, {side, tool}, look.theme.panel, {look.px.l, look.px.m},
            [&] { draw_tool_options(frame); });
   }
-  area("status", {0, bottom}, {size.x, look.px.status}, look.theme.raised, {look.px(14), look.px(5)},
-       [&] { draw_status_bar(frame); });
+  area("status", {0, bottom}, {size.x, look.px.status}, look.theme.raised, {look.px(14), look.px(5)}, [&] {
+    draw_status_bar(frame);
+    draw_cell_menu(frame);
+  });
   if (panels) draw_splitter(frame, split, look.px.menu, bottom);
+  draw_stop(frame, {split - look.px.m, under - look.px(52)});
   draw_message(look, {left, look.px.menu}, {split, under});
 }
 
@@ -133,8 +139,9 @@ void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
     const auto room = static_cast<std::size_t>(std::max(1.0f, (max.x - min.x) / look.px(kNarrowestPane)));
     const std::size_t count = std::min(frame.session.runs().size(), panels_.panes > 0 ? panels_.panes : room);
     // Too narrow for all: the one that the side panel is about.
-    const std::size_t first =
-        count < frame.session.runs().size() ? std::min(frame.session.lead(), frame.session.runs().size() - count) : 0;
+    const std::size_t first = count < frame.session.runs().size()
+                                  ? std::min(frame.session.lead(), frame.session.runs().size() - count)
+                                  : 0;
     const PaneRow row(look, count, min, max);
     const GridMap& map = frame.session.scenario().map;
     panels_.zoom = resolve(view_.view.camera, map.width, map.height,

@@ -18,6 +18,7 @@
 #include "ui/shell/file_watch.hpp"
 #include "ui/shell/frame.hpp"
 #include "ui/shell/recent_files.hpp"
+#include "ui/shell/trace_export.hpp"
 #include "ui/shell/world_library.hpp"
 
 namespace replan::ui {
@@ -83,6 +84,7 @@ class Shell {
       open_file,
       worlds_dialog,
       new_world,
+      pasted,
       quit
     } kind = Kind::none;
     std::string path;  ///< of the file, or of the folder that the dialog begins with
@@ -98,6 +100,13 @@ class Shell {
     Loading what;
     Result<ReplaceScenario> document;
     std::vector<StampedFile> files;
+  };
+  /// A position that a run has yet to come to.
+  struct Awaited {
+    std::uint64_t log = 0;  ///< Run::log_id(); another one: somebody has gone another way
+    std::size_t event = 0;
+    std::uint64_t state = 0;  ///< SearchState::hash() there
+    bool sent = false;        ///< the run was sent on towards it
   };
   struct Message {
     std::string text;
@@ -115,6 +124,10 @@ class Shell {
   void take_commands(Session& session, std::vector<Command>& commands);
   void take_wish(Session& session, Wish wish);
   void ask_for_capture(bool film, bool window);
+  void ask_for_trace(const Session& session);
+  void export_trace(const Session& session, const Decision& decision);
+  void go_to_pasted(Session& session);
+  void await_moment(Session& session);
   void take_decision(Session& session, const Decision& decision);
   void begin(Session& session, Pending pending);
   void go_on(Session& session);
@@ -154,6 +167,8 @@ class Shell {
   std::chrono::steady_clock::time_point looked_at_disk_;
   std::int64_t unsaved_since_ = 0;  // seconds since 1970; 0: all is saved
   Message message_;
+  TraceExport export_;
+  std::optional<Awaited> awaited_;
   CaptureRequest asked_;  // while its dialog is open
   std::optional<CaptureRequest> capture_;
   bool quitting_ = false;

@@ -83,6 +83,16 @@ void Shell::take_wish(Session& session, Wish wish) {
     case Wish::record_window:
       ask_for_capture(true, wish == Wish::record_window);
       break;
+    case Wish::export_trace:
+      ask_for_trace(session);
+      break;
+    case Wish::stop_export:
+      export_.cancel();
+      tell("The trace was not written", false);
+      break;
+    case Wish::go_to_pasted:
+      begin(session, {Pending::Kind::pasted, {}});
+      break;
     case Wish::picture_canvas:
     case Wish::picture_window:
       ask_for_capture(false, wish == Wish::picture_window);
@@ -129,6 +139,9 @@ void Shell::take_decision(Session& session, const Decision& decision) {
       capture_->path = typed_path(decision.path);
       capture_->fps = decision.fps;
       message_ = {};  // or it would be in the picture
+      break;
+    case Decision::Kind::export_trace:
+      export_trace(session, decision);
       break;
     case Decision::Kind::discard:
       go_on(session);
@@ -197,6 +210,9 @@ void Shell::go_on(Session& session) {
       break;
     case Pending::Kind::new_world:
       dialogs_.show(DialogKind::new_world);
+      break;
+    case Pending::Kind::pasted:
+      go_to_pasted(session);
       break;
     case Pending::Kind::quit:
       quitting_ = true;

@@ -23,7 +23,8 @@ void choose_pane(Frame& frame) {
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::InvisibleButton("pane", {width, look.px.control})) frame.commands.push_back(Lead{i});
     const bool chosen = i == frame.session.lead(), hovered = ImGui::IsItemHovered();
-    hint(look, {"Pane", "", "Whose values the tabs show and whose timeline is below the canvas; the others follow it."});
+    hint(look, {"Pane", "",
+                "Whose values the tabs show and whose timeline is below the canvas; the others follow it."});
     ImGui::PopID();
     if (chosen) list.AddRectFilled(min, max, look.theme.selected, look.px.radius);
     const std::string name = elide(look.fonts.ui, runs[i]->info().name, width - look.px.l);
@@ -37,7 +38,12 @@ void choose_pane(Frame& frame) {
 
 void draw_side(Frame& frame) {
   const Look& look = frame.look;
-  static constexpr std::array<const char*, 5> kNames = {"Planner", "Cell", "Code", "Figures", "Log"};
+  static constexpr std::array<const char*, 7> kNames = {"Planner", "Cell",  "Open list", "Code",
+                                                        "Figures", "Debug", "Log"};
+  // A row of the last frame that stood for a cell; the one under the mouse now says so again.
+  std::optional<Cell>& pointed = frame.panels.debugger.pointed;
+  if (pointed && frame.view.view.hovered == pointed) frame.view.view.hovered.reset();
+  pointed.reset();
   frame.view.tab = std::clamp(frame.view.tab, 0, static_cast<int>(kNames.size()) - 1);
   tabs(look, "tabs", kNames, frame.view.tab);
   edge(look, Edge::left);
@@ -46,8 +52,7 @@ void draw_side(Frame& frame) {
   ImGui::BeginChild(kNames[static_cast<std::size_t>(frame.view.tab)], {0, 0}, false,
                     ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGui::PopStyleVar();
-  const bool per_pane =
-      frame.view.tab == kPlannerTab || frame.view.tab == kCellTab || frame.view.tab == kCodeTab;
+  const bool per_pane = frame.view.tab != kFiguresTab && frame.view.tab != kLogTab;
   if (per_pane && frame.session.runs().size() > 1) choose_pane(frame);
   switch (frame.view.tab) {
     case kPlannerTab:
@@ -55,6 +60,12 @@ void draw_side(Frame& frame) {
       break;
     case kCellTab:
       draw_cell_panel(frame);
+      break;
+    case kOpenListTab:
+      draw_open_list_panel(frame);
+      break;
+    case kDebugTab:
+      draw_debug_panel(frame);
       break;
     case kCodeTab:
       draw_code_panel(frame);

@@ -4,6 +4,7 @@
 #include "ui/icons.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
+#include "ui/shell/term_hint.hpp"
 
 namespace replan::ui {
 namespace {
@@ -11,6 +12,7 @@ namespace {
 struct Verdict {
   ImU32 colour;
   std::string text;
+  const char* term;  ///< of the glossary
 };
 
 /// Whether a plan was begun between the last decision and the cursor, and has not been finished.
@@ -26,33 +28,33 @@ bool searching(const Run& run, const replan::Mark* mark) {
 Verdict verdict(const Theme& theme, const Run& run) {
   const replan::Mark* mark = run.mark_at(run.timeline().cursor());
   if (mark == nullptr)
-    return run.timeline().cursor() == 0 ? Verdict{theme.faint, "not planned yet"}
-                                        : Verdict{theme.accent, "searching"};
-  if (searching(run, mark)) return {theme.warning, "replanning"};
+    return run.timeline().cursor() == 0 ? Verdict{theme.faint, "not planned yet", "plan"}
+                                        : Verdict{theme.accent, "searching", "expansion"};
+  if (searching(run, mark)) return {theme.warning, "replanning", "replan"};
   switch (mark->state) {
     case MissionState::planning:
-      return {theme.accent, "searching"};
+      return {theme.accent, "searching", "expansion"};
     case MissionState::arrived:
-      return {theme.good, "arrived"};
+      return {theme.good, "arrived", "arrival"};
     case MissionState::collision:
-      return {theme.bad, "would hit an obstacle"};
+      return {theme.bad, "would hit an obstacle", "collision"};
     case MissionState::loop:
-      return {theme.bad, "goes round in a circle"};
+      return {theme.bad, "goes round in a circle", "unchecked-parent"};
     case MissionState::endless:
-      return {theme.bad, "turned back again and again"};
+      return {theme.bad, "turned back again and again", "moving-obstacle"};
     case MissionState::no_path:
     case MissionState::driving:
       break;
   }
   switch (mark->route->status) {
     case PlanStatus::start_blocked:
-      return {theme.bad, "the start is blocked"};
+      return {theme.bad, "the start is blocked", "no-path"};
     case PlanStatus::goal_blocked:
-      return {theme.bad, "the goal is blocked"};
+      return {theme.bad, "the goal is blocked", "no-path"};
     case PlanStatus::no_path:
-      return {theme.bad, "no path"};
+      return {theme.bad, "no path", "no-path"};
     default:
-      return {theme.good, "plan stands"};
+      return {theme.good, "plan stands", "plan"};
   }
 }
 
@@ -81,9 +83,17 @@ class Line {
   void word(std::string_view words) {
     if (next(text_width(look_.fonts.ui, words))) text(look_.fonts.ui, look_.theme.dim, words);
   }
-  void dot(const Verdict& verdict) {
-    if (next(text_width(look_.fonts.ui, verdict.text) + look_.px(14)))
-      status(look_, verdict.colour, verdict.text);
+  void word(std::string_view words, const Hint& what) {
+    if (!next(text_width(look_.fonts.ui, words))) return;
+    text(look_.fonts.ui, look_.theme.dim, words);
+    hint(look_, what);
+  }
+  /// Whether there was room for it.
+  bool dot(const Verdict& verdict) {
+    if (!next(text_width(look_.fonts.ui, verdict.text) + look_.px(14))) return false;
+    status(look_, verdict.colour, verdict.text);
+    hint(look_, term_hint(verdict.term));
+    return true;
   }
   bool next(float width) {
     const float gap = first_ ? 0 : look_.px(22);
@@ -117,6 +127,14 @@ float right_side(Frame& frame) {
             time);
   const float moves_x = time_x - look.px(16) - text_width(look.fonts.ui, moves);
   if (mark != nullptr) draw_text(list, look.fonts.ui, {moves_x, origin.y}, look.theme.dim, moves);
+  const auto explain = [&](float from, float to, const Hint& what) {
+    ImGui::SetCursorScreenPos({from, origin.y});
+    ImGui::Dummy({std::max(1.0f, to - from), look.fonts.ui->FontSize});
+    hint(look, what);
+  };
+  explain(time_x, right, {"Time of a frame", "", "What the processor works on one picture of this window."});
+  if (mark != nullptr) explain(moves_x, time_x - look.px(16), term_hint("steps"));
+  ImGui::SetCursorScreenPos(origin);
   return moves_x;
 }
 
@@ -136,6 +154,60 @@ void busy(Frame& frame, Line& line) {
     perform(frame, ActionId::cancel);
 }
 
+/// What the checks of one kind came to over all panes.
+struct CheckSum {
+  bool on = false, busy = false;
+  std::int64_t wrong = 0;
+};
+
+/// A dot for each check that is on. A click leads to what went wrong, or to the checks.
+void check_dot(Frame& frame, Line& line, const CheckSum& sum, const char* good, const char* busy,
+               const std::string& bad, const char* term) {
+  if (!sum.on) return;
+  const Theme& theme = frame.look.theme;
+  if (!line.dot(sum.wrong > 0 ? Verdict{theme.bad, bad, term}
+                : sum.busy    ? Verdict{theme.dim, busy, term}
+                              : Verdict{theme.good, good, term}))
+    return;
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
+  perform(frame, sum.wrong > 0 ? ActionId::first_breach : ActionId::show_debug);
+}
+
+void checks(Frame& frame, Line& line) {
+  const Session& session = frame.session;
+  CheckSum laws, oracle;
+  for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
+    const LawReport law = session.checks().laws(pane);
+    const OracleReport asked = session.checks().oracle(pane);
+    laws.on = laws.on || law.on;
+    laws.busy = laws.busy || law.checked < session.runs()[pane]->timeline().size();
+    laws.wrong += static_cast<std::int64_t>(law.breaches);
+    oracle.on = oracle.on || asked.on;
+    oracle.busy = oracle.busy || asked.busy || asked.asked == 0;
+    oracle.wrong += static_cast<std::int64_t>(asked.disagreements);
+  }
+  check_dot(frame, line, oracle, "oracle agrees", "asking the oracle",
+            "oracle disagrees: " + count_text(oracle.wrong, "plan", "plans"), "oracle");
+  check_dot(frame, line, laws, "invariants hold", "checking invariants",
+            count_text(laws.wrong, "breach", "breaches") + " of invariants", "invariant");
+}
+
+/// While a trace is written: how far it is, and the way to stop it.
+void exporting(Frame& frame, Line& line) {
+  const Look& look = frame.look;
+  if (frame.panels.exporting < 0) return;
+  const std::string words = "Exporting the trace… " + fixed(frame.panels.exporting * 100, 0) + " %";
+  if (!line.next(text_width(look.fonts.ui, words) + look.px(28))) return;
+  text(look.fonts.ui, look.theme.accent, words);
+  ImGui::SameLine(0, look.px.xs);
+  ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y - look.px(5)});
+  if (small_button(look, "stop export",
+                   {.icon = icon::times, .hint = {"Stop", "", "Gives the trace up; no file is left."}}))
+    frame.wish = Wish::stop_export;
+}
+
 }  // namespace
 
 void draw_status_bar(Frame& frame) {
@@ -149,7 +221,9 @@ void draw_status_bar(Frame& frame) {
   if (cell && frame.session.scenario().map.contains(*cell)) {
     line.pair("Cell", std::to_string(cell->x) + ", " + std::to_string(cell->y),
               {"Cell", "", "Column and row, from (0, 0) at the top left."});
-    line.word(cell_state(frame, *cell));
+    line.word(cell_state(frame, *cell),
+              {"What stands there", "",
+               "In the true world, and whether the robot knows of it. It plans on what it believes alone."});
   }
   const StrokeKind stroke = frame.view.editing.stroke;
   if (stroke == StrokeKind::erases_wall) line.word("erasing, since the first cell was an obstacle");
@@ -157,20 +231,15 @@ void draw_status_bar(Frame& frame) {
   if (stroke == StrokeKind::paints) line.word("painting, since the first cell was free");
   line.dot(verdict(look.theme, run));
   busy(frame, line);
+  checks(frame, line);
+  exporting(frame, line);
   const replan::Mark* mark = run.mark_at(run.timeline().cursor());
   if (mark != nullptr && mark->state == MissionState::arrived)
-    line.pair("travelled", fixed(mark->figures.travelled, 1),
-              {"Travelled", "", "The way that the robot has driven, in cells."});
+    line.pair("travelled", fixed(mark->figures.travelled, 1), term_hint("travelled"));
   else if (mark != nullptr && mark->route->status == PlanStatus::found)
-    line.pair(
-        "path", fixed(path_length(run.lattice(), mark->route->path.nodes), 1),
-        {"Path length", "", "Of the plan that stands, in cells, measured along its straight segments."});
-  line.pair("|U|", grouped(run.timeline().state().queue_size()),
-            {"Open list", "", "How many vertices wait in the open list U."});
-  if (run.info().from_goal)
-    line.pair("km", cost_text(run.timeline().state().km(), 2),
-              {"km", "",
-               "The way the robot has gone between replans, added to new keys so that old ones stay valid."});
+    line.pair("path", fixed(path_length(run.lattice(), mark->route->path.nodes), 1), term_hint("length"));
+  line.pair("|U|", grouped(run.timeline().state().queue_size()), term_hint("open-list"));
+  if (run.info().from_goal) line.pair("km", cost_text(run.timeline().state().km(), 2), term_hint("km"));
   const double zoom = frame.panels.zoom / static_cast<double>(look.px.scale);
   line.pair("Zoom", fixed(zoom, zoom < 10 ? 1 : 0) + "×",
             {"Zoom", "", "Pixels per cell, at the display's scale."});

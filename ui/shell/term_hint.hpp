@@ -14,4 +14,10 @@ inline Hint term_hint(std::string_view id) {
   return term == nullptr ? Hint{} : Hint{term->title.data(), "", term->text.data()};
 }
 
+/// The head of a table whose columns are called by words of the glossary, each with its tooltip.
+inline void table_head(const Look& look, std::span<const Column> columns) {
+  if (const int at = table_header(look, columns); at >= 0)
+    hint(look, term_hint(columns[static_cast<std::size_t>(at)].name));
+}
+
 }  // namespace replan::ui

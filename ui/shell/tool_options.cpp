@@ -37,12 +37,20 @@ void surprise_options(Frame& frame) {
                 .max = static_cast<double>(now + 200),
                 .initial = static_cast<double>(now + 10),
                 .decimals = 0},
-               step))
+               step, {"Step", "", "Once the robot has taken so many steps; waiting counts as well."}))
       editing.surprise_step = static_cast<std::int64_t>(step);
   } else if (editing.surprise_time == SurpriseTime::near) {
     slider(look, {.label = "Within", .min = 0, .max = 64, .initial = 4, .unit = "cells", .decimals = 1},
-           editing.surprise_within);
+           editing.surprise_within,
+           {"Within", "",
+            "How near the robot has to come, from its cell's centre to the middle of what you draw."});
   }
+}
+
+void remove_button(Frame& frame) {
+  const bool pressed = button(frame.look, "Remove", ButtonKind::danger, icon::trash);
+  hint(frame.look, action(ActionId::delete_selected).hint());
+  if (pressed) perform(frame, ActionId::delete_selected);
 }
 
 void selected_surprise(Frame& frame) {
@@ -52,7 +60,7 @@ void selected_surprise(Frame& frame) {
   const std::string when =
       surprise.at.move ? "at step " + std::to_string(*surprise.at.move) : "when the robot comes near";
   paragraph(look.fonts.ui, look.theme.text, std::to_string(surprise.cells.size()) + " cells, " + when);
-  if (button(look, "Remove", ButtonKind::danger, icon::trash)) perform(frame, ActionId::delete_selected);
+  remove_button(frame);
 }
 
 /// Speed and what happens at the end; returns whether one was changed for good.
@@ -61,15 +69,18 @@ bool movement(Frame& frame, double& speed, WayEnd& at_end) {
   static constexpr std::array<const char*, 3> kEnds = {"Back", "Round", "Stays"};
   const auto draft = frame.panels.drafts.find("mover speed");
   double shown = draft == frame.panels.drafts.end() ? speed : draft->second;
-  if (slider(look,
-             {.label = "Speed",
-              .min = 0.1,
-              .max = 50,
-              .initial = 2,
-              .unit = "cells/s",
-              .decimals = 1,
-              .logarithmic = true},
-             shown))
+  if (slider(
+          look,
+          {.label = "Speed",
+           .min = 0.1,
+           .max = 50,
+           .initial = 2,
+           .unit = "cells/s",
+           .decimals = 1,
+           .logarithmic = true},
+          shown,
+          {"Speed", "",
+           "A diagonal step takes as long as a straight one. The robot's own speed is in the Planner tab."}))
     frame.panels.drafts["mover speed"] = shown;
   bool changed = false;
   // Handed on when the slider is let go: each change begins the run afresh.
@@ -83,6 +94,10 @@ bool movement(Frame& frame, double& speed, WayEnd& at_end) {
     at_end = static_cast<WayEnd>(end);
     changed = true;
   }
+  hint(look, {"At the end of its way", "",
+              "Back: it returns the way it came, and so on. Round: straight to the way's beginning, and so "
+              "on. Stays: it "
+              "stops for good."});
   return changed;
 }
 
@@ -104,7 +119,8 @@ void selected_mover(Frame& frame) {
                 .unit = "cells",
                 .decimals = 0,
                 .logarithmic = true},
-               shown))
+               shown,
+               {label, "", "Of the box of cells that moves; what lies outside the world is not there."}))
       frame.panels.drafts[key] = shown;
     if (ImGui::IsMouseDown(0) || frame.panels.drafts.erase(key) == 0) return;
     value = static_cast<int>(shown);
@@ -113,7 +129,7 @@ void selected_mover(Frame& frame) {
   side("Width", mover.width);
   side("Height", mover.height);
   if (changed) frame.commands.push_back(ChangeMover{index, mover, 0});
-  if (button(look, "Remove", ButtonKind::danger, icon::trash)) perform(frame, ActionId::delete_selected);
+  remove_button(frame);
 }
 
 void mover_options(Frame& frame) {

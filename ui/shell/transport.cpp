@@ -33,6 +33,14 @@ ActionId step_action(StepUnit unit, bool forwards) {
   return ActionId::step_forward;
 }
 
+/// To the previous and next breakpoint; they show once there are some.
+void breakpoint_buttons(Frame& frame) {
+  if (frame.session.breakpoints().list().empty()) return;
+  ImGui::SameLine(0, frame.look.px.m);
+  transport_action(frame, ActionId::breakpoint_back, icon::stop_back);
+  transport_action(frame, ActionId::breakpoint_forward, icon::stop_forward);
+}
+
 void buttons(Frame& frame) {
   const int direction = frame.session.playback().direction;
   transport_action(frame, ActionId::to_start, icon::fast_backward);
@@ -41,6 +49,7 @@ void buttons(Frame& frame) {
   transport_action(frame, ActionId::play, direction != 0 ? icon::pause : icon::play, true);
   transport_action(frame, step_action(frame.panels.unit, true), icon::step_forward);
   transport_action(frame, ActionId::to_end, icon::fast_forward);
+  breakpoint_buttons(frame);
 }
 
 void step_unit(Frame& frame, bool roomy) {
@@ -56,7 +65,7 @@ void step_unit(Frame& frame, bool roomy) {
   if (combo(look, "##unit", kUnits, unit, look.px(106))) frame.panels.unit = static_cast<StepUnit>(unit);
   hint(look, {"Step over", "",
               "What one press of the step buttons goes over: a line of pseudo-code, an expansion, a move of "
-              "the robot, or all up to the next plan."});
+              "the robot, all up to the next plan, or the whole mission up to the goal."});
 }
 
 std::string speed_text(double speed) {
@@ -128,7 +137,7 @@ void draw_transport(Frame& frame) {
   edge(look, Edge::top);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
-  const bool roomy = width > look.px(790);
+  const bool roomy = width > look.px(frame.session.breakpoints().list().empty() ? 790 : 880);
   buttons(frame);
   step_unit(frame, roomy);
   speed(frame, roomy);

@@ -19,10 +19,11 @@ Decision Dialogs::capture_dialog(const Look& look, bool film) {
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##path", film ? "folder/name.gif" : "folder/name.png", &capture_path_,
                            ImGuiInputTextFlags_AutoSelectAll);
+  hint(look, {"File", "", "A file of that name is replaced once the new one is complete."});
   if (film)
     slider(look,
            {.label = "Frames per second", .min = 10, .max = 50, .initial = 30, .unit = "", .decimals = 0},
-           fps_);
+           fps_, {"Frames per second", "", "More are smoother and make a larger file."});
   const Answer answer = confirm(look, film ? "Record" : "Save");
   if (answer == Answer::none) return {};
   Decision decision;

@@ -10,7 +10,8 @@
 namespace replan::ui {
 namespace {
 
-constexpr std::array<std::pair<Menu, const char*>, 8> kSections = {{{Menu::planner, "Play and step"},
+constexpr std::array<std::pair<Menu, const char*>, 9> kSections = {{{Menu::planner, "Play and step"},
+                                                                    {Menu::debug, "Debug"},
                                                                     {Menu::file, "File"},
                                                                     {Menu::edit, "Edit and tools"},
                                                                     {Menu::world, "World"},

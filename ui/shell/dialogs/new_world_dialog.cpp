@@ -16,7 +16,7 @@ Decision Dialogs::new_world_dialog(const Look& look) {
           .unit = "cells",
           .decimals = 0,
           .logarithmic = true},
-         width_);
+         width_, {"Width", "", "Columns of cells, from left to right."});
   slider(look,
          {.label = "Height",
           .min = 4,
@@ -25,7 +25,7 @@ Decision Dialogs::new_world_dialog(const Look& look) {
           .unit = "cells",
           .decimals = 0,
           .logarithmic = true},
-         height_);
+         height_, {"Height", "", "Rows of cells, from top to bottom."});
   const Answer answer = confirm(look, "Create");
   if (answer == Answer::none) return {};
   Decision decision;

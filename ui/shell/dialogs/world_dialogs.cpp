@@ -10,6 +10,7 @@
 #include "core/world/generator_list.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/dialogs/parts.hpp"
+#include "ui/shell/term_hint.hpp"
 #include "ui/widgets.hpp"
 
 namespace replan::ui {
@@ -31,7 +32,7 @@ bool size_slider(const Look& look, const char* label, int initial, int& value) {
                                .unit = "cells",
                                .decimals = 0,
                                .logarithmic = true},
-                              shown);
+                              shown, {label, "", "Of the world, in cells."});
   value = static_cast<int>(shown);
   return changed;
 }
@@ -53,6 +54,7 @@ bool parameter_control(const Look& look, const Parameter& parameter, double long
   if (parameter.type == ParameterType::toggle) {
     bool on = value != 0;
     changed = toggle(look, label.c_str(), on);
+    hint(look, what);
     value = on ? 1 : 0;
   } else {
     const bool is_whole = parameter.type != ParameterType::real;
@@ -131,6 +133,8 @@ void WorldDialogs::anchors(const Look& look) {
     if (ImGui::InvisibleButton("anchor", {max.x - min.x, max.y - min.y}))
       size_.across = across, size_.down = down;
     ImGui::PopID();
+    hint(look,
+         {"Where the old world lies", "", "The cells that are added or cut off lie on the other sides."});
     const bool chosen = size_.across == across && size_.down == down;
     list.AddRectFilled(min, max,
                        chosen                   ? look.theme.accent
@@ -184,6 +188,7 @@ void WorldDialogs::resize(const Look& look, const Session& session, std::vector<
   size_slider(look, "Height", scenario.map.height, size_.height);
   anchors(look);
   toggle(look, "New cells are obstacles", size_.blocked);
+  hint(look, {"New cells", "", "On: what is added is solid. Off: it is free."});
   ImGui::EndChild();
   ImGui::SameLine(0, look.px(24));
   resize_preview(look, session, {whole - left - look.px(24), look.px(270)});
@@ -215,6 +220,7 @@ bool WorldDialogs::generator_settings(const Look& look) {
     wanted_.settings = {};
     changed = true;
   }
+  hint(look, {"Generator", "", "What kind of world. Each has settings of its own below."});
   const GeneratorInfo& info = generators()[static_cast<std::size_t>(current)];
   paragraph(look.fonts.ui, look.theme.dim, info.summary);
   changed |= size_slider(look, "Width", 61, wanted_.width);
@@ -265,6 +271,7 @@ void WorldDialogs::generate(const Look& look, std::vector<Command>& commands) {
   const bool typed = ImGui::InputScalar("##seed", ImGuiDataType_U64, &seed);
   ImGui::PopStyleVar();
   ImGui::PopFont();
+  hint(look, term_hint("seed"));
   ImGui::SameLine(0, look.px.xs);
   const bool rolled = small_button(
       look, "dice",

@@ -1,0 +1,144 @@
+// The laws of A* and Dijkstra's algorithm. As with the D* Lite family only what a step touched is looked at:
+// what holds at a vertex depends on its own values and on its neighbours' g and whether they are in the list.
+#include <bit>
+
+#include "core/debug/law_book.hpp"
+
+namespace replan {
+namespace {
+
+enum Bit : std::uint8_t { kParent = 1, kSpread = 2, kKey = 4 };
+
+constexpr const char* kStartLaw = "g(start) is 0";
+constexpr const char* kParentLaw =
+    "g(s) is its parent's g and the move, or more while the parent's g has yet to spread";
+constexpr const char* kSpreadLaw =
+    "a vertex that was taken from the list has offered its g to all neighbours";
+constexpr const char* kKeyLaw = "a key in the list is g + h";
+constexpr const char* kWayLaw = "parents lead from the goal to the start, by moves along which g falls";
+
+class BestFirstLaws final : public LawBook {
+ public:
+  explicit BestFirstLaws(LawValues& values) : LawBook(values), start_(values.start()), goal_(values.goal()) {}
+
+  void step() override {
+    follow(start_, values_.start());
+    const bool other_goal = goal_ != values_.goal();
+    goal_ = values_.goal();
+    for (const LawValues::Touched& each : values_.touched()) {
+      const LawVertex& vertex = values_.at(each.node);
+      const bool spread = vertex.g != each.g || vertex.queued() != each.queued;
+      // A better g of a vertex that waits in the list asks nothing of its neighbours yet.
+      const bool waits = vertex.queued() && vertex.g <= each.g && !any_broken_;
+      if (spread && !waits) look_at_neighbours(each.node);
+      look(each.node);
+    }
+    if (other_goal)
+      values_.for_each_page([this](NodeId node, const LawVertex& vertex) {
+        if (vertex.queued()) hold_key(node);
+      });
+  }
+
+  void plan(PlanStatus status, std::span<const Hop>) override {
+    if (!values_.on_map(goal_)) return;
+    hold_status(status, "g", goal_, values_.at(goal_).g);
+    if (status == PlanStatus::found) follow_parents();
+  }
+
+  void look(NodeId s) override {
+    hold_parent(s);
+    hold_spread(s);
+    hold_key(s);
+    any_broken_ |= values_.at(s).broken != 0;
+  }
+
+ private:
+  void look_at_neighbours(NodeId u) {
+    const Grid2& known = values_.known();
+    const LawVertex& vertex = values_.at(u);
+    for (std::uint32_t rest = known.moves(u); rest != 0; rest &= rest - 1) {
+      const int d = std::countr_zero(rest);
+      const NodeId s = known.neighbour(u, d);
+      const LawVertex& other = values_.at(s);
+      if (other.lp == u + 1) hold_parent(s);
+      const bool kept_back = !other.queued() && vertex.g > other.g + Grid2::step_cost(d);
+      if (kept_back || (other.broken & kSpread) != 0) hold_spread(s);
+      any_broken_ |= other.broken != 0;
+    }
+  }
+
+  void hold_parent(NodeId s) {
+    const LawVertex& vertex = values_.at(s);
+    const char* law = s == start_ ? kStartLaw : kParentLaw;
+    hold(s, kParent, law, parent_is_right(s), [&] {
+      const std::string is = named("g", s) + " is " + cost_text(vertex.g);
+      if (vertex.lp == 0) return is + " and it has no parent";
+      const NodeId parent = vertex.lp - 1u;
+      if (direction(s, parent) < 0)
+        return is + ", but no move leads to it from " + named("its parent ", parent);
+      return is + ", its parent's, " + named("g", parent) + ", is " + cost_text(values_.at(parent).g);
+    });
+  }
+  [[nodiscard]] bool parent_is_right(NodeId s) const {
+    const LawVertex& vertex = values_.at(s);
+    if (s == start_) return vertex.g == Cost::zero() && vertex.lp == 0;
+    if (vertex.g.is_infinite()) return vertex.lp == 0 && !vertex.queued();
+    const int d = vertex.lp == 0 ? -1 : direction(s, vertex.lp - 1u);
+    if (d < 0) return false;
+    const LawVertex& parent = values_.at(vertex.lp - 1u);
+    const Cost sum = parent.g + Grid2::step_cost(d);
+    return vertex.g == sum || (vertex.g > sum && parent.queued());
+  }
+
+  void hold_spread(NodeId u) {
+    const Grid2& known = values_.known();
+    const LawVertex& vertex = values_.at(u);
+    NodeId behind = kNoNode;
+    Cost offered;
+    if (!vertex.g.is_infinite() && !vertex.queued())
+      for (std::uint32_t rest = known.moves(u); rest != 0 && behind == kNoNode; rest &= rest - 1) {
+        const int d = std::countr_zero(rest);
+        offered = vertex.g + Grid2::step_cost(d);
+        if (values_.at(known.neighbour(u, d)).g > offered) behind = known.neighbour(u, d);
+      }
+    hold(u, kSpread, kSpreadLaw, behind == kNoNode, [&] {
+      return cell(u) + " was taken and offers " + cost_text(offered) + " to " + cell(behind) + ", but " +
+             named("g", behind) + " is " + cost_text(values_.at(behind).g);
+    });
+  }
+
+  void hold_key(NodeId s) {
+    const LawVertex& vertex = values_.at(s);
+    const bool any = vertex.queued() && values_.on_map(goal_);
+    const Cost h = any ? values_.known().bound(values_.heuristic(), s, goal_) : Cost::zero();
+    hold(s, kKey, kKeyLaw, !any || vertex.k1() == vertex.g + h, [&] {
+      return "the key of " + cell(s) + " is " + cost_text(vertex.k1()) + ", but g + h is " +
+             cost_text(vertex.g) + " + " + cost_text(h) + " = " + cost_text(vertex.g + h);
+    });
+  }
+
+  void follow_parents() {
+    for (NodeId s = goal_; s != start_;) {
+      const LawVertex& vertex = values_.at(s);
+      const NodeId parent = vertex.lp - 1u;
+      if (vertex.lp == 0 || direction(s, parent) < 0)
+        return find(s, kWayLaw, "no move leads to " + cell(s) + " from its parent");
+      if (!(values_.at(parent).g < vertex.g))
+        return find(s, kWayLaw,
+                    "from " + cell(s) + " to its parent " + cell(parent) + " g goes from " +
+                        cost_text(vertex.g) + " to " + cost_text(values_.at(parent).g));
+      s = parent;
+    }
+  }
+
+  bool any_broken_ = false;
+  NodeId start_, goal_;  // as of the last step
+};
+
+}  // namespace
+
+std::unique_ptr<LawBook> make_best_first_laws(LawValues& values) {
+  return std::make_unique<BestFirstLaws>(values);
+}
+
+}  // namespace replan

@@ -1,0 +1,330 @@
+#include "core/debug/case_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "core/base/words.hpp"
+#include "core/trace/json_lines.hpp"
+#include "core/trace/trace_text.hpp"
+#include "core/world/json_reader.hpp"
+
+namespace replan {
+namespace {
+
+constexpr std::string_view kTitle = "Replan case 1";
+constexpr std::string_view kScenario = "scenario ", kAt = "at ";
+
+constexpr const char* kNowhere = "/nonexistent";  // a text from elsewhere has no folder for a map file
+
+constexpr int kWholeWorld = 200;                   // cells along a side that are still drawn all
+constexpr int kPartWidth = 100, kPartHeight = 60;  // of a larger world
+constexpr int kAround = 3;                         // cells listed on each side of the pin or the robot
+constexpr std::size_t kMostListed = 64, kMostQueued = 20;
+
+/// What is written, and the state at the log's cursor.
+struct Source {
+  const Scenario& scenario;
+  const LogView& view;
+  const CaseFocus& focus;
+  const SearchState& state;
+  NodeId robot;
+  bool lookahead;
+
+  [[nodiscard]] Cell middle() const {
+    if (focus.region)
+      return {focus.region->x + focus.region->width / 2, focus.region->y + focus.region->height / 2};
+    return focus.pin.value_or(robot == kNoNode ? scenario.start : view.lattice.position(robot));
+  }
+};
+
+std::string number(Cost cost) {
+  std::string text;
+  if (cost.is_infinite())
+    text = "inf";
+  else
+    append_cost(text, cost);
+  return text;
+}
+
+std::string cell_of(const Source& from, NodeId node) {
+  return node < from.view.lattice.node_count() ? cell_text(from.view.lattice.position(node)) : "none";
+}
+
+/// "name      value"
+std::string labelled(std::string_view name, const std::string& value) {
+  std::string line(name);
+  line.resize(std::max<std::size_t>(10, line.size() + 1), ' ');
+  return line + value + "\n";
+}
+
+std::string planner_line(const Source& from) {
+  std::string line = std::string(from.view.info.id) + " (" + std::string(from.view.info.name) + ")";
+  for (const Parameter& parameter : from.view.info.parameters)
+    line +=
+        " " + std::string(parameter.key) + "=" + format_value(parameter, from.view.settings.get(parameter));
+  return line;
+}
+
+/// The event before the cursor, as a line of the JSON Lines trace.
+std::string last_event(const Source& from) {
+  const std::size_t cursor = from.view.log.cursor();
+  if (cursor == 0) return "none yet";
+  const Event& event = from.view.log.event(cursor - 1);
+  SearchState before = from.state;
+  before.apply(event);
+  const TraceRun run{from.view, {}, {}, {}, {}};
+  std::string line;
+  JsonLines(run).event(line, cursor - 1, event, before);
+  line.pop_back();
+  return line;
+}
+
+/// The cells in the open list, the next one first; all of them counted, the first kMostQueued in order.
+std::pair<std::vector<NodeId>, std::size_t> open_list(const Source& from) {
+  const SearchState& state = from.state;
+  std::vector<NodeId> nodes;
+  for (NodeId n = 0; n < state.node_count(); ++n) {
+    if (n % SearchState::kPage == 0 && !state.touched(EventKind::queue, n))
+      n += static_cast<NodeId>(SearchState::kPage) - 1;
+    else if (state.queued(n))
+      nodes.push_back(n);
+  }
+  const auto key = [&](NodeId n) {
+    const Cost k1 = state.k1(n);
+    return std::tuple(k1.raw, from.lookahead ? state.k2(n).raw : k1.raw - state.g(n).raw, n);
+  };
+  const std::size_t count = nodes.size(), shown = std::min(count, kMostQueued);
+  std::partial_sort(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(shown), nodes.end(),
+                    [&](NodeId a, NodeId b) { return key(a) < key(b); });
+  nodes.resize(shown);
+  return {std::move(nodes), count};
+}
+
+std::string run_lines(const Source& from, std::size_t queued) {
+  const Timeline& log = from.view.log;
+  std::string moment = "event " + std::to_string(log.cursor()) + " of " + std::to_string(log.size());
+  if (log.cursor() > 0) moment += ", pseudo-code line " + std::to_string(log.event(log.cursor() - 1).line);
+  std::string text = labelled("planner", planner_line(from)) + labelled("moment", moment) +
+                     labelled("last", last_event(from));
+  text += labelled("robot", cell_of(from, from.robot) + ", step " +
+                                std::to_string(from.state.scalar(Scalar::moves)) + ", replan " +
+                                std::to_string(from.state.scalar(Scalar::replans)) + "; goal " +
+                                cell_of(from, from.state.node(Scalar::goal)));
+  if (from.lookahead) text += labelled("km", number(from.state.km()));
+  return text + labelled("U", counted(queued, "cell"));
+}
+
+char letter(const Source& from, NodeId node) {
+  const SearchState& state = from.state;
+  const Grid2& lattice = from.view.lattice;
+  if (node == from.robot) return 'R';
+  const bool known = state.known_blocked(node);
+  if (state.moving(node)) return 'M';
+  if (state.wall(node)) return known ? '@' : '?';
+  if (known) return '!';
+  const NodeId goal = state.node(Scalar::goal);
+  if (node == (goal == kNoNode ? lattice.node(from.scenario.goal) : goal)) return 'G';
+  return node == lattice.node(from.scenario.start) ? 'S' : '.';
+}
+
+/// Where a stretch of `length` cells begins that has `middle` in it, on a side of `size` cells.
+int placed(int middle, int length, int size) {
+  return std::clamp(middle - length / 2, 0, std::max(0, size - length));
+}
+
+std::string world_lines(const Source& from) {
+  const Grid2& lattice = from.view.lattice;
+  const int width = lattice.width(), height = lattice.height();
+  MapRegion shown{0, 0, width, height};
+  std::string title = std::to_string(width) + " x " + std::to_string(height) + " cells";
+  if (width > kWholeWorld || height > kWholeWorld) {
+    const Cell middle = from.middle();
+    shown = {placed(middle.x, kPartWidth, width), placed(middle.y, kPartHeight, height),
+             std::min(kPartWidth, width), std::min(kPartHeight, height)};
+    title += ", of which these begin at " + cell_text({shown.x, shown.y});
+  }
+  std::string text = labelled("world", title) +
+                     labelled("",
+                              ". free, @ obstacle, ? one that the robot does not know of, "
+                              "! one that is gone without its knowing,") +
+                     labelled("", "M moving, S start, G goal, R robot");
+  for (int y = shown.y; y < shown.y + shown.height; ++y) {
+    for (int x = shown.x; x < shown.x + shown.width; ++x) text += letter(from, lattice.node(Cell{x, y}));
+    text += '\n';
+  }
+  return text;
+}
+
+/// Rows of equally many cells, in columns.
+std::string aligned(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      line += row[i];
+      line.append(widths[i] - row[i].size() + 2, ' ');
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+const char* consistency(const Source& from, NodeId node) {
+  const Cost g = from.state.g(node), rhs = from.state.rhs(node);
+  if (from.state.known_blocked(node)) return "obstacle";
+  if (!from.lookahead) return from.state.queued(node) ? "open" : g.is_infinite() ? "unseen" : "settled";
+  if (g == rhs) return g.is_infinite() ? "unseen" : "consistent";
+  return g > rhs ? "over" : "under";
+}
+
+std::vector<std::string> value_names(const Source& from) {
+  std::vector<std::string> names = {"cell", "state", "g"};
+  if (from.lookahead) names.emplace_back("rhs");
+  if (from.view.info.clearance) names.emplace_back("dist");
+  names.emplace_back("in U by");
+  names.emplace_back("lp");
+  if (from.view.info.sight) names.emplace_back("rp");
+  names.emplace_back("expanded");
+  return names;
+}
+
+std::vector<std::string> values(const Source& from, NodeId node) {
+  const SearchState& state = from.state;
+  std::vector<std::string> row = {cell_of(from, node), consistency(from, node), number(state.g(node))};
+  if (from.lookahead) row.push_back(number(state.rhs(node)));
+  if (from.view.info.clearance) row.push_back(number(state.dist(node)));
+  std::string key = "-";
+  if (state.queued(node))
+    key = from.lookahead ? "[" + number(state.k1(node)) + "; " + number(state.k2(node)) + "]"
+                         : number(state.k1(node));
+  row.push_back(std::move(key));
+  row.push_back(cell_of(from, state.lp(node)));
+  if (from.view.info.sight) row.push_back(cell_of(from, state.rp(node)));
+  const std::uint32_t times = state.times_expanded(node);
+  row.push_back(times == 0 ? "-" : "#" + std::to_string(state.order(node)) + ", " + counted(times, "time"));
+  return row;
+}
+
+std::string table(const Source& from, const std::vector<NodeId>& nodes) {
+  std::vector<std::vector<std::string>> rows = {value_names(from)};
+  for (const NodeId node : nodes) rows.push_back(values(from, node));
+  return aligned(rows);
+}
+
+/// An obstacle, or a cell that the search has not come to.
+bool says_nothing(const Source& from, NodeId node) {
+  return from.state.known_blocked(node) ||
+         (from.state.g(node).is_infinite() && from.state.rhs(node).is_infinite() &&
+          !from.state.queued(node) && from.state.order(node) == 0);
+}
+
+/// The cells in focus, those that the search has come to.
+std::string focus_lines(const Source& from) {
+  const Cell middle = from.middle();
+  const MapRegion around = from.focus.region.value_or(
+      MapRegion{middle.x - kAround, middle.y - kAround, 2 * kAround + 1, 2 * kAround + 1});
+  const Grid2& lattice = from.view.lattice;
+  std::vector<NodeId> nodes;
+  std::size_t left_out = 0;
+  for (int y = std::max(0, around.y); y < std::min(lattice.height(), around.y + around.height); ++y)
+    for (int x = std::max(0, around.x); x < std::min(lattice.width(), around.x + around.width); ++x) {
+      const NodeId node = lattice.node(Cell{x, y});
+      if (says_nothing(from, node) && (from.focus.region || Cell{x, y} != middle)) continue;
+      if (nodes.size() < kMostListed)
+        nodes.push_back(node);
+      else
+        ++left_out;
+    }
+  const std::string what = from.focus.region ? "of the region from " + cell_text({around.x, around.y})
+                                             : "around " + cell_text(middle);
+  return labelled("cells", what) + table(from, nodes) +
+         (left_out > 0 ? "and " + std::to_string(left_out) + " more\n" : "");
+}
+
+std::string scenario_line(const Scenario& scenario) {
+  Scenario held = scenario;
+  held.map_file.clear();  // the map goes along
+  held.map_reading = {};
+  const Json document = Json::parse(scenario_text(held), nullptr, false);
+  return document.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string hash_text(std::uint64_t hash) {
+  std::string text(16, '0');
+  for (std::size_t i = text.size(); i-- > 0; hash >>= 4) text[i] = "0123456789abcdef"[hash & 15];
+  return text;
+}
+
+/// The rest of the first line that begins so, past what mail puts before a line; nothing if there is none.
+std::optional<std::string_view> find_line(std::string_view text, std::string_view beginning) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(" \t>"), line.size()));
+    if (line.starts_with(beginning)) return line.substr(beginning.size());
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string case_text(const Scenario& scenario, const LogView& view, const CaseFocus& focus) {
+  const SearchState& state = view.log.state();
+  const Source from{
+      scenario, view, focus, state, state.node(Scalar::robot), view.info.values == SearchValues::lookahead};
+  const auto [next, queued] = open_list(from);
+  std::string text =
+      std::string(kTitle) + ": pasted into Replan, this text goes to the moment that it shows.\n\n";
+  text += run_lines(from, queued) + "\n" + world_lines(from) + "\n" + focus_lines(from);
+  if (queued > 0) {
+    const std::string title = queued == next.size() ? "in order" : "the first " + std::to_string(next.size());
+    text += "\n" + labelled("U", title) + table(from, next);
+  }
+  const Json at = {{"pane", focus.pane}, {"event", view.log.cursor()}, {"state", hash_text(state.hash())}};
+  return text + "\n" + std::string(kAt) + at.dump() + "\n" + std::string(kScenario) +
+         scenario_line(scenario) + "\n";
+}
+
+bool is_case_text(std::string_view text) {
+  return find_line(text, kTitle).has_value();
+}
+
+Result<CaseMoment> parse_case_text(std::string_view text, const std::string& origin) {
+  const auto at_line = find_line(text, kAt), scenario_line = find_line(text, kScenario);
+  if (!at_line || !scenario_line)
+    return Error{origin + ": the line that begins with '" +
+                 std::string((at_line ? kScenario : kAt).substr(0, (at_line ? kScenario : kAt).size() - 1)) +
+                 "' is missing: copy the text whole, from 'Replan case' to the end of the scenario"};
+  CaseMoment moment;
+  JsonReader reader(origin + ", line 'at'");
+  if (reader.parse(*at_line)) {
+    const JsonNode at = reader.root();
+    at.expect_object({"pane", "event", "state"});
+    if (const auto pane = at.require("pane")) moment.pane = static_cast<std::size_t>(pane->whole(0, 1000));
+    if (const auto event = at.require("event"))
+      moment.event = static_cast<std::size_t>(event->whole(0, std::int64_t{1} << 40));
+    if (const auto state = at.require("state")) {
+      const std::string digits = state->text();
+      const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), moment.state, 16);
+      if (digits.size() != 16 || read.ptr != digits.data() + digits.size())
+        state->fail("must be 16 digits of a hash");
+    }
+  }
+  if (!reader.ok()) return Error{reader.error()};
+  const std::string where = origin + ", line 'scenario'";
+  Result<Scenario> scenario = parse_scenario(std::string(*scenario_line), where, kNowhere);
+  if (!scenario) return Error{scenario.error()};
+  if (!scenario->map_file.empty()) return Error{where + ": it must hold its map itself, not name a file"};
+  moment.scenario = std::move(scenario.value());
+  if (moment.pane >= moment.scenario.planners.size())
+    return Error{origin + ", line 'at': the scenario has no planner number " + std::to_string(moment.pane)};
+  return moment;
+}
+
+}  // namespace replan

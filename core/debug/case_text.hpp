@@ -1,0 +1,42 @@
+// A moment of a run as text, for a bug report or a test: what it looks like, for people, and the scenario
+// with the position, for the program, which goes back there when the text is pasted.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/debug/log_view.hpp"
+#include "core/world/ascii_map.hpp"
+#include "core/world/scenario.hpp"
+
+namespace replan {
+
+/// Which part of a moment is looked at.
+struct CaseFocus {
+  std::size_t pane = 0;                  ///< which of the scenario's planners the log is of
+  std::optional<Cell> pin = {};          ///< whose surroundings are listed; else the robot's
+  std::optional<MapRegion> region = {};  ///< whose cells are listed instead
+};
+
+/// The world's letters, the run's values, those of the cells in focus and of the first of the open list at
+/// the log's cursor, then the scenario, whole and on one line. Of a world of more than 200 x 200 cells the
+/// letters are those around the focus alone. `scenario` is the one that the log is a run of.
+std::string case_text(const Scenario& scenario, const LogView& view, const CaseFocus& focus);
+
+/// What a text leads back to.
+struct CaseMoment {
+  Scenario scenario;
+  std::size_t pane = 0;
+  std::size_t event = 0;    ///< position in the log of that pane's run
+  std::uint64_t state = 0;  ///< SearchState::hash() there
+};
+
+/// Whether it is such a text, or what is left of one.
+bool is_case_text(std::string_view text);
+/// Reads the two lines that are for the program; blanks and `>` before a line, as mail puts them, are passed
+/// over. `origin` names the text in errors.
+Result<CaseMoment> parse_case_text(std::string_view text, const std::string& origin);
+
+}  // namespace replan

@@ -1,0 +1,139 @@
+#include "core/debug/law_values.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "core/plan/common_parameters.hpp"
+
+namespace replan {
+
+Heuristic heuristic_of(const PlannerInfo& info, const Settings& settings) {
+  const Parameter* parameter = find_parameter(info.parameters, parameters::kAnyHeuristic.key);
+  if (parameter == nullptr) return Heuristic::zero;
+  // By name: not all planners offer all of them.
+  const std::string_view name = parameter->choices[static_cast<std::size_t>(settings.get(*parameter))];
+  const auto& all = parameters::kAnyHeuristic.choices;
+  return static_cast<Heuristic>(std::find(all.begin(), all.end(), name) - all.begin());
+}
+
+ClearanceRules clearance_rules_of(const Settings& settings) {
+  return {.range = settings.get(parameters::kRange),
+          .transform = static_cast<Transform>(static_cast<int>(settings.get(parameters::kTransform))),
+          .border_is_obstacle = settings.get(parameters::kBorder) != 0};
+}
+
+LawValues::LawValues(const LogView& view, std::size_t position)
+    : heuristic_(heuristic_of(view.info, view.settings)) {
+  const SearchState state = view.log.state_at(position);
+  std::vector<std::uint8_t> blocked(state.node_count());
+  for (NodeId node = 0; node < blocked.size(); ++node) blocked[node] = state.known_blocked(node) ? 1 : 0;
+  known_ = Grid2(view.lattice.size(), std::move(blocked), view.lattice.rules());
+  if (view.info.clearance) clearance_.emplace(known_, clearance_rules_of(view.settings));
+  pages_.resize((known_.node_count() + kPage - 1) / kPage);
+  load(state);
+}
+
+void LawValues::load(const SearchState& state) {
+  constexpr std::size_t kStatePage = SearchState::kPage;
+  constexpr EventKind kKinds[] = {EventKind::g,  EventKind::rhs, EventKind::queue,
+                                  EventKind::lp, EventKind::rp,  EventKind::dist};
+  for (std::size_t which = 0; which < scalars_.size(); ++which)
+    scalars_[which] = state.scalar(static_cast<Scalar>(which));
+  for (NodeId first = 0; first < known_.node_count(); first += kStatePage) {
+    if (std::none_of(std::begin(kKinds), std::end(kKinds),
+                     [&](EventKind kind) { return state.touched(kind, first); }))
+      continue;
+    const auto end = std::min<std::size_t>(known_.node_count(), first + kStatePage);
+    for (NodeId node = first; node < end; ++node) {
+      LawVertex& vertex = write(node);
+      vertex.g = state.g(node);
+      vertex.rhs = state.rhs(node);
+      vertex.dist = state.dist(node);
+      vertex.queue = static_cast<std::int64_t>(state.value(EventKind::queue, node));
+      vertex.lp = state.lp(node) + 1u;
+      vertex.rp = state.rp(node) + 1u;
+    }
+  }
+}
+
+LawVertex& LawValues::write(NodeId node) {
+  auto& page = pages_[node / kPage];
+  if (!page) page = std::make_unique<LawVertex[]>(kPage);
+  return page[node % kPage];
+}
+
+LawVertex& LawValues::changing(NodeId node, std::uint8_t change) {
+  LawVertex& vertex = write(node);
+  if (vertex.changed == 0) touched_.push_back({node, vertex.g, vertex.rhs, vertex.lp, vertex.queued()});
+  vertex.changed |= change;
+  return vertex;
+}
+
+void LawValues::touch(NodeId node, LawVertex::Change change) {
+  changing(node, change);
+}
+
+void LawValues::apply(const Event& event) {
+  const auto flip = [&event](Cost& cost) {
+    cost.raw = static_cast<std::int64_t>(static_cast<std::uint64_t>(cost.raw) ^ event.delta);
+  };
+  switch (event.kind) {
+    case EventKind::g:
+      return flip(changing(event.node, LawVertex::offer).g);
+    case EventKind::rhs:
+      return flip(changing(event.node, LawVertex::own).rhs);
+    case EventKind::dist:
+      return flip(changing(event.node, LawVertex::offer).dist);
+    case EventKind::queue: {
+      LawVertex& vertex = changing(event.node, LawVertex::key);
+      vertex.queue = static_cast<std::int64_t>(static_cast<std::uint64_t>(vertex.queue) ^ event.delta);
+      return;
+    }
+    case EventKind::lp:
+      changing(event.node, LawVertex::own).lp ^= static_cast<std::uint32_t>(event.delta);
+      return;
+    case EventKind::rp:
+      write(event.node).rp ^= static_cast<std::uint32_t>(event.delta);
+      return;
+    case EventKind::known:
+      turned_.push_back(event.node);
+      return;
+    case EventKind::scalar:
+      scalars_[event.node] ^= event.delta;
+      return;
+    default:
+      return;
+  }
+}
+
+void LawValues::finish_step() {
+  if (turned_.empty()) return;
+  std::sort(turned_.begin(), turned_.end());
+  std::vector<CellEdit> edits;  // each cell once, if it is not as it was
+  for (std::size_t i = 0; i < turned_.size(); ++i) {
+    const bool again = !edits.empty() && edits.back().node == turned_[i];
+    if (again)
+      edits.pop_back();
+    else
+      edits.push_back({turned_[i], !known_.blocked(turned_[i])});
+  }
+  turned_.clear();
+  for (const Grid2::MoveChange& move : known_.apply(edits)) touch(move.node, LawVertex::all);
+  if (clearance_)
+    for (const ClearanceChange& change : clearance_->update(known_, edits))
+      touch(change.node, LawVertex::offer);
+}
+
+void LawValues::settle() {
+  for (const Touched& each : touched_) write(each.node).changed = 0;
+  touched_.clear();
+}
+
+std::size_t LawValues::bytes() const {
+  std::size_t bytes = pages_.size() * sizeof pages_[0] + known_.node_count() * 2;
+  for (const auto& page : pages_)
+    if (page) bytes += kPage * sizeof(LawVertex);
+  return bytes + (clearance_ ? clearance_->memory_bytes() : 0);
+}
+
+}  // namespace replan

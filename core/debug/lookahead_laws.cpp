@@ -1,0 +1,261 @@
+// The laws of the D* Lite family.
+//
+// Only what a step touched is looked at. That this is enough: let the laws have held before the step. rhs(s)
+// and lp(s) depend on the offers c + g + dist of its successors. An offer that changed is held against rhs(s)
+// and lp(s); those that did not change were at least the old rhs(s), so they matter only if rhs(s) went up or
+// lp(s) moved on among equals. Keys in U depend on start and km besides: as long as km grows by h(last,
+// start) they stay lower bounds (law 6 in lattice.hpp), else all of U is looked through.
+#include <bit>
+#include <unordered_set>
+
+#include "core/debug/law_book.hpp"
+#include "core/lattice/sight.hpp"
+#include "core/plan/common_parameters.hpp"
+
+namespace replan {
+namespace {
+
+enum Bit : std::uint8_t { kRhs = 1, kParent = 2, kQueue = 4, kKey = 8, kDist = 16 };
+
+constexpr const char* kRhsLaw = "rhs(s) is the least c + g + dist of its successors";
+constexpr const char* kGoalLaw = "rhs(goal) is 0";
+constexpr const char* kParentLaw = "lp(s) is the successor that offers the least, of equal ones the first";
+constexpr const char* kQueueLaw = "s is in U exactly if g(s) and rhs(s) differ";
+constexpr const char* kKeyLaw = "a key is CalculateKey(s) when it is written, and never above it while in U";
+constexpr const char* kDistLaw = "dist(s) is the penalty of the known map";
+constexpr const char* kWayLaw = "local parents lead from the start to the goal, by moves along which g falls";
+constexpr const char* kPathLaw = "a path crosses no obstacle that the robot knows";
+constexpr const char* kCircleLaw = "a path leads to the goal and not round in a circle";
+
+class LookaheadLaws final : public LawBook {
+ public:
+  LookaheadLaws(const LogView& view, LawValues& values)
+      : LawBook(values),
+        sight_(view.info.sight),
+        printed_(view.info.sight && view.settings.get(parameters::kRemoteParents) != 0),
+        sight_rule_(static_cast<SightRule>(static_cast<int>(view.settings.get(parameters::kSight)))),
+        start_(values.start()),
+        goal_(values.goal()),
+        km_(values.km()) {}
+
+  void step() override {
+    if (values_.has_clearance() && !penalties_seen_) touch_wrong_penalties();
+    follow(goal_, values_.goal());
+    const bool any_key = keys_may_be_too_large();
+    // What is touched no longer changes; nothing below touches anything.
+    for (const LawValues::Touched& each : values_.touched()) {
+      const std::uint8_t changed = values_.at(each.node).changed;
+      if ((changed & (LawVertex::offer | LawVertex::all)) != 0) look_at_predecessors(each.node);
+      look_at_touched(each);
+    }
+    if (any_key)
+      values_.for_each_page([this](NodeId node, const LawVertex& vertex) {
+        if (vertex.queued() && (vertex.changed & LawVertex::key) == 0) hold_key(node);
+      });
+  }
+
+  void plan(PlanStatus status, std::span<const Hop> hops) override {
+    if (!values_.on_map(values_.start())) return;
+    hold_status(status, "rhs", values_.start(), values_.at(values_.start()).rhs);
+    if (status != PlanStatus::found) return;
+    follow_local_parents();
+    if (sight_) follow_path(hops);
+  }
+
+  void look(NodeId node) override {
+    look_at_successors(node);
+    hold_own(node);
+  }
+
+ private:
+  [[nodiscard]] Cost offer_of(NodeId node) const { return values_.at(node).g + values_.at(node).dist; }
+
+  /// The planner writes dist before its first step; what it left out was touched by nobody.
+  void touch_wrong_penalties() {
+    penalties_seen_ = true;
+    for (NodeId node = 0; node < values_.known().node_count(); ++node)
+      if (values_.at(node).dist != values_.penalty(node)) values_.touch(node, LawVertex::offer);
+  }
+
+  [[nodiscard]] bool keys_may_be_too_large() {
+    const NodeId before = std::exchange(start_, values_.start());
+    const Cost km_before = std::exchange(km_, values_.km());
+    if (before == start_ && km_before == km_) return false;
+    if (any_key_broken_ || !values_.on_map(before) || !values_.on_map(start_)) return true;
+    const Cost way = values_.known().bound_up(values_.heuristic(), before, start_);
+    return km_ < km_before + way;
+  }
+
+  /// What u offers has changed.
+  void look_at_predecessors(NodeId u) {
+    const Grid2& known = values_.known();
+    const Cost through = offer_of(u);
+    for (std::uint32_t rest = known.moves(u); rest != 0; rest &= rest - 1) {
+      const int d = std::countr_zero(rest);
+      const NodeId s = known.neighbour(u, d);
+      const LawVertex& vertex = values_.at(s);
+      const Cost sum = Grid2::step_cost(d) + through;
+      const bool fits = vertex.lp == u + 1 ? sum == vertex.rhs && !sum.is_infinite()
+                                           : sum > vertex.rhs || (sum == vertex.rhs &&
+                                                                  (sum.is_infinite() || u + 1 > vertex.lp));
+      if (!fits || (vertex.broken & (kRhs | kParent)) != 0) look_at_successors(s);
+    }
+  }
+
+  void look_at_touched(const LawValues::Touched& before) {
+    const LawVertex& vertex = values_.at(before.node);
+    const bool worse = vertex.rhs > before.rhs || (vertex.rhs == before.rhs && vertex.lp > before.lp);
+    const bool all = (vertex.changed & LawVertex::all) != 0 || (vertex.broken & (kRhs | kParent)) != 0;
+    if (all || before.node == goal_ || worse ||
+        ((vertex.changed & LawVertex::own) != 0 && !parent_offers_rhs(before.node)))
+      look_at_successors(before.node);
+    hold_own(before.node);
+  }
+
+  [[nodiscard]] bool parent_offers_rhs(NodeId s) const {
+    const LawVertex& vertex = values_.at(s);
+    if (vertex.rhs.is_infinite()) return vertex.lp == 0;
+    const int d = direction(s, vertex.lp - 1u);
+    return d >= 0 && Grid2::step_cost(d) + offer_of(vertex.lp - 1u) == vertex.rhs;
+  }
+
+  void look_at_successors(NodeId s) {
+    const LawVertex& vertex = values_.at(s);
+    Cost best = Cost::infinity();
+    NodeId parent = kNoNode;
+    if (s == goal_) {
+      best = Cost::zero();
+      parent = s;
+    } else {
+      const Grid2& known = values_.known();
+      for (std::uint32_t rest = known.moves(s); rest != 0; rest &= rest - 1) {
+        const int d = std::countr_zero(rest);
+        const Cost sum = Grid2::step_cost(d) + offer_of(known.neighbour(s, d));
+        if (!(sum < best)) continue;
+        best = sum;
+        parent = known.neighbour(s, d);
+      }
+    }
+    hold(s, kRhs, s == goal_ ? kGoalLaw : kRhsLaw, vertex.rhs == best,
+         [&] { return rhs_words(s, best, parent); });
+    hold(s, kParent, kParentLaw, vertex.lp == parent + 1u, [&] { return parent_words(s, best, parent); });
+  }
+
+  void hold_own(NodeId s) {
+    const LawVertex& vertex = values_.at(s);
+    hold(s, kQueue, kQueueLaw, vertex.queued() == (vertex.g != vertex.rhs), [&] {
+      return cell(s) + (vertex.queued() ? " is in U" : " is not in U") + ", though g is " +
+             cost_text(vertex.g) + " and rhs is " + cost_text(vertex.rhs);
+    });
+    hold_key(s);
+    hold(s, kDist, kDistLaw, vertex.dist == values_.penalty(s), [&] {
+      return named("dist", s) + " is " + cost_text(vertex.dist) + ", but on the known map it is " +
+             cost_text(values_.penalty(s));
+    });
+  }
+
+  void hold_key(NodeId s) {
+    const LawVertex& vertex = values_.at(s);
+    const bool any = vertex.queued() && values_.on_map(start_);
+    const Cost right = any ? right_key(s) : Cost::zero();
+    const bool written = (vertex.changed & LawVertex::key) != 0;
+    hold(s, kKey, kKeyLaw, !any || vertex.k1() <= right, [&] {
+      any_key_broken_ = true;
+      return key_words(s, right);
+    });
+    // A key that is too small does no harm later on, but nobody should write one.
+    if (any && written && vertex.k1() < right) find(s, kKeyLaw, key_words(s, right));
+  }
+  [[nodiscard]] Cost right_key(NodeId s) const {
+    return values_.at(s).least() + values_.known().bound(values_.heuristic(), start_, s) + km_;
+  }
+
+  [[nodiscard]] std::string rhs_words(NodeId s, Cost best, NodeId parent) const {
+    const Cost rhs = values_.at(s).rhs;
+    const std::string is = named("rhs", s) + " is " + cost_text(rhs) + ", but ";
+    if (s == goal_) return is + "it is the goal";
+    if (parent == kNoNode) return is + "none of its successors offers anything";
+    return is + (best < rhs ? "its successor " : "the least that is offered, by ") + cell(parent) +
+           (best < rhs ? " offers " : ", is ") + cost_text(best);
+  }
+  [[nodiscard]] std::string key_words(NodeId s, Cost right) const {
+    const LawVertex& vertex = values_.at(s);
+    return "the key of " + cell(s) + " is " + cost_text(vertex.k1()) + ", but min(g, rhs) + h + km is " +
+           cost_text(vertex.least()) + " + " +
+           cost_text(values_.known().bound(values_.heuristic(), start_, s)) + " + " + cost_text(km_) + " = " +
+           cost_text(right);
+  }
+  [[nodiscard]] std::string parent_words(NodeId s, Cost best, NodeId parent) const {
+    const std::uint32_t lp = values_.at(s).lp;
+    const std::string is = named("lp", s) + " is " + (lp == 0 ? "none" : cell(lp - 1u)) + ", but ";
+    if (parent == kNoNode) return is + "none of its successors offers anything";
+    return is + cell(parent) + " offers " + cost_text(best);
+  }
+
+  void follow_local_parents() {
+    for (NodeId s = values_.start(); s != goal_;) {
+      const LawVertex& vertex = values_.at(s);
+      const NodeId next = vertex.lp - 1u;
+      if (vertex.lp == 0 || direction(s, next) < 0)
+        return find(s, kWayLaw,
+                    vertex.lp == 0
+                        ? cell(s) + " has no local parent"
+                        : "the known map allows no move from " + cell(s) + " to " + named("lp = ", next));
+      if (!(values_.at(next).g < vertex.g))
+        return find(s, kWayLaw,
+                    "from " + cell(s) + " to " + cell(next) + " g goes from " + cost_text(vertex.g) + " to " +
+                        cost_text(values_.at(next).g));
+      s = next;
+    }
+  }
+
+  /// The path as the planner reads it out: along a remote parent where it saw it (or trusts it unseen).
+  void follow_path(std::span<const Hop> hops) {
+    std::unordered_set<NodeId> passed;
+    for (NodeId s = values_.start(); s != goal_;) {
+      if (!passed.insert(s).second) return find(s, kCircleLaw, "the path comes to " + cell(s) + " again");
+      NodeId next = values_.at(s).lp - 1u;
+      if (printed_) {
+        next = values_.at(s).rp - 1u;
+      } else if (!hops.empty() && hops.front().from == s) {
+        next = hops.front().to;
+        hops = hops.subspan(1);
+      }
+      if (!values_.on_map(next)) return find(s, kCircleLaw, "the path ends at " + cell(s));
+      if (direction(s, next) < 0 && !sees(s, next)) return find(s, kPathLaw, crossing_words(s, next));
+      s = next;
+    }
+  }
+  [[nodiscard]] bool sees(NodeId a, NodeId b) const {
+    const Grid2& known = values_.known();
+    return line_of_sight(
+        known, sight_rule_, a, b, [&known](NodeId c) { return known.blocked(c); }, NoSightMap{});
+  }
+  [[nodiscard]] std::string crossing_words(NodeId s, NodeId next) const {
+    const Grid2& known = values_.known();
+    NodeId obstacle = kNoNode;
+    walk_supercover(known, s, next, [&](NodeId node, int) {
+      if (known.blocked(node)) obstacle = node;
+      return obstacle == kNoNode;
+    });
+    const std::string way = "the path goes straight from " + cell(s) + " to " + cell(next);
+    return obstacle == kNoNode
+               ? way + ", past a corner that the rules do not allow"
+               : way + ", through " + cell(obstacle) + ", which the robot knows as an obstacle";
+  }
+
+  bool sight_, printed_;
+  SightRule sight_rule_;
+  bool penalties_seen_ = false;
+  bool any_key_broken_ = false;
+  NodeId start_, goal_;  // as of the last step
+  Cost km_;
+};
+
+}  // namespace
+
+std::unique_ptr<LawBook> make_lookahead_laws(const LogView& view, LawValues& values) {
+  return std::make_unique<LookaheadLaws>(view, values);
+}
+
+}  // namespace replan

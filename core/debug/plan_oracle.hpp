@@ -1,0 +1,48 @@
+// Asking the oracle: what should the plan that stands at some position of a log cost?
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/debug/log_view.hpp"
+#include "core/debug/oracle.hpp"
+#include "core/field/clearance.hpp"
+
+namespace replan {
+
+/// A plan, and the map that it was made on. Owns all that the answer takes, so that it can be worked out
+/// elsewhere.
+struct PlanQuestion {
+  std::size_t plan = 0;      ///< how many came before it
+  std::size_t position = 0;  ///< past its plan_end
+  Grid2::Coordinates size{};
+  MoveRules rules;
+  std::vector<std::uint8_t> known;          ///< nonzero = obstacle
+  std::optional<ClearanceRules> clearance;  ///< of planners that pay for coming near obstacles
+  NodeId start = kNoNode, goal = kNoNode;
+  Cost claimed;  ///< infinite if the planner found no path
+  bool exact = true;
+};
+
+/// Whether a planner with these settings claims that no plan costs less. The D* Lite family does, penalties
+/// counted in: lines of sight shorten what it drives, not what it plans by. A* with an estimate that is too
+/// long does not.
+bool claims_cheapest(const PlannerInfo& info, const Settings& settings);
+
+/// About the plan that stands past the event `position - 1`, a plan_end.
+PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t position);
+
+/// What the plan should cost, by Dijkstra's algorithm from the start: no heuristic, nothing kept from earlier
+/// plans, penalties from the map. Infinite if there is no path. A stop is heard; the answer is then of no
+/// use.
+Cost right_cost(const PlanQuestion& question, const std::stop_token& stop = {});
+
+/// What is wrong with the claim, if anything. A plan that is not meant to be the cheapest may cost more.
+std::optional<Disagreement> judge(const PlanQuestion& question, Cost right);
+
+/// "plan 2 costs 43.799, but a path of 42.385 exists"
+std::string disagreement_text(const Disagreement& disagreement);
+
+}  // namespace replan

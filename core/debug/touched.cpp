@@ -1,0 +1,68 @@
+#include "core/debug/touched.hpp"
+
+namespace replan {
+namespace {
+
+/// Whether the goal moved between the plan before and this one, which then starts afresh.
+bool has_new_goal(const Timeline& log, std::size_t begin) {
+  for (std::size_t i = begin; i-- > 0;) {
+    const EventKind kind = log.event(i).kind;
+    if (kind == EventKind::new_goal) return true;
+    if (kind == EventKind::plan_begin) return false;
+  }
+  return false;
+}
+
+}  // namespace
+
+void TouchedList::start(const LogView& view) {
+  list_.clear();
+  places_ = PagedArray<std::uint32_t>(view.lattice.node_count());
+  before_ = now_ = view.log.state_at(begin_);
+  counts_ = view.info.incremental && !has_new_goal(view.log, begin_);
+  read_ = begin_;
+}
+
+void TouchedList::follow(const LogView& view, std::uint64_t log_id, std::size_t begin, std::size_t end) {
+  if (log_id != log_id_ || begin != begin_ || end < read_) {
+    log_id_ = log_id;
+    begin_ = begin;
+    start(view);
+  }
+  for (; read_ < end; ++read_) take(view.log.event(read_), read_);
+}
+
+void TouchedList::take(const Event& event, std::size_t index) {
+  switch (event.kind) {
+    case EventKind::pop:
+      counts_ = true;
+      break;
+    case EventKind::visit:
+      if (counts_) ++touched(event.node, index).expanded;
+      break;
+    case EventKind::g:
+    case EventKind::rhs:
+      now_.apply(event);  // what is wiped before the search is no work of its own, but part of the value
+      if (!counts_) break;
+      touched(event.node, index).g_after = now_.g(event.node);
+      touched(event.node, index).rhs_after = now_.rhs(event.node);
+      break;
+    default:
+      break;
+  }
+}
+
+Touched& TouchedList::touched(NodeId node, std::size_t index) {
+  if (places_[node] == 0) {
+    list_.push_back({node, index, before_.g(node), now_.g(node), before_.rhs(node), now_.rhs(node), 0});
+    places_.at(node) = static_cast<std::uint32_t>(list_.size());
+  }
+  return list_[places_[node] - 1];
+}
+
+const Touched* TouchedList::find(NodeId node) const {
+  if (node >= places_.size() || places_[node] == 0) return nullptr;
+  return &list_[places_[node] - 1];
+}
+
+}  // namespace replan

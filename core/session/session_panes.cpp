@@ -1,0 +1,118 @@
+// The session's panes: how many there are, which of them leads, and how the others keep step with it.
+#include <algorithm>
+
+#include "core/base/words.hpp"
+#include "core/session/session.hpp"
+
+namespace replan {
+namespace {
+
+constexpr std::size_t kMostPanes = 4;
+
+/// In how many traits two planners differ.
+int unlikeness(const PlannerInfo& a, const PlannerInfo& b) {
+  return (a.incremental != b.incremental ? 1 : 0) + (a.any_angle != b.any_angle ? 1 : 0) +
+         (a.from_goal != b.from_goal ? 1 : 0) + (a.clearance != b.clearance ? 1 : 0) +
+         (a.sight != b.sight ? 1 : 0);
+}
+
+/// The planner that is least like any of those there: there is most to see. Of equals the later one in the
+/// registry, which has the plainest first. nullptr if all are there.
+const PlannerInfo* planner_beside(std::span<const PlannerChoice> there) {
+  const PlannerInfo* best = nullptr;
+  int most = 0;
+  for (const PlannerInfo& info : planners()) {
+    const auto is_there = [&](const PlannerChoice& each) { return each.id == info.id; };
+    if (info.exercise || std::any_of(there.begin(), there.end(), is_there)) continue;
+    int least = 100;
+    for (const PlannerChoice& each : there) least = std::min(least, unlikeness(info, *find_planner(each.id)));
+    if (best != nullptr && least < most) continue;
+    best = &info;
+    most = least;
+  }
+  return best;
+}
+
+}  // namespace
+
+Result<void> Session::run_command(const SetPanes& command) {
+  if (command.count < 1 || command.count > kMostPanes)
+    return Error{"there can be from 1 to " + std::to_string(kMostPanes) + " panes"};
+  if (command.count == scenario_->planners.size()) return {};
+  Scenario changed = *scenario_;
+  if (command.count < changed.planners.size()) changed.planners.resize(command.count);
+  while (changed.planners.size() < command.count) {
+    const PlannerInfo* info = planner_beside(changed.planners);
+    if (info == nullptr) return Error{"there is no further planner to compare with"};
+    changed.planners.push_back(choice_of(*info, run().choice().settings));
+  }
+  commit("show " + counted(command.count, "pane"), 0, std::move(changed));
+  return {};
+}
+
+Result<void> Session::run_command(const SetLockstep& command) {
+  lockstep_ = command.by;
+  follow_lead();
+  return {};
+}
+
+// All stay where they are until the playhead moves next: to look at a pane's values changes no picture.
+Result<void> Session::run_command(const Lead& command) {
+  if (command.pane >= runs_.size()) return Error{"there is no such pane"};
+  if (command.pane == lead_) return {};
+  lead_ = command.pane;
+  catching_up_ = false;
+  follow_ = run().timeline().cursor() == run().timeline().size();
+  return {};
+}
+
+/// The panes have changed and nothing else has: runs whose planner stays are kept as they are, and the new
+/// ones catch up with the leading one.
+void Session::replace_panes() {
+  const Run* led = &run();
+  std::vector<std::unique_ptr<Run>> panes;
+  for (std::size_t i = 0; i < scenario_->planners.size(); ++i) {
+    const bool stays = i < runs_.size() && runs_[i]->choice() == scenario_->planners[i];
+    panes.push_back(stays ? std::move(runs_[i]) : new_run(i));
+    if (stays)
+      panes.back()->adopt(scenario_);
+    else
+      panes.back()->go(Target::plan());
+  }
+  runs_ = std::move(panes);
+  lead_ = std::min(lead_, runs_.size() - 1);
+  if (&run() != led) follow_ = run().timeline().cursor() == run().timeline().size();
+  follow_lead();
+}
+
+/// The script has changed from the surprise number `common` on.
+void Session::rebase_runs(std::size_t common) {
+  std::vector<std::unique_ptr<Run>> panes;
+  for (std::size_t i = 0; i < scenario_->planners.size(); ++i) {
+    const bool stays = i < runs_.size() && runs_[i]->choice() == scenario_->planners[i] &&
+                       runs_[i]->rebase(scenario_, common);
+    panes.push_back(stays ? std::move(runs_[i]) : new_run(i));
+    panes.back()->go(Target::plan());
+  }
+  runs_ = std::move(panes);
+  lead_ = std::min(lead_, runs_.size() - 1);
+  follow_ = true;
+}
+
+/// Puts the other panes where they belong beside the leading one, as far as they have come; the rest of the
+/// way they go in the background.
+void Session::follow_lead() {
+  catching_up_ = false;
+  const Run& first = run();
+  for (const auto& each : runs_) {
+    if (each.get() == &first) continue;
+    const Place place = place_beside(first, *each, lockstep_);
+    if (place.lacking) {
+      catching_up_ = true;
+      if (!each->busy()) each->go(*place.lacking);
+    }
+    each->timeline().seek(place.position);
+  }
+}
+
+}  // namespace replan

@@ -1,0 +1,257 @@
+#include "core/study/figures_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "core/plan/registry.hpp"
+
+namespace replan {
+namespace {
+
+using enum FigureGroup;
+using enum Better;
+
+constexpr FigureInfo kFigures[] = {
+    {"nodes", path, "nodes", "", lower, 0, false, "Corners of the path's polyline, both ends counted."},
+    {"length", path, "length", "cells", lower, 3, false, "Along the straight segments."},
+    {"turns", path, "turns", "", lower, 0, false, "Inner corners where the heading changes."},
+    {"turning_angle_deg", path, "turning", "°", lower, 1, false, "The sum of all changes of heading."},
+    {"min_clearance", path, "least clearance", "cells", higher, 3, false,
+     "From the path to the nearest obstacle's edge, at the narrowest place."},
+    {"mean_clearance", path, "mean clearance", "cells", higher, 3, false,
+     "The mean over the whole path, sampled every tenth of a cell."},
+    {"last_expansions", latest_plan, "expansions", "", lower, 0, false,
+     "Vertices that the latest plan or replan took from the open list and settled or raised."},
+    {"last_queue_operations", latest_plan, "queue operations", "", lower, 0, false,
+     "Inserts, removals, changes of key and pops."},
+    {"last_sight_checks", latest_plan, "sight checks", "", neither, 0, false,
+     "Lines of sight that were looked along. Fewer is not better in itself: planners without them ask none."},
+    {"plan_ms", run, "first plan", "ms", lower, 3, true, "Wall time of the first plan."},
+    {"replan_ms", run, "replans", "ms", lower, 3, true, "Wall time of all replans together."},
+    {"replans", run, "replans", "", neither, 0, false, "How often the plan was repaired or made anew."},
+    {"expansions", run, "expansions", "", lower, 0, false, "Of all plans so far together."},
+    {"queue_operations", run, "queue operations", "", lower, 0, false, "Of all plans so far together."},
+    {"sight_checks", run, "sight checks", "", neither, 0, false, "Of all plans so far together."},
+    {"memory_bytes", run, "peak memory", "kB", lower, 0, false,
+     "What the planner held at most, the map not counted."},
+    {"moves", robot, "moves", "", neither, 0, false, "Cells that the robot has entered."},
+    {"travelled", robot, "travelled", "cells", neither, 3, false,
+     "The way the robot has gone, along its paths."},
+    {"collisions", robot, "collisions", "", lower, 0, false,
+     "Times that a plan led into an obstacle. Only with remote parents as printed."},
+};
+
+constexpr const char* kNone = "–";
+
+/// All figures of a run under the keys of kFigures.
+std::vector<NamedFigure> all_figures(const RunReport& report) {
+  std::vector<NamedFigure> figures = named_figures(report);
+  if (const auto& last = report.last_plan) {
+    figures.push_back({"last_expansions", static_cast<double>(last->expansions), true});
+    figures.push_back({"last_queue_operations", static_cast<double>(last->queue_operations), true});
+    figures.push_back({"last_sight_checks", static_cast<double>(last->sight_checks), true});
+  }
+  if (report.robot)
+    for (const NamedFigure& figure : named_figures(*report.robot))
+      if (figure.key != "replans") figures.push_back(figure);
+  return figures;
+}
+
+std::optional<double> value_of(std::span<const NamedFigure> figures, std::string_view key) {
+  const auto found =
+      std::find_if(figures.begin(), figures.end(), [&](const NamedFigure& f) { return f.key == key; });
+  return found == figures.end() ? std::nullopt : found->value;
+}
+
+std::vector<std::string> names_of(std::span<const RunReport> reports) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    const PlannerInfo* info = find_planner(reports[i].planner);
+    const auto same = [&](const RunReport& each) { return each.planner == reports[i].planner; };
+    const auto before =
+        std::count_if(reports.begin(), reports.begin() + static_cast<std::ptrdiff_t>(i), same);
+    names.push_back(info == nullptr ? reports[i].planner : std::string(info->name));
+    if (before > 0) names.back() += " (" + std::to_string(before + 1) + ")";
+  }
+  return names;
+}
+
+/// Puts a backslash before each of `special`.
+std::string escaped(std::string_view text, std::string_view special) {
+  std::string result;
+  for (const char each : text) {
+    if (special.find(each) != std::string_view::npos) result += '\\';
+    result += each;
+  }
+  return result;
+}
+
+std::string latex_escaped(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char each = text[i];
+    if (text.substr(i).starts_with("°")) {
+      result += "$^\\circ$";
+      i += std::string_view("°").size() - 1;
+    } else if (each == '\\' || each == '~' || each == '^') {
+      result += each == '\\'  ? "\\textbackslash{}"
+                : each == '~' ? "\\textasciitilde{}"
+                              : "\\textasciicircum{}";
+    } else {
+      result += escaped(std::string_view(&each, 1), "&%$#_{}");
+    }
+  }
+  return result;
+}
+
+/// "length (cells)"; the run's sums are told from those of the latest plan.
+std::string row_name(const FigureInfo& info) {
+  std::string name(info.label);
+  if (info.group == latest_plan) name += ", latest plan";
+  if (!info.unit.empty()) name += " (" + std::string(info.unit) + ")";
+  return name;
+}
+
+/// Characters as they stand side by side: bytes that go on a UTF-8 character take no place.
+std::size_t shown_width(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string padded(const std::string& text, std::size_t width, bool right) {
+  const std::string space(width - std::min(width, shown_width(text)), ' ');
+  return right ? space + text : text + space;
+}
+
+std::string markdown_cell(const FigureRow& row, std::size_t run) {
+  std::string text = figure_text(*row.info, row.values[run]);
+  if (row.best(run)) text = "**" + text + "**";
+  if (const auto ratio = row.ratio(run)) text += " (" + ratio_text(*ratio) + ")";
+  return text;
+}
+
+std::string markdown(const FiguresTable& table) {
+  std::vector<std::vector<std::string>> lines(1, {"figure"});
+  for (const std::string& name : table.names) lines.front().push_back(escaped(name, "\\`*_|<"));
+  for (const FigureRow& row : table.rows) {
+    lines.push_back({row_name(*row.info)});
+    for (std::size_t i = 0; i < table.names.size(); ++i) lines.back().push_back(markdown_cell(row, i));
+  }
+  std::vector<std::size_t> widths(table.names.size() + 1, 4);
+  for (const auto& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], shown_width(line[i]));
+  std::string text;
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      text += "| " + padded(lines[l][i], widths[i], i > 0) + " ";
+    text += "|\n";
+    if (l > 0) continue;
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      text += "|" + std::string(widths[i] + 1, '-') + (i > 0 ? ":" : "-");
+    text += "|\n";
+  }
+  return text;
+}
+
+std::string latex_cell(const FigureRow& row, std::size_t run) {
+  if (!row.values[run]) return "--";
+  std::string text = figure_text(*row.info, row.values[run]);
+  if (row.best(run)) text = "\\textbf{" + text + "}";
+  if (const auto ratio = row.ratio(run))
+    text += " {\\footnotesize($\\times$" + ratio_text(*ratio).substr(std::string_view("×").size()) + ")}";
+  return text;
+}
+
+std::string latex(const FiguresTable& table) {
+  std::string text = "% needs \\usepackage{booktabs}\n\\begin{tabular}{l" +
+                     std::string(table.names.size(), 'r') + "}\n\\toprule\nFigure";
+  for (const std::string& name : table.names) text += " & " + latex_escaped(name);
+  text += " \\\\\n";
+  std::optional<FigureGroup> group;
+  for (const FigureRow& row : table.rows) {
+    if (group != row.info->group) text += "\\midrule\n";
+    group = row.info->group;
+    text += latex_escaped(row_name(*row.info));
+    for (std::size_t i = 0; i < table.names.size(); ++i) text += " & " + latex_cell(row, i);
+    text += " \\\\\n";
+  }
+  return text + "\\bottomrule\n\\end{tabular}\n";
+}
+
+}  // namespace
+
+const char* figure_group_title(FigureGroup group) {
+  constexpr std::array kTitles = {"The plan that stands", "What it cost", "The run so far", "The robot"};
+  return kTitles[static_cast<std::size_t>(group)];
+}
+
+std::optional<double> FigureRow::ratio(std::size_t run) const {
+  if (run == 0 || !values[run] || !values.front() || *values.front() == 0) return std::nullopt;
+  return *values[run] / *values.front();
+}
+
+bool FigureRow::best(std::size_t run) const {
+  if (info->better == Better::neither || !values[run]) return false;
+  bool differs = false;
+  for (const auto& other : values) {
+    if (!other) continue;
+    if (info->better == Better::lower ? *other < *values[run] : *other > *values[run]) return false;
+    differs |= *other != *values[run];
+  }
+  return differs;
+}
+
+FiguresTable figures_table(std::span<const RunReport> reports) {
+  FiguresTable table{names_of(reports), {}};
+  std::vector<std::vector<NamedFigure>> figures;
+  for (const RunReport& report : reports) figures.push_back(all_figures(report));
+  for (const FigureInfo& info : kFigures) {
+    FigureRow row{&info, {}};
+    bool any = false;
+    for (const auto& each : figures) {
+      row.values.push_back(value_of(each, info.key));
+      // A figure that a run could have stays in the table, so that its rows do not come and go.
+      any |= row.values.back().has_value() || info.group == path || info.group == FigureGroup::run;
+    }
+    if (any) table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::string figure_text(const FigureInfo& info, std::optional<double> value) {
+  if (!value) return kNone;
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", info.decimals, info.unit == "kB" ? *value / 1000 : *value);
+  return text;
+}
+
+std::string ratio_text(double ratio) {
+  char text[32];
+  std::snprintf(text, sizeof text, "×%.2f", ratio);
+  return text;
+}
+
+std::span<const FiguresFormatInfo> figures_formats() {
+  static constexpr FiguresFormatInfo kFormats[] = {{FiguresFormat::csv, "CSV", ".csv"},
+                                                   {FiguresFormat::json, "JSON", ".json"},
+                                                   {FiguresFormat::markdown, "Markdown", ".md"},
+                                                   {FiguresFormat::latex, "LaTeX", ".tex"}};
+  return kFormats;
+}
+
+std::string figures_text(FiguresFormat format, std::span<const RunReport> reports) {
+  switch (format) {
+    case FiguresFormat::csv:
+      return runs_csv(reports);
+    case FiguresFormat::json:
+      return runs_json(reports);
+    case FiguresFormat::markdown:
+      return markdown(figures_table(reports));
+    case FiguresFormat::latex:
+      return latex(figures_table(reports));
+  }
+  return {};
+}
+
+}  // namespace replan

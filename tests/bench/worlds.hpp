@@ -1,0 +1,43 @@
+// The worlds that planners are measured on.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/base/cell.hpp"
+#include "core/world/generators.hpp"
+
+namespace replan {
+
+namespace bench {
+// Called by main(): planners and their parameters are not there yet while the program's constants are made.
+void register_plans();
+void register_checks();
+}  // namespace bench
+
+/// Some worlds of one kind, and where to go in them.
+struct Worlds {
+  std::string name;
+  Cell start, goal;
+  std::vector<GridMap> maps;
+};
+
+/// The DLD* Lite paper's kind (ten maps of random rectangles, Fig. 5), and its narrow mazes (Fig. 7), where
+/// it names the sight checks an open problem.
+inline const std::vector<Worlds>& all_worlds() {
+  static const auto worlds = [] {
+    Worlds rectangles{"rectangles", {15, 15}, {175, 175}, {}};
+    const std::array<Cell, 2> free = {rectangles.start, rectangles.goal};
+    for (std::uint64_t seed = 1; seed <= 10; ++seed)
+      rectangles.maps.push_back(*random_rectangles(200, 200, 0.17, 5, 15, seed, free));
+    Worlds narrow{
+        "maze_1", {1, 1}, {499, 499}, {*maze(501, 501, {.corridor = 1, .braid = 0, .loops = 0.1}, 1)}};
+    Worlds wide{
+        "maze_7", {4, 4}, {493, 493}, {*maze(497, 497, {.corridor = 7, .braid = 0, .loops = 0.1}, 1)}};
+    return std::vector<Worlds>{rectangles, narrow, wide};
+  }();
+  return worlds;
+}
+
+}  // namespace replan

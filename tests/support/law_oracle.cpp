@@ -1,0 +1,171 @@
+#include "tests/support/law_oracle.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "tests/support/worlds.hpp"
+
+namespace replan::oracle {
+namespace {
+
+/// A run's values in plain arrays, and the laws as functions of them.
+class Bench {
+ public:
+  explicit Bench(const LogView& view)
+      : view_(view), rules_(move_rules(view.settings)), state_(view.log.state_at(0)) {
+    world_.size = {view.lattice.width(), view.lattice.height(), 1};
+    world_.blocked.resize(state_.node_count());
+    map_changed();
+  }
+
+  std::optional<Fault> run(std::span<const Event> events) {
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      const Event& event = events[i];
+      const bool stands = event.kind == EventKind::plan_end;
+      if (stands || event.kind == EventKind::pop) {
+        if (const auto wrong = step_faults(); !wrong.empty()) return Fault{i, wrong};
+        written_.clear();
+      }
+      state_.apply(event);
+      if (event.kind == EventKind::queue) written_.insert(event.node);
+      if (event.kind == EventKind::known) map_stale_ = true;
+      if (event.kind == EventKind::sight && event.line == 106 && event.delta >> 32 != 0)
+        seen_[event.node] = static_cast<NodeId>(event.delta);
+      if (!stands) continue;
+      if (const auto wrong = plan_fault(static_cast<PlanStatus>(event.delta))) return Fault{i + 1, {*wrong}};
+      seen_.clear();
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Move {
+    NodeId to;
+    Raw cost;
+  };
+
+  void map_changed() {
+    for (NodeId n = 0; n < world_.blocked.size(); ++n) world_.blocked[n] = state_.known_blocked(n) ? 1 : 0;
+    successors_.clear();
+    for (NodeId n = 0; n < world_.blocked.size(); ++n) {
+      successors_.emplace_back();
+      for (const std::size_t other : neighbours(world_, rules_, n))
+        successors_.back().push_back({static_cast<NodeId>(other), step_between(world_, n, other)});
+    }
+    penalty_ = test::expected_penalties(view_.info, view_.settings, world_);
+    map_stale_ = false;
+  }
+
+  std::vector<NodeId> step_faults() {
+    if (map_stale_) map_changed();
+    std::vector<NodeId> wrong;
+    for (NodeId n = 0; n < world_.blocked.size(); ++n) {
+      const bool holds =
+          view_.info.values == SearchValues::lookahead ? lookahead_holds(n) : best_first_holds(n);
+      if (!holds) wrong.push_back(n);
+    }
+    return wrong;
+  }
+
+  [[nodiscard]] bool on_map(NodeId n) const { return n < world_.blocked.size(); }
+  [[nodiscard]] Raw sum(Raw a, Raw b) const { return std::min(a + b, kNever); }
+  [[nodiscard]] Raw h(NodeId a, NodeId b) const {
+    const Parameter* parameter = find_parameter(view_.info.parameters, "heuristic");
+    if (parameter == nullptr) return 0;
+    static const std::map<std::string_view, Heuristic> kByName = {{"octile", Heuristic::octile},
+                                                                  {"euclidean", Heuristic::euclidean},
+                                                                  {"chebyshev", Heuristic::chebyshev},
+                                                                  {"manhattan", Heuristic::manhattan},
+                                                                  {"zero", Heuristic::zero}};
+    const auto choice = static_cast<std::size_t>(view_.settings.get(*parameter));
+    return estimate(world_, rules_, kByName.at(parameter->choices[choice]), a, b);
+  }
+
+  bool lookahead_holds(NodeId s) {
+    const Raw g = state_.g(s).raw, rhs = state_.rhs(s).raw;
+    const NodeId goal = state_.node(Scalar::goal), start = state_.node(Scalar::start);
+    Raw best = kNever;
+    NodeId parent = kNoNode;
+    for (const Move& move : successors_[s]) {
+      const Raw offer = sum(move.cost, sum(state_.g(move.to).raw, state_.dist(move.to).raw));
+      if (offer < best) best = offer, parent = move.to;
+    }
+    if (s == goal) best = 0, parent = goal;
+    if (rhs != best || state_.lp(s) != parent) return false;
+    if (state_.queued(s) != (g != rhs)) return false;
+    if (state_.dist(s).raw != (penalty_.empty() ? 0 : penalty_[s])) return false;
+    if (!state_.queued(s) || !on_map(start)) return true;
+    const Raw key = sum(sum(std::min(g, rhs), h(start, s)), state_.km().raw);
+    return written_.contains(s) ? state_.k1(s).raw == key : state_.k1(s).raw <= key;
+  }
+
+  bool best_first_holds(NodeId s) {
+    const NodeId goal = state_.node(Scalar::goal), start = state_.node(Scalar::start);
+    const Raw g = state_.g(s).raw;
+    const NodeId parent = state_.lp(s);
+    if (state_.queued(s) && on_map(goal) && state_.k1(s).raw != sum(g, h(s, goal))) return false;
+    if (g < kNever && !state_.queued(s))
+      for (const Move& move : successors_[s])
+        if (state_.g(move.to).raw > sum(g, move.cost)) return false;
+    if (s == start) return g == 0 && parent == kNoNode;
+    if (g >= kNever) return parent == kNoNode && !state_.queued(s);
+    if (!is_move(s, parent)) return false;
+    const Raw through = sum(state_.g(parent).raw, step_between(world_, s, parent));
+    return g == through || (g > through && state_.queued(parent));
+  }
+
+  [[nodiscard]] bool is_move(NodeId a, NodeId b) const {
+    const auto leads_there = [b](const Move& move) { return move.to == b; };
+    return std::any_of(successors_[a].begin(), successors_[a].end(), leads_there);
+  }
+
+  std::optional<NodeId> plan_fault(PlanStatus status) {
+    const NodeId goal = state_.node(Scalar::goal), start = state_.node(Scalar::start);
+    const bool lookahead = view_.info.values == SearchValues::lookahead;
+    const NodeId end = lookahead ? start : goal;
+    if (!on_map(end)) return std::nullopt;
+    const bool free =
+        on_map(start) && on_map(goal) && world_.blocked[start] == 0 && world_.blocked[goal] == 0;
+    const Raw promised = lookahead ? state_.rhs(start).raw : state_.g(goal).raw;
+    if ((status == PlanStatus::found) != (free && promised < kNever)) return end;
+    if (status != PlanStatus::found) return std::nullopt;
+    const NodeId other_end = lookahead ? goal : start;
+    for (NodeId s = end; s != other_end; s = state_.lp(s))
+      if (!is_move(s, state_.lp(s)) || state_.g(state_.lp(s)) >= state_.g(s)) return s;
+    return view_.info.sight ? path_fault() : std::nullopt;
+  }
+
+  std::optional<NodeId> path_fault() {
+    const bool printed = view_.settings.get("remote_parents", 0) != 0;
+    const auto sight = static_cast<SightRule>(static_cast<int>(view_.settings.get("sight", 0)));
+    std::set<NodeId> passed;
+    for (NodeId s = state_.node(Scalar::start); s != state_.node(Scalar::goal);) {
+      if (!passed.insert(s).second) return s;
+      const auto remote = seen_.find(s);
+      const NodeId next = printed ? state_.rp(s) : remote != seen_.end() ? remote->second : state_.lp(s);
+      if (!on_map(next)) return s;
+      if (!is_move(s, next) && !sees(world_, world_.blocked, rules_.corners, sight, s, next)) return s;
+      s = next;
+    }
+    return std::nullopt;
+  }
+
+  LogView view_;
+  MoveRules rules_;
+  SearchState state_;
+  World world_;
+  std::vector<std::vector<Move>> successors_;
+  std::vector<Raw> penalty_;
+  bool map_stale_ = false;
+  std::set<NodeId> written_;
+  std::map<NodeId, NodeId> seen_;  // remote parents that the planner saw while it read out the path
+};
+
+}  // namespace
+
+std::optional<Fault> first_fault(const LogView& view, std::span<const Event> events) {
+  return Bench(view).run(events);
+}
+
+}  // namespace replan::oracle

@@ -1,0 +1,286 @@
+// The debugger's panels on frames without a display: what clicks in them come to.
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "app/platform/offscreen.hpp"
+#include "ui/keys.hpp"
+#include "ui/shell/conditions.hpp"
+#include "ui/shell/panels.hpp"
+#include "ui/shell/timeline_marks.hpp"
+
+namespace replan::ui {
+namespace {
+
+constexpr int kWidth = 372, kHeight = 900;
+
+/// A replanned mission: a wall falls in the robot's way.
+Scenario scenario_with_surprise(const char* planner) {
+  Scenario scenario;
+  scenario.map = GridMap(20, 10);
+  scenario.start = {1, 5};
+  scenario.goal = {18, 5};
+  scenario.planners = {{planner, {}}};
+  Surprise surprise;
+  surprise.at.move = 2;
+  for (int y = 2; y < 9; ++y) surprise.cells.push_back({{9, y}, true});
+  scenario.surprises = {surprise};
+  return scenario;
+}
+
+/// One panel in a window of its own, with the commands that come of it.
+class PanelTest : public testing::Test {
+ protected:
+  void open(const Scenario& scenario, const std::function<void(Frame&)>& panel) {
+    session_ = std::make_unique<Session>(scenario);
+    for (const auto& run : session_->runs()) run->finish(Target::end());
+    session_->update(0);
+    panel_ = panel;
+    auto offscreen = app::Offscreen::create({kWidth, kHeight, 1});
+    ASSERT_TRUE(offscreen.ok()) << offscreen.error();
+    offscreen_ = std::move(*offscreen);
+    frames(2);
+  }
+  void frames(int count) {
+    for (int i = 0; i < count; ++i)
+      offscreen_->frame([this] {
+        Wish wish = Wish::none;
+        Frame frame{offscreen_->stage().look(), *session_, view_, panels_, commands_, wish};
+        area("panel", {0, 0}, {kWidth, kHeight}, frame.look.theme.panel, {16, 12}, [&] { panel_(frame); });
+      });
+  }
+  void move_to(float x, float y) {
+    input().mouse_move(x, y);
+    frames(1);
+  }
+  void click(float x, float y, int button = 0) {
+    move_to(x, y);
+    input().mouse_button(button, true);
+    frames(1);
+    input().mouse_button(button, false);
+    frames(2);
+  }
+  void type(const char* text) {
+    for (const char* c = text; *c != '\0'; ++c) {
+      input().character(static_cast<unsigned char>(*c));
+      frames(2);
+    }
+  }
+  void press(int key) {
+    input().key(key, true);
+    frames(1);
+    input().key(key, false);
+    frames(2);
+  }
+  InputQueue& input() { return offscreen_->stage().input(); }
+
+  /// Clicks down a column of the panel and returns the commands of one kind that it gave.
+  template <class C>
+  std::vector<C> sweep(float x, float step) {
+    std::vector<C> found;
+    for (float y = 4; y < kHeight; y += step) {
+      commands_.clear();
+      click(x, y);
+      for (const Command& command : commands_)
+        if (const C* each = std::get_if<C>(&command)) found.push_back(*each);
+    }
+    return found;
+  }
+  [[nodiscard]] const Run& run() const { return session_->run(); }
+
+  std::unique_ptr<Session> session_;
+  std::unique_ptr<app::Offscreen> offscreen_;
+  std::function<void(Frame&)> panel_;
+  ViewState view_;
+  PanelState panels_;
+  std::vector<Command> commands_;
+};
+
+TEST_F(PanelTest, HistoryLeadsToTheEventsThatWroteTheCell) {
+  const Cell cell{8, 4};
+  open(scenario_with_surprise("dstar-lite"), [&](Frame& frame) { draw_history(frame, cell); });
+  const NodeId node = run().lattice().node(cell);
+  const std::vector<Seek> sought = sweep<Seek>(60, 20);
+  ASSERT_GE(sought.size(), 3u);
+  std::set<std::size_t> positions;
+  for (const Seek& seek : sought) {
+    const Event event = run().timeline().event(seek.position - 1);
+    EXPECT_EQ(event.node, node);
+    EXPECT_TRUE(event.kind == EventKind::g || event.kind == EventKind::rhs) << seek.position;
+    positions.insert(seek.position);
+  }
+  EXPECT_GE(positions.size(), 3u);
+  EXPECT_TRUE(panels_.debugger.history.complete());
+}
+
+TEST_F(PanelTest, HistoryKeepsThePlayheadInSight) {
+  const Cell cell{8, 4};
+  open(scenario_with_surprise("dstar-lite"), [&](Frame& frame) { draw_history(frame, cell); });
+  panels_.debugger.every_value = true;
+  frames(2);
+  const CellHistory& history = panels_.debugger.history;
+  ASSERT_GT(history.size(), 12u);
+  const auto first = panels_.debugger.history_rows.first;
+  EXPECT_EQ(first, 0);  // at the end of the log the newest stands first
+  ASSERT_TRUE(session_->apply(Seek{history[history.size() - 1].event + 1}).ok());
+  frames(2);
+  EXPECT_GT(panels_.debugger.history_rows.first, first);
+}
+
+TEST_F(PanelTest, AGutterSetsBreakpointsOnLinesThatAreReached) {
+  open(scenario_with_surprise("dstar-lite"), [](Frame& frame) { draw_code_panel(frame); });
+  const auto page = read_page("dstar-lite");
+  ASSERT_TRUE(page.ok()) << page.error();
+  const std::vector<AddBreakpoint> set = sweep<AddBreakpoint>(44, 10);
+  std::set<std::string> conditions;
+  for (const AddBreakpoint& each : set) conditions.insert(each.condition);
+  std::set<std::string> reached;
+  for (const PseudoBlock& block : page->code)
+    for (const PseudoLine& line : block.lines)
+      if (line.number != 0 && !line.unused) reached.insert(when_line(line.number));
+  EXPECT_GE(conditions.size(), 10u);
+  for (const std::string& condition : conditions) EXPECT_TRUE(reached.count(condition) == 1) << condition;
+  // Beside the gutter a click is nothing.
+  EXPECT_TRUE(sweep<AddBreakpoint>(200, 40).empty());
+}
+
+TEST_F(PanelTest, OpenListRowsPinTheirCellsInOrder) {
+  open(scenario_with_surprise("dstar-lite"), [](Frame& frame) { draw_open_list_panel(frame); });
+  const Timeline& log = run().timeline();
+  std::size_t middle = log.size() / 3;
+  while (log.event(middle).kind != EventKind::pop) ++middle;
+  ASSERT_TRUE(session_->apply(Seek{middle}).ok());
+  frames(2);
+  const OpenOrder& order = panels_.debugger.order;
+  ASSERT_GT(order.size(), 3u);
+  EXPECT_EQ(order[0].node, log.event(middle).node);
+  std::vector<Cell> pinned;
+  for (float y = 60; y < 300; y += 8) {
+    click(100, y);
+    if (view_.view.pinned && (pinned.empty() || pinned.back() != *view_.view.pinned))
+      pinned.push_back(*view_.view.pinned);
+  }
+  ASSERT_GE(pinned.size(), 3u);
+  for (std::size_t i = 0; i < pinned.size(); ++i)
+    EXPECT_EQ(pinned[i], run().lattice().position(order[i].node)) << i;
+  // The row under the mouse shows its cell on the canvas.
+  EXPECT_EQ(view_.view.hovered, panels_.debugger.pointed);
+}
+
+TEST_F(PanelTest, WhatTheReplanTouchedIsListed) {
+  open(scenario_with_surprise("dstar-lite"), [](Frame& frame) { draw_open_list_panel(frame); });
+  panels_.debugger.repair = true;
+  frames(2);
+  const TouchedList* touched = touched_by_last_replan(panels_, run());
+  ASSERT_NE(touched, nullptr);
+  ASSERT_GT(touched->list().size(), 5u);
+  for (float y = 80; y < 200 && !view_.view.pinned; y += 8) click(60, y);
+  ASSERT_TRUE(view_.view.pinned.has_value());
+  EXPECT_NE(touched->find(run().lattice().node(*view_.view.pinned)), nullptr);
+}
+
+TEST_F(PanelTest, AValueLeadsToWhoWroteIt) {
+  open(scenario_with_surprise("dstar-lite"), [](Frame& frame) { draw_cell_panel(frame); });
+  view_.view.pinned = Cell{8, 4};
+  frames(2);
+  const NodeId node = run().lattice().node(*view_.view.pinned);
+  commands_.clear();
+  for (float y = 24; y < 80 && commands_.empty(); y += 4) click(60, y);
+  ASSERT_FALSE(commands_.empty());
+  const Seek* seek = std::get_if<Seek>(&commands_.front());
+  ASSERT_NE(seek, nullptr);
+  EXPECT_EQ(run().timeline().last_event(node, {EventKind::g}, run().timeline().cursor()), seek->position - 1);
+}
+
+TEST_F(PanelTest, AConditionIsTypedAndAddedIfItIsSound) {
+  open(scenario_with_surprise("dstar-lite"), [](Frame& frame) { draw_debug_panel(frame); });
+  std::string& draft = panels_.debugger.breakpoint;
+  for (float y = 60; y < 240 && draft.empty(); y += 8) {
+    click(60, y);
+    draft.clear();  // an example was taken over
+    type("g(3,");
+  }
+  ASSERT_EQ(draft, "g(3,");
+  commands_.clear();
+  press(key::kEnter);
+  EXPECT_TRUE(commands_.empty()) << "half a condition was added";
+  panels_.debugger.breakpoint = "g(3, 4) > 5";
+  EXPECT_EQ(language_error(*session_, "g(3, 4) > 5", false), "");
+  EXPECT_NE(language_error(*session_, "g(3, 4) >", false), "");
+  EXPECT_NE(language_error(*session_, "g(3, 4) > 5", true), "") << "a condition is no quantity";
+}
+
+TEST_F(PanelTest, ConditionsThatMenusWriteAreSound) {
+  open(scenario_with_surprise("dld-star-lite"), [](Frame&) {});
+  for (const EventKind kind : {EventKind::g, EventKind::rhs, EventKind::dist, EventKind::queue, EventKind::lp,
+                               EventKind::rp, EventKind::visit, EventKind::known})
+    EXPECT_EQ(language_error(*session_, when_changed(kind, {3, 4}), false), "");
+  for (const EventKind kind :
+       {EventKind::g, EventKind::rhs, EventKind::dist, EventKind::queue, EventKind::visit})
+    EXPECT_EQ(language_error(*session_, value_expression(kind, {3, 4}), true), "");
+  EXPECT_EQ(language_error(*session_, when_taken({3, 4}), false), "");
+  EXPECT_EQ(language_error(*session_, when_line(48), false), "");
+  for (const char* each : {"event(replan)", "event(invariant)", "event(oracle)", "km > 5 && size(U) >= 100"})
+    EXPECT_EQ(language_error(*session_, each, false), "") << each;
+  EXPECT_FALSE(language_words(true).empty());
+}
+
+TEST_F(PanelTest, MillionsOfRowsScrollToEachSingleOne) {
+  constexpr std::size_t kRows = 20'000'000;
+  RowScroll scroll;
+  std::vector<std::size_t> drawn;
+  open(scenario_with_surprise("astar"), [&](Frame& frame) {
+    drawn.clear();
+    const RowsInSight sight = begin_rows(frame.look, "rows", kRows, 23 * 10, scroll);
+    for (std::size_t row = sight.first; row < sight.last; ++row) {
+      drawn.push_back(row);
+      ImGui::Dummy({1, frame.look.px.row});
+    }
+    end_rows();
+  });
+  for (const std::size_t row : {std::size_t{0}, std::size_t{12'345'677}, kRows - 10}) {
+    scroll.first = static_cast<double>(row);
+    frames(1);
+    EXPECT_EQ(drawn.front(), row);
+    EXPECT_LE(drawn.size(), 11u);
+  }
+  EXPECT_EQ(drawn.back(), kRows - 1);
+  scroll.first = 5e9;
+  frames(1);
+  EXPECT_EQ(drawn.back(), kRows - 1);
+  move_to(60, 60);
+  input().wheel(0, 1);
+  frames(2);
+  EXPECT_EQ(drawn.front(), kRows - 13);  // three rows for a notch
+  reveal_row(offscreen_->stage().look(), 77, kRows, 23 * 10, scroll);
+  EXPECT_EQ(scroll.first, 77);
+  reveal_row(offscreen_->stage().look(), 90, kRows, 23 * 10, scroll);
+  EXPECT_EQ(scroll.first, 81);
+}
+
+TEST_F(PanelTest, CrowdedMarksShareTheirPlaces) {
+  open(scenario_with_surprise("dstar-lite"), [](Frame&) {});
+  const Look& look = offscreen_->stage().look();
+  std::size_t before = 0;
+  for (const float width : {4.0f, 40.0f, 400.0f, 100000.0f}) {
+    const TimelineScale scale{0, width, run().timeline().size()};
+    const std::vector<MarkGroup> groups = happenings(look, run(), scale);
+    ASSERT_FALSE(groups.empty());
+    EXPECT_GE(groups.size(), before);
+    before = groups.size();
+    if (width == 4.0f) {
+      EXPECT_EQ(groups.size(), 1u);
+      EXPECT_EQ(groups[0].style.shape, MarkShape::circle) << "the arrival matters most";
+      EXPECT_NE(groups[0].others.find("replan"), std::string::npos) << groups[0].others;
+    }
+  }
+  // With room enough every mark stands alone, and leads behind its event.
+  const std::vector<MarkGroup> all = happenings(look, run(), {0, 1e6f, run().timeline().size()});
+  for (const MarkGroup& group : all) EXPECT_EQ(group.others, "");
+  EXPECT_EQ(run().timeline().event(all.front().position - 1).kind, EventKind::plan_begin);
+}
+
+}  // namespace
+}  // namespace replan::ui

@@ -1,0 +1,208 @@
+// A moment of a run through the clipboard and back, and its log into a file, in the window.
+#include <filesystem>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "app/platform/offscreen.hpp"
+#include "core/base/file.hpp"
+#include "core/debug/case_text.hpp"
+#include "tests/support/posthoc_check.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "ui/keys.hpp"
+#include "ui/shell/shell.hpp"
+
+namespace replan::ui {
+namespace {
+
+constexpr const char* kWorld = R"({"replan": 1, "name": "Gap",
+  "map": {"rows": ["........", "...@....", "...@....", "...@....", "........"]},
+  "start": [0, 2], "goal": [7, 2],
+  "planners": [{"id": "astar"}, {"id": "dstar-lite"}],
+  "robot": {"knowledge": "map", "sensor_radius": 2},
+  "surprises": [{"at": {"move": 1}, "add": {"cells": [[3, 0]]}}]})";
+
+class TracesTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    path_ = folder_.with("gap.json", kWorld);
+    session_ = std::make_unique<Session>(*read_scenario(path_), path_);
+    session_->settle();
+    auto offscreen = app::Offscreen::create({1280, 800, 1});
+    ASSERT_TRUE(offscreen.ok()) << offscreen.error();
+    offscreen_ = std::move(*offscreen);
+    offscreen_->frame([this] { shell_ = std::make_unique<Shell>(offscreen_->stage().renderer()); });
+    static std::string held;
+    ImGui::GetIO().SetClipboardTextFn = [](void*, const char* text) { held = text; };
+    ImGui::GetIO().GetClipboardTextFn = [](void*) { return held.c_str(); };
+    frames(2);
+  }
+  void TearDown() override {
+    if (offscreen_) offscreen_->frame([this] { shell_.reset(); });
+  }
+
+  void frames(int count) {
+    for (int i = 0; i < count; ++i)
+      offscreen_->frame([this] {
+        session_->update(0);
+        shell_->draw(offscreen_->stage().look(), *session_, 0);
+      });
+  }
+  /// Until nothing is under way any more.
+  void rest() {
+    for (int i = 0; i < 500 && shell_->wants_frames(*session_); ++i) {
+      frames(1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  void press(int key, bool ctrl = false, bool shift = false) {
+    InputQueue& input = offscreen_->stage().input();
+    const auto modifiers = [&](bool down) {
+      if (ctrl) input.key(key::kLeftControl, down);
+      if (shift) input.key(key::kLeftShift, down);
+    };
+    modifiers(true);
+    input.key(key, true);
+    frames(6);
+    input.key(key, false);
+    modifiers(false);
+    frames(6);
+  }
+  void type(const std::string& text) {
+    for (const char c : text) offscreen_->stage().input().character(static_cast<unsigned>(c));
+    frames(static_cast<int>(text.size()) * 2 + 4);
+  }
+  void run_to_end() {
+    ASSERT_TRUE(session_->apply(RunToEnd{}).ok());
+    session_->settle();
+    frames(2);
+  }
+  [[nodiscard]] std::uint64_t state() const { return session_->run().timeline().state().hash(); }
+
+  test::TemporaryFolder folder_;
+  std::string path_;
+  std::unique_ptr<Session> session_;
+  std::unique_ptr<app::Offscreen> offscreen_;
+  std::unique_ptr<Shell> shell_;
+};
+
+TEST_F(TracesTest, AMomentIsCopiedAndPastedHashForHash) {
+  ASSERT_TRUE(session_->apply(Lead{1}).ok());
+  run_to_end();
+  const std::size_t size = session_->run().timeline().size();
+  for (const std::size_t position : {size - 3, size, size / 2, std::size_t{0}}) {
+    ASSERT_TRUE(session_->apply(Seek{position}).ok());
+    const std::uint64_t there = state();
+    press('T', true, true);
+    ASSERT_TRUE(is_case_text(ImGui::GetClipboardText()));
+    // Elsewhere: another world in another window.
+    Scenario other;
+    other.map = GridMap(5, 5);
+    other.goal = {4, 4};
+    other.planners = {{"astar", {}}};
+    ASSERT_TRUE(session_->apply(ReplaceScenario{other, ""}).ok());
+    session_->settle();
+    frames(2);
+    press('V', true);
+    rest();
+    EXPECT_EQ(session_->run().timeline().cursor(), position);
+    EXPECT_EQ(session_->lead(), 1u);
+    EXPECT_EQ(session_->run().choice().id, "dstar-lite");
+    EXPECT_EQ(state(), there);
+    EXPECT_EQ(session_->file(), "");
+    run_to_end();
+    EXPECT_EQ(session_->run().timeline().size(), size);
+  }
+}
+
+TEST_F(TracesTest, PastingAsksBeforeEditsAreLost) {
+  press('T', true, true);
+  ASSERT_TRUE(session_->apply(PaintCells{{{{5, 0}, true}}}).ok());
+  session_->settle();
+  ASSERT_TRUE(session_->modified());
+  press('V', true);
+  EXPECT_TRUE(session_->modified()) << "the question comes first";
+  EXPECT_EQ(session_->file(), path_);
+  press(key::kEscape);
+  rest();
+  EXPECT_TRUE(session_->modified());
+}
+
+TEST_F(TracesTest, ADamagedTextIsRefusedInASentence) {
+  press('T', true, true);
+  std::string text = ImGui::GetClipboardText();
+  ImGui::SetClipboardText(text.substr(0, text.find("scenario {")).c_str());
+  const Scenario before = session_->scenario();
+  press('V', true);
+  rest();
+  EXPECT_EQ(session_->scenario(), before);
+}
+
+TEST_F(TracesTest, AnEventBeyondTheRunsEndIsTold) {
+  press('T', true, true);
+  std::string text = ImGui::GetClipboardText();
+  const std::size_t at = text.find("\"event\":", text.find("\nat "));
+  text.replace(at, 8, "\"event\":9");
+  ImGui::SetClipboardText(text.c_str());
+  press('V', true);
+  rest();
+  EXPECT_FALSE(shell_->wants_frames(*session_)) << "it does not wait for ever";
+  EXPECT_GT(session_->run().timeline().size(), 100u) << "it has gone as far as it could";
+}
+
+TEST_F(TracesTest, TheTraceIsExportedByItsEnding) {
+  ASSERT_TRUE(session_->apply(Lead{1}).ok());
+  run_to_end();
+  press('E', true, true);
+  press('A', true);
+  type(folder_.file("out.trace.yaml"));
+  press(key::kEnter);
+  rest();
+  const auto yaml = read_file(folder_.file("out.trace.yaml"));
+  ASSERT_TRUE(yaml.ok()) << yaml.error();
+  EXPECT_EQ(test::PosthocCheck::check("out.trace.yaml", *yaml), "");
+  EXPECT_TRUE(std::filesystem::exists(folder_.file("out.trace.map")));
+  press('E', true, true);
+  press('A', true);
+  type(folder_.file("out.jsonl"));
+  press(key::kEnter);
+  rest();
+  const auto lines = read_file(folder_.file("out.jsonl"));
+  ASSERT_TRUE(lines.ok()) << lines.error();
+  EXPECT_EQ(static_cast<std::size_t>(std::count(lines->begin(), lines->end(), '\n')),
+            session_->run().timeline().size() + 1);
+}
+
+TEST_F(TracesTest, ANameWithoutAKnownEndingKeepsTheDialog) {
+  press('E', true, true);
+  press('A', true);
+  type(folder_.file("out.txt"));
+  press(key::kEnter);
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("out.txt")));
+  press(key::kEscape);
+  press('B');
+  EXPECT_EQ(shell_->view().tool, Tool::paint) << "keys are the window's again";
+}
+
+TEST_F(TracesTest, AnExportIsGivenUpWhenItsRunIsGone) {
+  TraceExport writing;
+  ASSERT_TRUE(writing.begin(*session_, folder_.file("x.jsonl"), false).ok());
+  EXPECT_TRUE(writing.busy());
+  Scenario other = session_->scenario();
+  other.goal = {6, 2};
+  ASSERT_TRUE(session_->apply(ReplaceScenario{other, ""}).ok());
+  const auto outcome = writing.go_on(*session_);
+  ASSERT_TRUE(outcome.has_value());
+  EXPECT_TRUE(outcome->bad);
+  EXPECT_FALSE(writing.busy());
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("x.jsonl")));
+  EXPECT_FALSE(writing.go_on(*session_).has_value());
+}
+
+TEST(TraceExportNames, TheMapHasANameOfItsOwn) {
+  EXPECT_EQ(TraceExport::map_name("a/arena.trace.yaml"), "a/arena.trace.map");
+  EXPECT_EQ(TraceExport::map_name("arena.trace.json"), "arena.trace.map");
+}
+
+}  // namespace
+}  // namespace replan::ui

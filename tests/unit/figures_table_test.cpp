@@ -1,0 +1,173 @@
+// The table of figures: ratios, the best of each row, and its text in all formats, letter by letter.
+#include "core/study/figures_table.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace replan {
+namespace {
+
+RunReport report_of(const char* planner, double length, std::int64_t expansions) {
+  RunReport report;
+  report.planner = planner;
+  report.status = "found";
+  report.figures = {.nodes = 61,
+                    .length = length,
+                    .turns = 12,
+                    .turning_angle_deg = 540,
+                    .min_clearance = 0.5,
+                    .mean_clearance = 2.25};
+  report.plan_ms = 1.5;
+  report.replan_ms = 0;
+  report.replans = 0;
+  report.counters = {expansions, 2 * expansions, 0};
+  report.memory_bytes = 2048000;
+  return report;
+}
+
+RunReport without_path() {
+  RunReport report = report_of("dld-star-lite", 0, 50);
+  report.status = "no-path";
+  report.figures = {};
+  return report;
+}
+
+const FigureRow& row_of(const FiguresTable& table, std::string_view key) {
+  for (const FigureRow& row : table.rows)
+    if (row.info->key == key) return row;
+  ADD_FAILURE() << "no row " << key;
+  return table.rows.front();
+}
+
+TEST(FiguresTable, RelatesEachRunToTheFirst) {
+  const RunReport reports[] = {report_of("astar", 50, 0), report_of("dstar-lite", 54, 100)};
+  const FiguresTable table = figures_table(reports);
+  EXPECT_EQ(table.names, (std::vector<std::string>{"A*", "D* Lite"}));
+  EXPECT_FALSE(row_of(table, "length").ratio(0));
+  EXPECT_DOUBLE_EQ(row_of(table, "length").ratio(1).value(), 1.08);
+  EXPECT_FALSE(row_of(table, "expansions").ratio(1)) << "of nothing there is no multiple";
+}
+
+TEST(FiguresTable, MarksTheBestWhereThereIsABetter) {
+  RunReport wide = report_of("dist-dstar-lite", 50, 200);
+  wide.figures.min_clearance = 2;
+  wide.counters.sight_checks = 7;
+  const RunReport reports[] = {report_of("astar", 50, 100), report_of("dstar-lite", 54, 100), wide,
+                               without_path()};
+  const FiguresTable table = figures_table(reports);
+  const auto best = [&](std::string_view key) {
+    std::vector<std::size_t> runs;
+    for (std::size_t i = 0; i < std::size(reports); ++i)
+      if (row_of(table, key).best(i)) runs.push_back(i);
+    return runs;
+  };
+  EXPECT_EQ(best("length"), (std::vector<std::size_t>{0, 2})) << "two alike are both best";
+  EXPECT_EQ(best("min_clearance"), (std::vector<std::size_t>{2})) << "more is better";
+  EXPECT_EQ(best("expansions"), (std::vector<std::size_t>{3}));
+  EXPECT_TRUE(best("turns").empty()) << "all alike";
+  EXPECT_TRUE(best("sight_checks").empty()) << "nobody can say";
+}
+
+TEST(FiguresTable, NumbersAPlannerThatIsThereTwice) {
+  const RunReport reports[] = {report_of("astar", 50, 1), report_of("dstar-lite", 50, 1),
+                               report_of("astar", 50, 1)};
+  EXPECT_EQ(figures_table(reports).names, (std::vector<std::string>{"A*", "D* Lite", "A* (2)"}));
+}
+
+TEST(FiguresTable, HasTheLatestPlanAndTheRobotOnlyWhereThereIsOne) {
+  RunReport driven = report_of("astar", 50, 1);
+  driven.last_plan = Counters{5, 6, 7};
+  driven.robot = RobotReport{.ending = MissionState::arrived, .moves = 9, .travelled = 10.5};
+  const RunReport plain[] = {report_of("astar", 50, 1)}, whole[] = {driven};
+  EXPECT_EQ(figures_table(plain).rows.size(), 13u);
+  EXPECT_EQ(figures_table(whole).rows.size(), 19u);
+  EXPECT_EQ(row_of(figures_table(whole), "last_queue_operations").values.front(), 6);
+  EXPECT_EQ(row_of(figures_table(whole), "travelled").values.front(), 10.5);
+}
+
+TEST(FiguresText, Markdown) {
+  const RunReport reports[] = {report_of("dstar-lite", 50, 100), report_of("los-dstar-lite", 48.5, 110),
+                               without_path()};
+  EXPECT_EQ(figures_text(FiguresFormat::markdown, reports),
+            R"(| figure                  | D\* Lite |       Los D\* Lite |      DLD\* Lite |
+|-------------------------|---------:|-------------------:|----------------:|
+| nodes                   |       61 |         61 (×1.00) |               – |
+| length (cells)          |   50.000 | **48.500** (×0.97) |               – |
+| turns                   |       12 |         12 (×1.00) |               – |
+| turning (°)             |    540.0 |      540.0 (×1.00) |               – |
+| least clearance (cells) |    0.500 |      0.500 (×1.00) |               – |
+| mean clearance (cells)  |    2.250 |      2.250 (×1.00) |               – |
+| first plan (ms)         |    1.500 |      1.500 (×1.00) |   1.500 (×1.00) |
+| replans (ms)            |    0.000 |              0.000 |           0.000 |
+| replans                 |        0 |                  0 |               0 |
+| expansions              |      100 |        110 (×1.10) |  **50** (×0.50) |
+| queue operations        |      200 |        220 (×1.10) | **100** (×0.50) |
+| sight checks            |        0 |                  0 |               0 |
+| peak memory (kB)        |     2048 |       2048 (×1.00) |    2048 (×1.00) |
+)");
+}
+
+TEST(FiguresText, Latex) {
+  const RunReport reports[] = {report_of("dstar-lite", 50, 100), report_of("los-dstar-lite", 48.5, 110),
+                               without_path()};
+  EXPECT_EQ(figures_text(FiguresFormat::latex, reports), R"(% needs \usepackage{booktabs}
+\begin{tabular}{lrrr}
+\toprule
+Figure & D* Lite & Los D* Lite & DLD* Lite \\
+\midrule
+nodes & 61 & 61 {\footnotesize($\times$1.00)} & -- \\
+length (cells) & 50.000 & \textbf{48.500} {\footnotesize($\times$0.97)} & -- \\
+turns & 12 & 12 {\footnotesize($\times$1.00)} & -- \\
+turning ($^\circ$) & 540.0 & 540.0 {\footnotesize($\times$1.00)} & -- \\
+least clearance (cells) & 0.500 & 0.500 {\footnotesize($\times$1.00)} & -- \\
+mean clearance (cells) & 2.250 & 2.250 {\footnotesize($\times$1.00)} & -- \\
+\midrule
+first plan (ms) & 1.500 & 1.500 {\footnotesize($\times$1.00)} & 1.500 {\footnotesize($\times$1.00)} \\
+replans (ms) & 0.000 & 0.000 & 0.000 \\
+replans & 0 & 0 & 0 \\
+expansions & 100 & 110 {\footnotesize($\times$1.10)} & \textbf{50} {\footnotesize($\times$0.50)} \\
+queue operations & 200 & 220 {\footnotesize($\times$1.10)} & \textbf{100} {\footnotesize($\times$0.50)} \\
+sight checks & 0 & 0 & 0 \\
+peak memory (kB) & 2048 & 2048 {\footnotesize($\times$1.00)} & 2048 {\footnotesize($\times$1.00)} \\
+\bottomrule
+\end{tabular}
+)");
+}
+
+TEST(FiguresText, NamesCannotBreakATable) {
+  RunReport odd = report_of("a|b_c & 50% #1 \\ ~^{}$", 1, 1);
+  const RunReport reports[] = {odd};
+  EXPECT_NE(figures_text(FiguresFormat::markdown, reports).find(R"(| a\|b\_c & 50% #1 \\ ~^{}$ |)"),
+            std::string::npos)
+      << figures_text(FiguresFormat::markdown, reports);
+  EXPECT_NE(
+      figures_text(FiguresFormat::latex, reports)
+          .find(
+              R"(Figure & a|b\_c \& 50\% \#1 \textbackslash{} \textasciitilde{}\textasciicircum{}\{\}\$ \\)"),
+      std::string::npos)
+      << figures_text(FiguresFormat::latex, reports);
+}
+
+TEST(FiguresText, Csv) {
+  const RunReport reports[] = {report_of("dstar-lite", 50, 100), without_path()};
+  EXPECT_EQ(
+      figures_text(FiguresFormat::csv, reports),
+      "planner,status,nodes,length,turns,turning_angle_deg,min_clearance,mean_clearance,plan_ms,replan_ms,"
+      "replans,expansions,queue_operations,sight_checks,memory_bytes\n"
+      "dstar-lite,found,61,50,12,540,0.5,2.25,1.5,0,0,100,200,0,2048000\n"
+      "dld-star-lite,no-path,0,0,0,0,0,0,1.5,0,0,50,100,0,2048000\n");
+}
+
+TEST(FiguresText, Json) {
+  const RunReport reports[] = {report_of("dstar-lite", 50, 100), without_path()};
+  const auto runs = nlohmann::json::parse(figures_text(FiguresFormat::json, reports))["runs"];
+  EXPECT_EQ(runs[0]["planner"], "dstar-lite");
+  EXPECT_EQ(runs[0]["figures"]["length"], 50.0);
+  EXPECT_EQ(runs[1]["status"], "no-path");
+  EXPECT_EQ(runs[1]["figures"]["length"], 0) << "a program is promised numbers";
+  EXPECT_EQ(runs[1]["figures"]["expansions"], 50);
+  EXPECT_EQ(runs[1]["figures"].size(), 13u);
+}
+
+}  // namespace
+}  // namespace replan

@@ -1,0 +1,177 @@
+// Panes of a session: how they come and go, and what stays of their runs.
+#include <algorithm>
+#include <set>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "core/session/session.hpp"
+
+namespace replan {
+namespace {
+
+Scenario wall_with_gap() {
+  Scenario scenario;
+  scenario.map = GridMap(24, 16);
+  for (int y = 0; y < 16; ++y)
+    if (y != 5) scenario.map.set({12, y}, true);
+  scenario.start = {2, 8};
+  scenario.goal = {21, 8};
+  scenario.planners = {{"dstar-lite", {}}};
+  scenario.robot.sensor_radius = 4;
+  return scenario;
+}
+
+/// Until nothing works in the background and all panes stand where they belong.
+void wait(Session& session) {
+  const auto busy = [&] {
+    return std::any_of(session.runs().begin(), session.runs().end(),
+                       [](const auto& run) { return run->busy(); });
+  };
+  do {
+    while (busy()) {
+      session.update(0);
+      std::this_thread::yield();
+    }
+    session.update(0);
+  } while (busy());
+}
+
+std::vector<std::string> planners_of(const Session& session) {
+  std::vector<std::string> ids;
+  for (const PlannerChoice& choice : session.scenario().planners) ids.push_back(choice.id);
+  return ids;
+}
+
+TEST(SessionPanes, GrowByThePlannersLeastAlikeAndShrinkFromTheEnd) {
+  Session session(wall_with_gap());
+  ASSERT_TRUE(session.apply(SetPanes{2}).ok());
+  EXPECT_EQ(planners_of(session), (std::vector<std::string>{"dstar-lite", "dld-star-lite"}));
+  ASSERT_TRUE(session.apply(SetPanes{4}).ok());
+  const std::vector<std::string> four = planners_of(session);
+  EXPECT_EQ(std::set(four.begin(), four.end()).size(), 4u) << "no planner twice";
+  for (const std::string& id : four) EXPECT_FALSE(find_planner(id)->exercise) << id;
+  ASSERT_TRUE(session.apply(SetPanes{3}).ok());
+  EXPECT_EQ(planners_of(session), std::vector(four.begin(), four.begin() + 3));
+  ASSERT_TRUE(session.apply(SetPanes{1}).ok());
+  EXPECT_EQ(planners_of(session), std::vector<std::string>{"dstar-lite"});
+  EXPECT_FALSE(session.apply(SetPanes{0}).ok());
+  EXPECT_FALSE(session.apply(SetPanes{5}).ok());
+  EXPECT_EQ(session.history_position(), 4u) << "what was refused is no edit";
+}
+
+TEST(SessionPanes, ANewPanePlansByTheSameRules) {
+  Scenario scenario = wall_with_gap();
+  scenario.planners.front().settings.set("moves", 1);
+  Session session(scenario);
+  ASSERT_TRUE(session.apply(SetPanes{3}).ok());
+  for (const PlannerChoice& choice : session.scenario().planners)
+    EXPECT_EQ(choice.settings.get("moves", 0), 1) << choice.id;
+}
+
+TEST(SessionPanes, TheRunsThatStayAreKeptAndTheNewOneCatchesUp) {
+  Session session(wall_with_gap());
+  session.settle();
+  ASSERT_TRUE(session.apply(Step{StepUnit::move, 7}).ok());
+  const replan::Run* kept = session.runs()[0].get();
+  const std::uint64_t log = kept->log_id();
+  const std::size_t cursor = kept->timeline().cursor();
+  ASSERT_TRUE(session.apply(SetPanes{2}).ok());
+  EXPECT_EQ(session.runs()[0].get(), kept);
+  wait(session);
+  EXPECT_EQ(kept->log_id(), log) << "nothing was cut";
+  EXPECT_EQ(kept->timeline().cursor(), cursor);
+  const replan::Run& added = *session.runs()[1];
+  EXPECT_EQ(added.mark_at(added.timeline().cursor())->clock, 7);
+  EXPECT_EQ(&added.scenario(), &session.scenario());
+  EXPECT_EQ(&kept->scenario(), &session.scenario());
+}
+
+TEST(SessionPanes, ComeAndGoWithUndoAndRedo) {
+  Session session(wall_with_gap());
+  session.settle();
+  ASSERT_TRUE(session.apply(Step{StepUnit::move, 3}).ok());
+  const replan::Run* kept = session.runs()[0].get();
+  ASSERT_TRUE(session.apply(SetPanes{2}).ok());
+  EXPECT_EQ(session.undo_text(), "show 2 panes");
+  ASSERT_TRUE(session.apply(Undo{}).ok());
+  EXPECT_EQ(session.runs().size(), 1u);
+  EXPECT_EQ(session.runs()[0].get(), kept);
+  ASSERT_TRUE(session.apply(Redo{}).ok());
+  wait(session);
+  ASSERT_EQ(session.runs().size(), 2u);
+  EXPECT_EQ(session.runs()[0].get(), kept);
+  EXPECT_EQ(kept->mark_at(kept->timeline().cursor())->clock, 3);
+}
+
+TEST(SessionPanes, AnotherPlannerInOnePaneLeavesTheOthersAlone) {
+  Session session(wall_with_gap());
+  ASSERT_TRUE(session.apply(SetPanes{2}).ok());
+  wait(session);
+  ASSERT_TRUE(session.apply(Step{StepUnit::move, 4}).ok());
+  const replan::Run* kept = session.runs()[0].get();
+  ASSERT_TRUE(session.apply(ChoosePlanner{1, "astar"}).ok());
+  EXPECT_EQ(session.runs()[0].get(), kept);
+  wait(session);
+  const replan::Run& other = *session.runs()[1];
+  EXPECT_EQ(other.choice().id, "astar");
+  EXPECT_EQ(other.mark_at(other.timeline().cursor())->clock, 4);
+}
+
+TEST(SessionPanes, TheLeadGoesOverWhenItsPaneGoes) {
+  Session session(wall_with_gap());
+  ASSERT_TRUE(session.apply(SetPanes{2}).ok());
+  wait(session);
+  ASSERT_TRUE(session.apply(Lead{1}).ok());
+  EXPECT_EQ(session.run().choice().id, "dld-star-lite");
+  ASSERT_TRUE(session.apply(SetPanes{1}).ok());
+  EXPECT_EQ(session.lead(), 0u);
+  ASSERT_TRUE(session.apply(Step{StepUnit::expansion, -1}).ok());
+  EXPECT_FALSE(session.apply(Lead{1}).ok());
+}
+
+TEST(SessionPanes, ToLeadMovesNoPane) {
+  Session session(wall_with_gap());
+  ASSERT_TRUE(session.apply(SetPanes{2}).ok());
+  wait(session);
+  ASSERT_TRUE(session.apply(Seek{session.run().timeline().size() / 2}).ok());
+  const std::size_t first = session.runs()[0]->timeline().cursor(),
+                    second = session.runs()[1]->timeline().cursor();
+  ASSERT_TRUE(session.apply(Lead{1}).ok());
+  wait(session);
+  EXPECT_EQ(session.runs()[0]->timeline().cursor(), first);
+  EXPECT_EQ(session.runs()[1]->timeline().cursor(), second);
+}
+
+TEST(SessionPanes, AnEditReachesAllPanesAtTheSameStep) {
+  Session session(wall_with_gap());
+  ASSERT_TRUE(session.apply(SetPanes{4}).ok());
+  wait(session);
+  ASSERT_TRUE(session.apply(Step{StepUnit::move, 2}).ok());
+  wait(session);
+  ASSERT_TRUE(session.apply(PaintCells{{{{8, 6}, true}, {{8, 7}, true}}, 1}).ok());
+  wait(session);
+  for (const auto& run : session.runs()) {
+    const Mark* mark = run->mark_at(run->timeline().cursor());
+    ASSERT_NE(mark, nullptr);
+    EXPECT_EQ(mark->clock, 2) << run->choice().id;
+    EXPECT_TRUE(run->timeline().state().wall(run->lattice().node(Cell{8, 6}))) << run->choice().id;
+  }
+}
+
+TEST(SessionPanes, TheEndTakesAllToTheirEnds) {
+  for (const Lockstep by : {Lockstep::expansions, Lockstep::moves, Lockstep::race}) {
+    Session session(wall_with_gap());
+    ASSERT_TRUE(session.apply(SetPanes{4}).ok());
+    ASSERT_TRUE(session.apply(SetLockstep{by}).ok());
+    ASSERT_TRUE(session.apply(RunToEnd{}).ok());
+    wait(session);
+    for (const auto& run : session.runs()) {
+      EXPECT_TRUE(run->over()) << run->choice().id;
+      EXPECT_EQ(run->timeline().cursor(), run->timeline().size()) << run->choice().id;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace replan

@@ -1,0 +1,96 @@
+// What can be done with one value of a cell, and with the cell: breakpoints, watches, and going to changes.
+#include <imgui_internal.h>
+
+#include "ui/icons.hpp"
+#include "ui/shell/conditions.hpp"
+#include "ui/shell/format.hpp"
+#include "ui/shell/panels.hpp"
+
+namespace replan::ui {
+namespace {
+
+bool item(const char* label, const char* icon, bool on = false, bool enabled = true) {
+  return ImGui::MenuItemEx(label, icon, nullptr, on, enabled);
+}
+
+void breakpoint_item(Frame& frame, const std::string& label, const std::string& condition) {
+  if (condition.empty()) return;
+  const bool set = find_breakpoint(frame.session, condition).has_value();
+  if (item(label.c_str(), icon::stop, set))
+    frame.commands.push_back(toggle_breakpoint(frame.session, condition));
+}
+
+void watch_item(Frame& frame, const std::string& expression) {
+  if (expression.empty()) return;
+  const std::string label = "Watch " + expression;
+  if (item(label.c_str(), icon::line_chart, is_watched(frame.session, expression)))
+    frame.commands.push_back(toggle_watch(frame.session, expression));
+}
+
+void change_items(Frame& frame, const std::string& name, EventKind kind, NodeId node) {
+  if (item(("Previous change of " + name).c_str(), icon::caret_left))
+    frame.commands.push_back(GoToChange{kind, node, -1});
+  if (item(("Next change of " + name).c_str(), icon::caret_right))
+    frame.commands.push_back(GoToChange{kind, node, 1});
+}
+
+bool is_number(EventKind kind) {
+  return kind != EventKind::lp && kind != EventKind::rp && kind != EventKind::known;
+}
+
+}  // namespace
+
+void value_menu_items(Frame& frame, const char* name, EventKind kind, Cell cell) {
+  const NodeId node = frame.run().lattice().node(cell);
+  change_items(frame, name, kind, node);
+  ImGui::Separator();
+  breakpoint_item(frame, std::string("Break when ") + name + " changes", when_changed(kind, cell));
+  if (is_number(kind)) watch_item(frame, value_expression(kind, cell));
+}
+
+void cell_menu_items(Frame& frame, Cell cell) {
+  const Look& look = frame.look;
+  const PlannerInfo& info = frame.run().info();
+  const bool lookahead = info.values == SearchValues::lookahead;
+  const NodeId node = frame.run().lattice().node(cell);
+  text(look.fonts.title, look.theme.text, "Cell " + cell_text(cell));
+  ImGui::Separator();
+  const bool pinned = frame.view.view.pinned == cell;
+  if (item(pinned ? "Let go of it" : "Pin it", icon::pin)) {
+    if (pinned)
+      frame.view.view.pinned.reset();
+    else
+      frame.view.view.pinned = cell;
+  }
+  ImGui::Separator();
+  change_items(frame, lookahead ? "rhs" : "g", lookahead ? EventKind::rhs : EventKind::g, node);
+  ImGui::Separator();
+  breakpoint_item(frame, "Break when it is taken from U", when_taken(cell));
+  breakpoint_item(frame, "Break when g changes", when_changed(EventKind::g, cell));
+  if (lookahead) breakpoint_item(frame, "Break when rhs changes", when_changed(EventKind::rhs, cell));
+  ImGui::Separator();
+  watch_item(frame, value_expression(EventKind::g, cell));
+  if (lookahead) watch_item(frame, value_expression(EventKind::rhs, cell));
+}
+
+void draw_cell_menu(Frame& frame) {
+  const Look& look = frame.look;
+  std::optional<Cell>& cell = frame.view.menu;
+  if (!cell) return;
+  if (!frame.session.scenario().map.contains(*cell)) return cell.reset();
+  constexpr const char* kName = "cell menu";
+  DebuggerState& state = frame.panels.debugger;
+  if (!state.menu_open) ImGui::OpenPopup(kName);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.m, look.px(10)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px.s, look.px(7)));
+  state.menu_open = ImGui::BeginPopup(kName, ImGuiWindowFlags_NoMove);
+  if (state.menu_open) {
+    cell_menu_items(frame, *cell);
+    ImGui::EndPopup();
+  } else {
+    cell.reset();
+  }
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace replan::ui

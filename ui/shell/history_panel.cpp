@@ -1,0 +1,133 @@
+// What happened to a cell's values over the whole run: part of the Cell tab.
+#include <algorithm>
+#include <array>
+
+#include "core/debug/event_words.hpp"
+#include "ui/icons.hpp"
+#include "ui/shell/format.hpp"
+#include "ui/shell/panels.hpp"
+#include "ui/shell/term_hint.hpp"
+
+namespace replan::ui {
+namespace {
+
+constexpr std::size_t kReadPerFrame = 512;
+constexpr std::size_t kRowsShown = 7;
+
+KindSet kinds_shown(bool every_value) {
+  if (!every_value) return {EventKind::g, EventKind::rhs, EventKind::dist, EventKind::known};
+  return {EventKind::g,  EventKind::rhs, EventKind::dist,  EventKind::known, EventKind::queue,
+          EventKind::lp, EventKind::rp,  EventKind::visit, EventKind::truth};
+}
+
+std::string what_text(const Run& run, EventKind kind) {
+  switch (kind) {
+    case EventKind::lp:
+      return run.info().from_goal ? "lp" : "parent";
+    case EventKind::queue:
+      return run.info().from_goal ? "k1" : "f";
+    case EventKind::visit:
+      return "expanded";
+    case EventKind::known:
+      return "known";
+    case EventKind::truth:
+      return "world";
+    default:
+      return value_name(kind);
+  }
+}
+
+std::string raw_text(const Run& run, EventKind kind, std::uint64_t raw) {
+  if (kind == EventKind::visit) return std::to_string(raw >> 32) + "×";
+  if (kind == EventKind::queue && raw == 0) return "—";
+  return value_text(run.lattice(), kind, raw);
+}
+
+/// One change; a click goes to behind it. What lies after the cursor stands back.
+void change_row(Frame& frame, std::size_t row, const ValueChange& change, std::span<const Column> columns) {
+  const Look& look = frame.look;
+  const Run& run = frame.run();
+  const std::size_t cursor = run.timeline().cursor();
+  const bool ahead = change.event >= cursor, here = change.event + 1 == cursor;
+  const std::string event = grouped(change.event + 1), what = what_text(run, change.kind),
+                    before = raw_text(run, change.kind, change.before),
+                    after = raw_text(run, change.kind, change.after);
+  const ImU32 words = ahead ? look.theme.faint : look.theme.dim;
+  const std::array<TableCell, 4> cells = {
+      {{event, ahead ? mix(look.theme.panel, look.theme.accent, 0.5f) : look.theme.accent},
+       {what, words},
+       {before, words},
+       {after, ahead ? look.theme.faint : look.theme.text}}};
+  if (table_row(look, static_cast<int>(row % (std::size_t{1} << 30)), columns, cells, here))
+    frame.commands.push_back(Seek{change.event + 1});
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  const std::string title = "Event " + event + ", " + origin_text(frame, change.event);
+  hint(look,
+       {title.c_str(), "",
+        ahead ? "Not yet, at the playhead. Click to go there." : "Click to go to where it was written."});
+}
+
+void title(Frame& frame, const CellHistory& history) {
+  const Look& look = frame.look;
+  DebuggerState& state = frame.panels.debugger;
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float right = origin.x + ImGui::GetContentRegionAvail().x;
+  section_title(look, "History");
+  const ImVec2 below = ImGui::GetCursorScreenPos();
+  const std::string count =
+      history.size() == 0 ? "" : grouped(history.size()) + (history.complete() ? "" : "+");
+  const ImFont* small = look.fonts.small;
+  draw_text(*ImGui::GetWindowDrawList(), small,
+            {right - look.px(28) - text_width(small, count), origin.y + look.px(1)}, look.theme.faint, count);
+  ImGui::SetCursorScreenPos({right - look.px(24), origin.y - look.px(5)});
+  if (small_button(
+          look, "every value",
+          {.icon = icon::filter,
+           .hint = {state.every_value ? "Costs alone" : "Every value", "",
+                    "Whether parents, keys, expansions and the world are listed too, or g, rhs, dist and "
+                    "the robot's map alone."},
+           .selected = state.every_value}))
+    state.every_value = !state.every_value;
+  ImGui::SetCursorScreenPos(below);
+}
+
+/// Keeps the latest change before the cursor in sight while the cursor moves.
+void keep_in_sight(Frame& frame, const CellHistory& history, std::size_t rows) {
+  DebuggerState& state = frame.panels.debugger;
+  const std::size_t cursor = frame.run().timeline().cursor();
+  if (state.history_cursor == cursor) return;
+  state.history_cursor = cursor;
+  const std::size_t ahead = std::min(history.after(cursor), history.size() - 1);
+  reveal_row(frame.look, ahead, history.size(), frame.look.px.row * static_cast<float>(rows),
+             state.history_rows);
+}
+
+}  // namespace
+
+void draw_history(Frame& frame, Cell cell) {
+  const Look& look = frame.look;
+  DebuggerState& state = frame.panels.debugger;
+  const Run& run = frame.run();
+  CellHistory& history = state.history;
+  history.follow(run.timeline(), run.log_id(), run.lattice().node(cell), kinds_shown(state.every_value),
+                 kReadPerFrame);
+  if (!history.complete()) frame.panels.animated = true;
+  title(frame, history);
+  if (history.size() == 0) {
+    paragraph(look.fonts.ui, look.theme.dim,
+              history.complete() ? "Nothing has been written here in this run." : "Looking through the log…");
+    return;
+  }
+  static constexpr std::array<Column, 4> kColumns = {
+      {{"event", 1.1f, Align::left}, {"what", 1.0f}, {"before", 1.1f}, {"after", 1.1f}}};
+  table_head(look, kColumns);
+  const std::size_t rows = std::min(history.size(), kRowsShown);
+  keep_in_sight(frame, history, rows);
+  const RowsInSight sight =
+      begin_rows(look, "history", history.size(), look.px.row * static_cast<float>(rows), state.history_rows);
+  for (std::size_t row = sight.first; row < sight.last; ++row) change_row(frame, row, history[row], kColumns);
+  end_rows();
+}
+
+}  // namespace replan::ui

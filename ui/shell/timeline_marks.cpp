@@ -1,0 +1,203 @@
+#include "ui/shell/timeline_marks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/shell/format.hpp"
+
+namespace replan::ui {
+namespace {
+
+/// Kinds of marks, the one that matters most first: it stands for a crowd.
+enum class MarkKind : std::uint8_t {
+  collision,
+  gave_up,
+  arrival,
+  put_down,
+  new_goal,
+  surprise,
+  first_plan,
+  replan,
+  count
+};
+
+std::optional<MarkKind> kind_of(const Run& run, const Marker& marker) {
+  switch (marker.kind) {
+    case EventKind::plan_begin:
+      return run.timeline().event(marker.event).delta == 0 ? MarkKind::first_plan : MarkKind::replan;
+    case EventKind::surprise:
+      return MarkKind::surprise;
+    case EventKind::new_goal:
+      return MarkKind::new_goal;
+    case EventKind::put_down:
+      return MarkKind::put_down;
+    case EventKind::arrival:
+      return MarkKind::arrival;
+    case EventKind::collision:
+      return MarkKind::collision;
+    case EventKind::gave_up:
+      return MarkKind::gave_up;
+    default:
+      return std::nullopt;
+  }
+}
+
+MarkStyle style_of(const Theme& theme, MarkKind kind) {
+  switch (kind) {
+    case MarkKind::collision:
+      return {MarkShape::cross, theme.bad, "The robot would hit an obstacle", "collisions"};
+    case MarkKind::gave_up:
+      return {MarkShape::cross, theme.bad, "The mission ends without arrival", "ends"};
+    case MarkKind::arrival:
+      return {MarkShape::circle, theme.goal, "The robot arrives", "arrivals"};
+    case MarkKind::put_down:
+      return {MarkShape::diamond, theme.start, "The robot is put down elsewhere", "times put down"};
+    case MarkKind::new_goal:
+      return {MarkShape::diamond, theme.goal, "The goal moves: a plan from scratch", "moves of the goal"};
+    case MarkKind::surprise:
+      return {MarkShape::diamond, theme.surprise, "A surprise: the world changes", "surprises"};
+    case MarkKind::first_plan:
+      return {MarkShape::triangle, theme.start, "The first plan begins", "first plans"};
+    default:
+      return {MarkShape::triangle, theme.surprise, "A replan begins", "replans"};
+  }
+}
+
+using Counts = std::array<std::int64_t, static_cast<std::size_t>(MarkKind::count)>;
+
+/// "and 4 replans, 1 surprise more" for what a crowd holds besides its head.
+std::string others_text(const Theme& theme, Counts counts, MarkKind head) {
+  --counts[static_cast<std::size_t>(head)];
+  std::string words;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    if (counts[i] > 0)
+      words += (words.empty() ? "Here too: " : ", ") + grouped(counts[i]) + " " +
+               style_of(theme, static_cast<MarkKind>(i)).plural;
+  return words;
+}
+
+std::string title_of(const Run& run, const Marker& marker, const MarkStyle& style) {
+  const std::uint64_t number = run.timeline().event(marker.event).delta;
+  if (marker.kind == EventKind::plan_begin && number != 0) return "Replan " + grouped(number) + " begins";
+  return style.name;
+}
+
+/// Half of what a mark is wide, and the least that two of a lane stand apart.
+constexpr float kRadius = 5, kApart = 11;
+
+void draw_flag(const Look& look, ImDrawList& list, ImVec2 at, ImU32 colour) {
+  const float r = look.px(kRadius), foot = at.y + r * 2.4f, half = look.px(1);
+  list.AddRectFilled({at.x - half, at.y - r}, {at.x + half, foot}, colour);
+  list.AddRectFilled({at.x - half, at.y - r}, {at.x + r * 1.6f, at.y + r * 0.7f}, colour);
+}
+
+void draw_mark(const Look& look, ImDrawList& list, ImVec2 at, const MarkStyle& style) {
+  const float r = look.px(kRadius);
+  switch (style.shape) {
+    case MarkShape::triangle:
+      list.AddTriangleFilled({at.x, at.y - r}, {at.x + r, at.y + r}, {at.x - r, at.y + r}, style.colour);
+      break;
+    case MarkShape::diamond:
+      list.AddQuadFilled({at.x, at.y - r}, {at.x + r, at.y}, {at.x, at.y + r}, {at.x - r, at.y},
+                         style.colour);
+      break;
+    case MarkShape::circle:
+      list.AddCircleFilled(at, r, style.colour);
+      break;
+    case MarkShape::cross:
+      list.AddLine({at.x - r, at.y - r}, {at.x + r, at.y + r}, style.colour, look.px(2));
+      list.AddLine({at.x - r, at.y + r}, {at.x + r, at.y - r}, style.colour, look.px(2));
+      break;
+    case MarkShape::flag:
+      draw_flag(look, list, at, style.colour);
+      break;
+  }
+}
+
+MarkGroup breach_group(const Look& look, const TimelineScale& scale, const FirstBreach& breach) {
+  const std::size_t event = breach.position == 0 ? 0 : breach.position - 1;
+  const char* title =
+      breach.law ? "The first breach of a law" : "The first plan that the oracle disagrees with";
+  return {{MarkShape::cross, look.theme.bad, title, ""}, scale.x(event), breach.position, title, ""};
+}
+
+}  // namespace
+
+float TimelineScale::x(std::size_t position) const {
+  if (size == 0) return left;
+  return left +
+         static_cast<float>(static_cast<double>(position) / static_cast<double>(size)) * (right - left);
+}
+
+std::size_t TimelineScale::position(float x) const {
+  const double part = std::clamp((x - left) / std::max(right - left, 1.0f), 0.0f, 1.0f);
+  return static_cast<std::size_t>(std::llround(part * static_cast<double>(size)));
+}
+
+std::vector<MarkGroup> happenings(const Look& look, const Run& run, const TimelineScale& scale) {
+  std::vector<MarkGroup> groups;
+  const std::span<const Marker> markers = run.markers();
+  for (std::size_t i = 0; i < markers.size();) {
+    const std::optional<MarkKind> first = kind_of(run, markers[i]);
+    if (!first) {
+      ++i;
+      continue;
+    }
+    const float begin = scale.x(markers[i].event);
+    Counts counts{};
+    MarkKind head = *first;
+    std::size_t head_at = i, all = 0;
+    for (; i < markers.size() && scale.x(markers[i].event) < begin + look.px(kApart); ++i) {
+      const std::optional<MarkKind> kind = kind_of(run, markers[i]);
+      if (!kind) continue;
+      ++all;
+      ++counts[static_cast<std::size_t>(*kind)];
+      if (*kind < head) head = *kind, head_at = i;
+    }
+    const MarkStyle style = style_of(look.theme, head);
+    groups.push_back({style, scale.x(markers[head_at].event), markers[head_at].event + 1,
+                      title_of(run, markers[head_at], style),
+                      all > 1 ? others_text(look.theme, counts, head) : ""});
+  }
+  return groups;
+}
+
+// Of a million hits only those that begin a group are looked at.
+std::vector<MarkGroup> stops(const Look& look, const Session& session, const TimelineScale& scale) {
+  std::vector<MarkGroup> groups;
+  const std::span<const Hit> hits = session.breakpoints().hits();
+  const std::span<const Breakpoint> list = session.breakpoints().list();
+  const MarkStyle style{MarkShape::flag, look.theme.bad, "A breakpoint stops here", "stops"};
+  for (auto first = hits.begin(); first != hits.end();) {
+    const float begin = scale.x(first->position), end = begin + look.px(kApart);
+    const auto next =
+        std::partition_point(first, hits.end(), [&](const Hit& hit) { return scale.x(hit.position) < end; });
+    const auto more = next - first - 1;
+    const std::string title =
+        first->breakpoint < list.size() ? list[first->breakpoint].condition : std::string(style.name);
+    groups.push_back({style, begin, first->position, title,
+                      more > 0 ? "Here too: " + count_text(more, "stop", "stops") : ""});
+    first = next;
+  }
+  if (const auto breach = first_breach(session); breach && breach->pane == session.lead())
+    groups.push_back(breach_group(look, scale, *breach));
+  return groups;
+}
+
+const MarkGroup* draw_groups(const Look& look, ImDrawList& list, std::span<const MarkGroup> groups, float y) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const MarkGroup* hovered = nullptr;
+  for (const MarkGroup& group : groups) {
+    draw_mark(look, list, {group.x, y}, group.style);
+    // A crowd has a bar under it, as wide as its place.
+    if (!group.others.empty()) {
+      const float half = look.px(kRadius), top = y + look.px(7);
+      list.AddRectFilled({group.x - half, top}, {group.x + half, top + look.px(1.5f)}, group.style.colour);
+    }
+    if (std::abs(mouse.x - group.x) < look.px(6) && std::abs(mouse.y - y) < look.px(9)) hovered = &group;
+  }
+  return hovered;
+}
+
+}  // namespace replan::ui
