@@ -5,6 +5,7 @@
 #include "core/base/file.hpp"
 #include "core/scene/svg.hpp"
 #include "ui/canvas_draw.hpp"
+#include "ui/shell/actions.hpp"
 
 namespace replan::app {
 namespace {
@@ -35,13 +36,30 @@ Result<void> go_to(Session& session, const RenderRequest& request) {
   return session.apply(Seek{*position});
 }
 
+/// The window's action that a request names, if any.
+Result<std::optional<ui::ActionId>> requested_action(const RenderRequest& request) {
+  if (request.action.empty()) return std::optional<ui::ActionId>();
+  if (!request.window || is_film(request.output) || file_extension(request.output) == ".svg")
+    return Error{
+        "an action of the window shows in a picture of the window alone: give a name that ends in .png"};
+  if (const ui::Action* found = ui::find_action(request.action))
+    return std::optional<ui::ActionId>(found->id);
+  std::vector<std::string_view> names;
+  for (const ui::Action& each : ui::actions()) names.emplace_back(each.name);
+  const std::string_view nearest = nearest_name(request.action, names);
+  return Error{
+      "the window has no action '" + request.action + "'" +
+      (nearest.empty() ? "; for example keys, worlds" : "; did you mean '" + std::string(nearest) + "'?")};
+}
+
 StudioSettings studio_settings(const RenderRequest& request) {
   return {request.width,
           request.height,
           request.scale,
           request.window,
           request.panes.value_or(request.window ? 0 : 1),
-          1.0 / request.film.fps};
+          1.0 / request.film.fps,
+          std::nullopt};
 }
 
 Result<void> render_film(const RenderRequest& request, Session& session, const ui::ViewState& state) {
@@ -108,6 +126,8 @@ Result<void> render(const RenderRequest& request) {
   if (!(request.scale >= 0.5 && request.scale <= 4)) return Error{"the scale must lie between 0.5 and 4"};
   const Result<ui::ViewState> state = requested_view(request);
   if (!state) return Error{state.error()};
+  const auto action = requested_action(request);
+  if (!action) return Error{action.error()};
   const std::string extension = file_extension(request.output);
   Session session(request.scenario);
   if (is_film(request.output)) return render_film(request, session, *state);
@@ -118,7 +138,9 @@ Result<void> render(const RenderRequest& request) {
   if (const auto there = go_to(session, request); !there) return there;
   if (extension == ".svg")
     return write_drawing(request.output, session.run(), *state, {request.width, request.height});
-  auto studio = Studio::open(studio_settings(request), session, *state);
+  StudioSettings settings = studio_settings(request);
+  settings.action = *action;
+  auto studio = Studio::open(settings, session, *state);
   if (!studio) return Error{studio.error()};
   return ui::write_png(request.output, (*studio)->shoot(session));
 }

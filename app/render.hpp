@@ -38,6 +38,9 @@ struct RenderRequest {
   bool window = false;  ///< the whole window rather than the canvas alone; not for `.svg`
   /// How many planners are shown; nothing: all that there is room for in a window, one on a canvas alone.
   std::optional<std::size_t> panes;
+  /// Of the window, done before a still is drawn: its identifier in ui/shell/actions.def, such as "keys" for
+  /// the page of keys; empty for none. So pictures of dialogs are made.
+  std::string action;
   FilmOptions film;
   std::function<void(std::size_t done, std::size_t all)> progress;  ///< called after each frame of a film
 };

@@ -2,9 +2,15 @@
 
 #include <algorithm>
 
-#include "ui/pane_row.hpp"
+#include "core/world/library.hpp"
+#include "ui/pane_grid.hpp"
 
 namespace replan::app {
+namespace {
+
+constexpr int kActionFrames = 60;
+
+}  // namespace
 
 Result<std::unique_ptr<Studio>> Studio::open(const StudioSettings& settings, const Session& session,
                                              ui::ViewState state) {
@@ -29,7 +35,9 @@ Studio::~Studio() {
 
 ui::Image Studio::shoot(Session& session) {
   // Two frames: windows that are sized by their content settle in the second.
-  const int frames = settings_.window && !settled_ ? 2 : 1;
+  // What an action opens takes some more: a dialog reads its files and draws thumbnails one by one.
+  const int settling = settings_.action ? kActionFrames : 2;
+  const int frames = settings_.window && !settled_ ? settling : 1;
   for (int i = 0; i < frames; ++i)
     offscreen_->frame([&] { settings_.window ? draw_window(session) : draw_canvas(session); },
                       static_cast<float>(settings_.seconds));
@@ -43,6 +51,10 @@ void Studio::draw_window(Session& session) {
     shell_ = std::make_unique<ui::Shell>(stage.renderer());
     shell_->view() = state_;
     shell_->panels().panes = settings_.panes;
+    if (settings_.action) {
+      shell_->settle_in(session, {{}, library_folder(), {}});
+      shell_->perform_next(*settings_.action);
+    }
   }
   shell_->draw(stage.look(), session, settings_.seconds);
 }
@@ -58,12 +70,12 @@ void Studio::draw_canvas(const Session& session) {
   ImGui::Begin("canvas", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
   const std::size_t count = std::clamp<std::size_t>(settings_.panes, 1, session.runs().size());
-  const ui::PaneRow row(stage.look(), count, {0, 0}, size);
+  const ui::PaneGrid grid(stage.look(), count, {0, 0}, size);
   std::vector<Command> none;
   for (std::size_t i = 0; i < count; ++i) {
     if (canvases_.size() <= i) canvases_.push_back(std::make_unique<ui::Canvas>(stage.renderer()));
-    canvases_[i]->draw(stage.look(), session, i, state_, row.min(i), row.max(i), false, none);
-    row.draw_parting(i);
+    canvases_[i]->draw(stage.look(), session, i, state_, grid.min(i), grid.max(i), false, none);
+    grid.draw_parting(i);
   }
   ImGui::End();
   ImGui::PopStyleVar(3);

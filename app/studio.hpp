@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/platform/offscreen.hpp"
@@ -14,10 +15,11 @@ namespace replan::app {
 struct StudioSettings {
   int width = 1440;  ///< pixels
   int height = 900;
-  double scale = 1;           ///< device pixels per design pixel
-  bool window = false;        ///< the whole window rather than the canvas alone
-  std::size_t panes = 1;      ///< of the canvas; for a window 0: as many as there is room for
-  double seconds = 1.0 / 30;  ///< from picture to picture
+  double scale = 1;                         ///< device pixels per design pixel
+  bool window = false;                      ///< the whole window rather than the canvas alone
+  std::size_t panes = 1;                    ///< of the canvas; for a window 0: as many as there is room for
+  double seconds = 1.0 / 30;                ///< from picture to picture
+  std::optional<ui::ActionId> action = {};  ///< of the window, done before the first picture
 };
 
 class Studio {

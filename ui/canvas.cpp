@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/canvas_chips.hpp"
 #include "ui/canvas_draw.hpp"
 #include "ui/canvas_overlay.hpp"
 #include "ui/canvas_tools.hpp"
+#include "ui/widgets.hpp"
 
 namespace replan::ui {
 namespace {
@@ -51,6 +53,7 @@ struct Canvas::Parts {
   void glide(ViewState& state, ImVec2 min);
   void point(const Session& session, const Run& run, ViewState& state, ImVec2 min, bool hovered,
              std::vector<Command>& commands);
+  bool title(const Look& look, const Session& session, std::size_t pane, std::vector<Command>& commands);
 
   ImGuiRenderer& renderer;
   SceneMemory memory;
@@ -65,6 +68,7 @@ struct Canvas::Parts {
   Glide zooming;
   Hand hand;
   std::optional<Cell> hovered;
+  ImVec2 title_min, title_max;  // of the chip that names the planner, as drawn last
 };
 
 Canvas::Canvas(ImGuiRenderer& renderer) : parts_(std::make_unique<Parts>(renderer)) {}
@@ -183,6 +187,37 @@ void Canvas::Parts::point(const Session& session, const Run& run, ViewState& sta
   hand.update(session, run, state, pointer, commands);
 }
 
+/// The hands on the chip that names the planner, which lies over the last item: it makes its pane lead, and
+/// changes the planner of the one that does. Whether the mouse is over it.
+bool Canvas::Parts::title(const Look& look, const Session& session, std::size_t pane,
+                          std::vector<Command>& commands) {
+  const bool over = ImGui::IsItemHovered() && ImGui::IsMouseHoveringRect(title_min, title_max, false);
+  const bool leads = pane == session.lead();
+  if (over) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    hint(look, {session.runs()[pane]->info().name.data(), "",
+                leads ? "A click chooses another planner for this pane."
+                      : "A click makes this pane lead: the transport shows its run, and the others follow."});
+  }
+  if (over && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    if (leads)
+      ImGui::OpenPopup("planner");
+    else
+      commands.emplace_back(Lead{pane});
+  }
+  ImGui::SetNextWindowPos({title_min.x, title_max.y + look.px.xs});
+  if (!ImGui::BeginPopup("planner")) return over;
+  bool exercises = false;
+  for (const PlannerInfo& info : planners()) {
+    if (info.exercise && !std::exchange(exercises, true)) ImGui::Separator();
+    if (ImGui::MenuItem(info.name.data(), nullptr, session.runs()[pane]->choice().id == info.id))
+      commands.emplace_back(ChoosePlanner{pane, std::string(info.id)});
+    hint(look, {"", "", info.summary.data()});
+  }
+  ImGui::EndPopup();
+  return over;
+}
+
 void Canvas::draw(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
                   ImVec2 max, bool interactive, std::vector<Command>& commands) {
   Parts& parts = *parts_;
@@ -208,8 +243,12 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
     ImGui::InvisibleButton("canvas", {max.x - min.x, max.y - min.y},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
-    const bool hovered = ImGui::IsItemHovered();
+    const bool over_title = parts.title(look, session, pane, commands);
+    const bool hovered = ImGui::IsItemHovered() && !over_title;
     ImGui::PopID();
+    if (hovered && state.tool == Tool::select && ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
+        pane != session.lead())
+      commands.emplace_back(Lead{pane});
     parts.navigate(run, state, min, hovered);
     parts.glide(state, min);
     if (parts.panning)
@@ -231,7 +270,12 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
     draw_tool_overlay(look, list, screen, state, session.scenario().map,
                       {parts.hand.preview(state, hovered), parts.hand.adds(), parts.hand.busy(), hovered});
   }
-  draw_chips(look, list, run, parts.scene, parts.memory, parts.plans, state, min, max);
+  const bool leads = interactive && session.runs().size() > 1 && pane == session.lead();
+  if (leads) list.AddRectFilled(min, {max.x, min.y + look.px(2)}, look.theme.accent);
+  const ImVec2 title =
+      draw_chips(look, list, run, parts.scene, parts.memory, parts.plans, state, min, max, interactive);
+  parts.title_min = {min.x + look.px.m, min.y + look.px.m};
+  parts.title_max = {parts.title_min.x + title.x, parts.title_min.y + title.y};
   list.PopClipRect();
 }
 

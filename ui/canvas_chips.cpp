@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "ui/colormap.hpp"
+#include "ui/icons.hpp"
 #include "ui/replan_card.hpp"
 #include "ui/widgets.hpp"
 
@@ -160,8 +161,16 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
   return {status_sentence(mark->route->status), true};
 }
 
-void draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene& scene, SceneMemory& memory,
-                FreshPlans& plans, const ViewState& state, ImVec2 min, ImVec2 max) {
+std::vector<LegendEntry> all_signs(const Look& look) {
+  std::vector<LegendEntry> entries = {{Mark::dot, look.theme.start, "start"},
+                                      {Mark::dot, look.theme.goal, "goal"}};
+  for (auto entry = kSigns.rbegin(); entry != kSigns.rend(); ++entry)
+    entries.push_back({entry->mark, look.theme.*entry->colour, entry->label});
+  return entries;
+}
+
+ImVec2 draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene& scene, SceneMemory& memory,
+                  FreshPlans& plans, const ViewState& state, ImVec2 min, ImVec2 max, bool choosable) {
   const Theme& theme = look.theme;
   const float margin = look.px(12);
   const std::size_t cursor = run.timeline().cursor();
@@ -170,9 +179,11 @@ void draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene&
   if (mark != nullptr && !mark->route->path.nodes.empty())
     figures += " · " + grouped(static_cast<std::int64_t>(mark->route->path.nodes.size())) + " nodes";
   const std::string name = std::string(run.info().name) + distinction(run);
-  const std::array<TextRun, 2> title = {
-      {{name, theme.text, look.fonts.title}, {figures, theme.dim, look.fonts.small}}};
-  const ImVec2 left = chip(look, list, {min.x + margin, min.y + margin}, title);
+  const std::array<TextRun, 3> title = {{{name, theme.text, look.fonts.title},
+                                         {figures, theme.dim, look.fonts.small},
+                                         {icon::caret_down, theme.faint, look.fonts.ui}}};
+  const ImVec2 left =
+      chip(look, list, {min.x + margin, min.y + margin}, std::span(title).first(choosable ? 3 : 2));
   float below = min.y + margin + left.y + look.px.s;
   ImVec2 card_foot(max.x, min.y);  // lower left corner
   if (const RepairFigures repair = memory.repair(run, cursor); repair.number > 0) {
@@ -193,6 +204,7 @@ void draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene&
     chip(look, list, {min.x + margin, clear ? below : card_foot.y + look.px.s}, runs);
   }
   if (state.legend) draw_legend(look, list, scene, min, max);
+  return left;
 }
 
 }  // namespace replan::ui

@@ -5,11 +5,17 @@
 #include "core/scene/scene.hpp"
 #include "core/session/fresh_plan.hpp"
 #include "ui/canvas.hpp"
+#include "ui/widgets.hpp"
 
 namespace replan::ui {
 
-void draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene& scene, SceneMemory& memory,
-                FreshPlans& plans, const ViewState& state, ImVec2 min, ImVec2 max);
+/// With `choosable` the planner's name has the sign of a menu. Returns the size of the chip in the upper left
+/// corner, that name.
+ImVec2 draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene& scene, SceneMemory& memory,
+                  FreshPlans& plans, const ViewState& state, ImVec2 min, ImVec2 max, bool choosable);
+
+/// All that the canvas can show, with the mark that the legend gives it.
+std::vector<LegendEntry> all_signs(const Look& look);
 
 /// A sentence about the run at its cursor that a user should read now; empty if all is well.
 struct StateMessage {

@@ -23,6 +23,7 @@ Command add_run(CLI::App& program);
 Command add_batch(CLI::App& program);
 Command add_render(CLI::App& program);
 Command add_convert(CLI::App& program);
+Command add_show(CLI::App& program);
 Command add_list(CLI::App& program);
 
 }  // namespace replan::cli

@@ -115,8 +115,8 @@ int run_program(int argc, char** argv) {
   program.get_formatter()->label("TEXT", "");
   std::string file;
   program.add_option("FILE", file, "A scenario or a map to open in the window");
-  const std::vector<Command> commands = {add_run(program), add_batch(program), add_render(program),
-                                         add_convert(program), add_list(program)};
+  const std::vector<Command> commands = {add_run(program),     add_batch(program), add_render(program),
+                                         add_convert(program), add_show(program),  add_list(program)};
   for (const Command& command : commands) command.app->group("Commands");
   try {
     program.parse(argc, argv);

@@ -24,6 +24,7 @@ struct RenderArguments {
   std::vector<std::string> overlays;
   std::string theme;
   bool canvas_only = false;
+  std::string action;
   std::string panes;
   std::string fps;
   std::string speed;
@@ -122,6 +123,7 @@ Result<int> render(const RenderArguments& arguments) {
   request.scenario = std::move(world.value());
   request.output = arguments.out;
   request.window = !arguments.canvas_only;
+  request.action = arguments.action;
   if (!arguments.size.empty())
     if (const auto size = read_size(arguments.size, request); !size) return Error{size.error()};
   if (const auto moment = read_moment(arguments, request); !moment) return Error{moment.error()};
@@ -189,6 +191,11 @@ Command add_render(CLI::App& program) {
       ->allow_extra_args(false);
   app->add_option("--theme", into.theme, "The colours; else the scenario's, else dark")
       ->type_name("light|dark");
+  app->add_option("--action", into.action,
+                  "Of a picture of the window: do this action of it first, such as keys or worlds, and show "
+                  "the dialog "
+                  "that it opens (names: ui/shell/actions.def)")
+      ->type_name("NAME");
   app->add_flag("--canvas-only", into.canvas_only, "The world alone, without the window around it");
   app->add_option("--panes", into.panes,
                   "How many planners are shown side by side; else all in a window, one with --canvas-only")

@@ -1,3 +1,4 @@
+#include <array>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -5,10 +6,11 @@
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
+#include "app/cli/run_break.hpp"
 #include "app/cli/run_check.hpp"
 #include "app/cli/run_trace.hpp"
 #include "core/base/file.hpp"
-#include "core/study/run_report.hpp"
+#include "core/study/figures_table.hpp"
 
 namespace replan::cli {
 namespace {
@@ -17,8 +19,9 @@ struct RunArguments {
   WorldArguments world;
   bool json = false;
   bool check = false;
-  std::string csv;
+  std::string csv, markdown, latex;  // files; "-" prints
   TraceArguments trace;
+  BreakArguments stops;
 };
 
 std::string plans_table(std::span<const RunReport> reports) {
@@ -89,10 +92,52 @@ std::string summary(const WorldArguments& arguments, const Scenario& world,
   return text + (failures.empty() ? "" : "\n" + failures);
 }
 
+struct TableFile {
+  FiguresFormat format;
+  const char* option;
+  const std::string& file;
+};
+std::array<TableFile, 3> table_files(const RunArguments& arguments) {
+  return {{{FiguresFormat::csv, "--csv", arguments.csv},
+           {FiguresFormat::markdown, "--markdown", arguments.markdown},
+           {FiguresFormat::latex, "--latex", arguments.latex}}};
+}
+
+/// What is printed instead of the summary, if anything.
+std::optional<FiguresFormat> printed(const RunArguments& arguments) {
+  if (arguments.json) return FiguresFormat::json;
+  for (const TableFile& table : table_files(arguments))
+    if (table.file == "-") return table.format;
+  return std::nullopt;
+}
+
+Result<void> check_tables(const RunArguments& arguments) {
+  std::string first = arguments.json ? "--json" : "";
+  for (const TableFile& table : table_files(arguments)) {
+    if (table.file != "-") continue;
+    const std::string option = "'" + std::string(table.option) + " -'";
+    if (!first.empty()) return Error{first + " and " + option + " both print: give the latter a file name"};
+    first = option;
+  }
+  return {};
+}
+
+Result<void> write_tables(const RunArguments& arguments, std::span<const RunReport> reports) {
+  for (const TableFile& table : table_files(arguments)) {
+    if (table.file.empty() || table.file == "-") continue;
+    if (auto written = write_file_atomically(table.file, figures_text(table.format, reports)); !written)
+      return written;
+  }
+  return {};
+}
+
 Result<int> run(const RunArguments& arguments) {
   const auto world = arguments.world.load();
   if (!world) return Error{world.error()};
   if (arguments.check) return check_runs(*world, arguments.json);
+  if (arguments.stops.given())
+    return arguments.stops.run(*world, !arguments.world.map.empty(), arguments.json);
+  if (const auto good = check_tables(arguments); !good) return Error{good.error()};
   if (const auto good = arguments.trace.check(); !good) return Error{good.error()};
   std::vector<RunReport> reports;
   bool succeeded = true;
@@ -101,16 +146,11 @@ Result<int> run(const RunArguments& arguments) {
                                                   : plan_once(world->map, world->start, world->goal, choice));
     succeeded &= reports.back().succeeded();
   }
-  const bool table_out = arguments.csv == "-";
-  if (table_out && arguments.json) return Error{"--json and '--csv -' both print: give the CSV a file name"};
-  if (!arguments.csv.empty() && !table_out)
-    if (const auto written = write_file_atomically(arguments.csv, runs_csv(reports)); !written)
-      return Error{written.error()};
+  if (const auto written = write_tables(arguments, reports); !written) return Error{written.error()};
   if (const auto traced = arguments.trace.write(*world, !arguments.world.map.empty()); !traced)
     return Error{traced.error()};
-  print(arguments.json ? runs_json(reports)
-        : table_out    ? runs_csv(reports)
-                       : summary(arguments.world, *world, reports));
+  const auto format = printed(arguments);
+  print(format ? figures_text(*format, reports) : summary(arguments.world, *world, reports));
   return succeeded ? kDone : kFailed;
 }
 
@@ -126,12 +166,14 @@ std::string footer() {
          "  replan run maps/broken-planner.json --check\n"
          "      Where does a broken planner go wrong first?\n"
          "  replan run maps/demo.json --trace demo.trace.yaml --trace-map demo.map\n"
-         "      The search for the Posthoc visualiser, and the map to lay under it.\n\n"
+         "      The search for the Posthoc visualiser, and the map to lay under it.\n"
+         "  replan run maps/demo.json --break 'g(12, 40) > 30 || event(replan)' --break 'size(U) >= 100'\n"
+         "      Where each run comes to that first: event, line of the pseudo-code, values.\n\n"
          "Status, path and the figures of its shape are those of the first plan; times and counters are of "
          "the whole\n"
          "run. Exit code 0 if every planner found a path (and its robot arrived), 1 if not, 2 for bad "
-         "input.\n\n" +
-         settings_help();
+         "input. With --break: 0 if every run stopped, 1 if not.\n\n" +
+         settings_help() + "\n" + conditions_help();
 }
 
 }  // namespace
@@ -143,11 +185,20 @@ Command add_run(CLI::App& program) {
   app->add_flag("--json", arguments->json, "Print the runs as JSON, paths included");
   app->add_option("--csv", arguments->csv, "Write the figures as CSV too; '-' prints them instead")
       ->type_name("FILE");
+  app->add_option("--markdown", arguments->markdown,
+                  "Write the figures as a Markdown table, with ratios to the first planner; '-' prints it")
+      ->type_name("FILE");
+  app->add_option("--latex", arguments->latex, "Write the figures as a LaTeX table (booktabs); '-' prints it")
+      ->type_name("FILE");
   arguments->trace.declare(*app);
+  arguments->stops.declare(*app);
   app->add_flag("--check", arguments->check,
                 "Hold the planners to their laws and each plan to an oracle, and print the verdicts instead")
       ->excludes("--csv")
-      ->excludes("--trace");
+      ->excludes("--markdown")
+      ->excludes("--latex")
+      ->excludes("--trace")
+      ->excludes("--break");
   app->footer(footer);
   return {app, [arguments] { return run(*arguments); }};
 }

@@ -34,21 +34,22 @@ _replan_settings() {
 
 _replan_options() {
   case "$1" in
-    run) echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set --json --csv --check --trace --trace-map" ;;
+    run) echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set --json --csv --markdown --latex --check --trace --trace-map --break" ;;
     batch) echo "-h --help --map --planner --set --limit --json" ;;
     render)
       echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set -o --output --size --scale" \
         "--at --at-end --at-plan" \
-        "--overlay --theme --canvas-only --panes --fps --speed --hold --from --to"
+        "--overlay --theme --action --canvas-only --panes --fps --speed --hold --from --to"
       ;;
     convert) echo "-h --help --start --goal --threshold --invert --unknown --slice --planner --set" ;;
+    show) echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set --at --cell" ;;
     list) echo "-h --help --json" ;;
     *) echo "-h --help --version" ;;
   esac
 }
 
 _replan() {
-  local maps="map yaml yml cfg txt png bmp tga pgm ppm jpg jpeg" commands="run batch render convert list"
+  local maps="map yaml yml cfg txt png bmp tga pgm ppm jpg jpeg" commands="run batch render convert show list"
   local cur="${COMP_WORDS[COMP_CWORD]}" before="${COMP_WORDS[COMP_CWORD - 1]}" command=""
   COMPREPLY=()
   [ "$COMP_CWORD" -gt 1 ] && command="${COMP_WORDS[1]}"
@@ -64,10 +65,12 @@ _replan() {
     --map) _replan_files $maps; return ;;
     --unknown) COMPREPLY=($(compgen -W "blocked free unmapped" -- "$cur")); return ;;
     --csv) _replan_files csv; return ;;
+    --markdown) _replan_files md; return ;;
+    --latex) _replan_files tex; return ;;
     --trace) _replan_files jsonl yaml yml json; return ;;
     --trace-map) _replan_files map; return ;;
     -o | --output) _replan_files png svg gif webp mp4; return ;;
-    --start | --goal | --size | --scale | --limit | --threshold | --slice | --fps | --hold) return ;;
+    --start | --goal | --break | --cell | --action | --size | --scale | --limit | --threshold | --slice | --fps | --hold) return ;;
     --panes) COMPREPLY=($(compgen -W "1 2 4 all" -- "$cur")); return ;;
     --speed) COMPREPLY=($(compgen -W "auto expansion move" -- "$cur")); return ;;
     --at | --from | --to) COMPREPLY=($(compgen -W "start plan end replan: move:" -- "$cur")); return ;;
@@ -76,7 +79,7 @@ _replan() {
     -*) COMPREPLY=($(compgen -W "$(_replan_options "$command")" -- "$cur")); return ;;
   esac
   case "$command" in
-    run | render) _replan_files json ;;
+    run | render | show) _replan_files json ;;
     batch) _replan_files scen 3dscen ;;
     convert) _replan_files json 3dmap $maps ;;
     list) COMPREPLY=($(compgen -W "planners maps overlays generators terms" -- "$cur")) ;;

@@ -154,6 +154,15 @@ std::string term_text(const Condition& condition, const Term& term) {
   return part(term.left, bound) + " " + symbol(term.op) + " " + part(term.right, bound + 1);
 }
 
+std::vector<Term> values_read(const Condition& condition) {
+  std::vector<Term> values;
+  for (const Term& term : condition.terms)
+    if ((is_value(term.op) || term.op == Op::line) &&
+        std::find(values.begin(), values.end(), term) == values.end())
+      values.push_back(term);
+  return values;
+}
+
 std::span<const ConditionName> condition_names() {
   return kNames;
 }

@@ -117,6 +117,7 @@ struct Condition {
 /// Columns and rows of the world whose cells an expression may name.
 struct WorldSize {
   int width = 0, height = 0;
+  friend bool operator==(const WorldSize&, const WorldSize&) = default;
 };
 
 /// The most terms of an expression, how deep they may be nested, and the longest text.
@@ -136,6 +137,9 @@ Result<Condition> parse_quantity(std::string_view text, WorldSize world);
 std::string expression_text(const Condition& condition);
 /// The same of one of its terms.
 std::string term_text(const Condition& condition, const Term& term);
+
+/// The values that an expression reads, each once: what is shown beside it.
+std::vector<Term> values_read(const Condition& condition);
 
 /// A name of the language, for help and completion.
 struct ConditionName {

@@ -11,8 +11,8 @@
 
 namespace replan {
 
-/// Compares two runs of one world from their starts, as far as their logs go. The logs may grow in between; only
-/// they have to outlive the search.
+/// Compares two runs of one world from their starts, as far as their logs go. The logs may grow in between;
+/// only they have to outlive the search.
 class DifferenceSearch {
  public:
   enum class Outcome : unsigned char {

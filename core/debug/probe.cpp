@@ -116,7 +116,12 @@ std::size_t last_until(std::span<const std::size_t> positions, std::size_t posit
 
 Probe::Probe(const LogView& view, Condition condition, std::size_t position, Verdicts verdicts,
              std::optional<std::int64_t> expansions_before)
-    : view_(view), condition_(std::move(condition)), verdicts_(verdicts), position_(position) {
+    : log_(&view.log),
+      lattice_(&view.lattice),
+      values_(view.info.values),
+      condition_(std::move(condition)),
+      verdicts_(verdicts),
+      position_(position) {
   for (const Term& term : condition_.terms) collect(term);
   load(expansions_before);
 }
@@ -157,19 +162,19 @@ void Probe::collect_slot(EventKind kind, NodeId node) {
 /// Reads the values at the position out of the log.
 void Probe::load(std::optional<std::int64_t> expansions_before) {
   if (condition_.uses(Op::expansions))
-    expansions_ = expansions_before ? *expansions_before : ExpansionCount().before(view_.log, position_);
+    expansions_ = expansions_before ? *expansions_before : ExpansionCount().before(*log_, position_);
   if (slots_.empty() && walked_.empty()) return;
-  if (walked_.empty() && position_ == view_.log.cursor()) {
-    for (Slot& slot : slots_) slot.raw = view_.log.state().value(slot.kind, slot.node);
+  if (walked_.empty() && position_ == log_->cursor()) {
+    for (Slot& slot : slots_) slot.raw = log_->state().value(slot.kind, slot.node);
     return;
   }
-  SearchState state = view_.log.state_at(position_);
+  SearchState state = log_->state_at(position_);
   for (Slot& slot : slots_) slot.raw = state.value(slot.kind, slot.node);
   if (!walked_.empty()) state_ = std::move(state);
 }
 
 NodeId Probe::node_of(const Term& term) const {
-  return view_.lattice.node(term.cell);
+  return lattice_->node(term.cell);
 }
 
 Probe::Slot* Probe::find_slot(EventKind kind, NodeId node) {
@@ -183,7 +188,7 @@ Probe::Slot* Probe::find_slot(EventKind kind, NodeId node) {
 
 /// Whether anything that the expression reads may change with the event.
 bool Probe::is_interesting(std::size_t index) const {
-  const Event event = view_.log.event(index);
+  const Event event = log_->event(index);
   if (walked_.has(event.kind) || noted_.has(event.kind)) return true;
   if (slot_kinds_.has(event.kind) && (slot_nodes_ & node_bit(event.node)) != 0) return true;
   return reads_line_ && event.line != line_before(index);
@@ -227,16 +232,16 @@ bool Probe::cross(const Event& event) {
 /// One event on. False if nothing happened that the expression could see.
 bool Probe::advance() {
   const std::size_t index = position_++;
-  bool seen = cross(view_.log.event(index));
-  if (noted_.has(EventKind::visit) && teller_(view_.log, index)) ++expansions_;
-  if (reads_line_) seen |= view_.log.event(index).line != (index == 0 ? 0 : view_.log.event(index - 1).line);
+  bool seen = cross(log_->event(index));
+  if (noted_.has(EventKind::visit) && teller_(*log_, index)) ++expansions_;
+  if (reads_line_) seen |= log_->event(index).line != (index == 0 ? 0 : log_->event(index - 1).line);
   return seen || reads_breaches_ || reads_disagreements_;
 }
 
 void Probe::retreat() {
   const std::size_t index = --position_;
-  cross(view_.log.event(index));
-  if (noted_.has(EventKind::visit) && teller_(view_.log, index)) --expansions_;
+  cross(log_->event(index));
+  if (noted_.has(EventKind::visit) && teller_(*log_, index)) --expansions_;
 }
 
 std::optional<std::size_t> Probe::forwards(std::size_t limit) {
@@ -341,7 +346,7 @@ bool Probe::truth(const Term& term) {
     case Op::wall:
       return (raw(EventKind::truth, node_of(term)) & 1) != 0;
     case Op::consistent:
-      return view_.info.values == SearchValues::best_first ||
+      return values_ == SearchValues::best_first ||
              raw(EventKind::g, node_of(term)) == raw(EventKind::rhs, node_of(term));
     case Op::on_line:
       return line() == term.number;
@@ -443,7 +448,7 @@ NodeId Probe::cell(const Term& term) {
 }
 
 bool Probe::happens(const Term& term) {
-  const Event event = view_.log.event(position_ - 1);
+  const Event event = log_->event(position_ - 1);
   switch (term.op) {
     case Op::taken:
       return event.kind == EventKind::pop && event.node == node_of(term);
@@ -458,7 +463,7 @@ bool Probe::happens(const Term& term) {
 
 /// Whether the latest event is the one that is asked for.
 bool Probe::event_is(Happening happening) {
-  const Event event = view_.log.event(position_ - 1);
+  const Event event = log_->event(position_ - 1);
   if (happening == Happening::invariant) return last_until(verdicts_.breaches, position_) == position_;
   if (happening == Happening::oracle) return last_until(verdicts_.disagreements, position_) == position_;
   if (!kinds_of(happening).has(event.kind)) return false;
@@ -468,7 +473,7 @@ bool Probe::event_is(Happening happening) {
     case Happening::replan:
       return event.delta != 0;
     case Happening::underconsistent:
-      return view_.info.values == SearchValues::lookahead && state_.g(event.node) < state_.rhs(event.node);
+      return values_ == SearchValues::lookahead && state_.g(event.node) < state_.rhs(event.node);
     case Happening::sight_failed:
       return event.delta >> 32 == 0;
     case Happening::no_path:
@@ -483,7 +488,7 @@ bool Probe::event_is(Happening happening) {
 
 /// Whether the latest event made a value another one.
 bool Probe::changes(const Term& term) {
-  const Event event = view_.log.event(position_ - 1);
+  const Event event = log_->event(position_ - 1);
   const auto scalar = scalar_of(term.op);
   const bool touched =
       scalar ? event.kind == EventKind::scalar && event.node == static_cast<NodeId>(*scalar)
@@ -505,14 +510,9 @@ std::string value_text(const Grid2& lattice, const Term& term, const TermValue& 
 
 std::string values_text(Probe& probe, const Grid2& lattice) {
   std::string text;
-  std::vector<std::string> told;
-  for (const Term& term : probe.condition().terms) {
-    if (!is_value(term.op) && term.op != Op::line) continue;
-    const std::string name = term_text(probe.condition(), term);
-    if (std::find(told.begin(), told.end(), name) != told.end()) continue;
-    told.push_back(name);
-    text += (text.empty() ? "" : ", ") + name + " is " + value_text(lattice, term, probe.value(term));
-  }
+  for (const Term& term : values_read(probe.condition()))
+    text += (text.empty() ? "" : ", ") + term_text(probe.condition(), term) + " is " +
+            value_text(lattice, term, probe.value(term));
   return text;
 }
 

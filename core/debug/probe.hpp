@@ -37,8 +37,8 @@ struct TermValue {
 /// state_at(), and a count of the expansions before the position if they are read and not given.
 class Probe {
  public:
-  /// The log of `view` may grow while the probe lives; it must not be cut before the probe's position. The
-  /// parts of `view` outlive it. The expression must have been read for the lattice's size.
+  /// The log of `view` may grow while the probe lives; it must not be cut before the probe's position. Log
+  /// and lattice outlive it. The expression must have been read for the lattice's size.
   Probe(const LogView& view, Condition condition, std::size_t position, Verdicts verdicts = {},
         std::optional<std::int64_t> expansions_before = {});
 
@@ -105,12 +105,14 @@ class Probe {
   [[nodiscard]] bool is_stop(bool now, bool before) { return now && (!before || (pulses_ && !holds(false))); }
   /// The line of the event before an index; 0 at the beginning.
   [[nodiscard]] std::uint8_t line_before(std::size_t index) const {
-    return index == 0 ? std::uint8_t{0} : view_.log.event(index - 1).line;
+    return index == 0 ? std::uint8_t{0} : log_->event(index - 1).line;
   }
   [[nodiscard]] std::uint8_t line() const { return line_before(position_); }
   [[nodiscard]] const Term& part(std::uint16_t index) const { return condition_.terms[index]; }
 
-  LogView view_;
+  const Timeline* log_;
+  const Grid2* lattice_;
+  SearchValues values_;
   Condition condition_;
   Verdicts verdicts_;
   std::size_t position_ = 0;

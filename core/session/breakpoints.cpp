@@ -58,11 +58,17 @@ bool Breakpoints::wants_any() const {
   return false;
 }
 
-std::vector<NumberedCondition> Breakpoints::wanted() const {
-  std::vector<NumberedCondition> result;
-  for (std::size_t i = 0; i < list_.size(); ++i)
-    if (is_wanted(i)) result.push_back({i, *read_[i].condition});
-  return result;
+StopSearch Breakpoints::search(const Run& run, const CheckedLog& checked, std::size_t position) {
+  follow_log(run);
+  std::vector<NumberedCondition> wanted;
+  bool counts = false;
+  for (std::size_t i = 0; i < list_.size(); ++i) {
+    if (!is_wanted(i)) continue;
+    wanted.push_back({i, *read_[i].condition});
+    counts |= read_[i].condition->uses(Op::expansions);
+  }
+  const std::int64_t expansions = counts ? expansions_.before(run.timeline(), position) : 0;
+  return {run.log_view(), std::move(wanted), position, checked.verdicts(), expansions};
 }
 
 std::size_t Breakpoints::can_look_to(const CheckedLog& checked, std::size_t size) const {
@@ -91,8 +97,21 @@ void Breakpoints::follow_log(const Run& run) {
   search_.reset();
 }
 
+/// A checker that begins or ends has another word on what was looked through.
+void Breakpoints::follow_checkers(const CheckedLog& checked) {
+  if (checked.laws_on == laws_on_ && checked.oracle_on == oracle_on_) return;
+  laws_on_ = checked.laws_on;
+  oracle_on_ = checked.oracle_on;
+  const auto asks = [](const Reading& each) {
+    return each.condition &&
+           (each.condition->uses(Happening::invariant) || each.condition->uses(Happening::oracle));
+  };
+  if (std::any_of(read_.begin(), read_.end(), asks)) look_again();
+}
+
 bool Breakpoints::look(const Run& run, const CheckedLog& checked, double milliseconds) {
   follow_log(run);
+  follow_checkers(checked);
   if (!wants_any()) return false;
   const std::size_t end = can_look_to(checked, run.timeline().size()), known = hits_.size();
   const auto begin = std::chrono::steady_clock::now();
@@ -101,17 +120,11 @@ bool Breakpoints::look(const Run& run, const CheckedLog& checked, double millise
            milliseconds;
   };
   while (looked_ < end && hits_.size() < kMostHits && in_time()) {
-    if (!search_)
-      search_.emplace(run.log_view(), wanted(), looked_, checked.verdicts, expansions_before(run, looked_));
+    if (!search_) search_.emplace(search(run, checked, looked_));
     looked_ = std::min(end, looked_ + search_->slice());
-    search_->forwards(looked_, checked.verdicts, hits_);
+    search_->forwards(looked_, checked.verdicts(), hits_);
   }
   return hits_.size() != known;
-}
-
-std::int64_t Breakpoints::expansions_before(const Run& run, std::size_t position) {
-  follow_log(run);
-  return expansions_.before(run.timeline(), position);
 }
 
 const Hit* Breakpoints::known_after(std::size_t position) const {

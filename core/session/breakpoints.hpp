@@ -24,9 +24,12 @@ struct Hunt {
 /// What checkers have said of the leading run, and how far they have come. Beyond that event(invariant) and
 /// event(oracle) are not looked for yet.
 struct CheckedLog {
-  Verdicts verdicts;
+  std::vector<std::size_t> breaches, disagreements;  ///< positions, ascending
+  bool laws_on = false, oracle_on = false;
   std::size_t laws = SIZE_MAX;    ///< events that were held against the laws
   std::size_t oracle = SIZE_MAX;  ///< events up to which the oracle was asked
+
+  [[nodiscard]] Verdicts verdicts() const { return {breaches, disagreements}; }
 };
 
 /// Read by panels; changed by the session's commands and update() alone.
@@ -57,8 +60,8 @@ class Breakpoints {
   void remove(std::size_t index);
   /// The world has another size now.
   void read_again(WorldSize world);
-  /// The conditions that are looked for.
-  [[nodiscard]] std::vector<NumberedCondition> wanted() const;
+  /// A search for all that is wanted, standing at a position of the run.
+  [[nodiscard]] StopSearch search(const Run& run, const CheckedLog& checked, std::size_t position);
   [[nodiscard]] bool wants_any() const;
   [[nodiscard]] const Condition& condition(std::size_t index) const { return *read_[index].condition; }
   /// How far a log can be looked through: checkers that are asked for may be behind.
@@ -67,8 +70,6 @@ class Breakpoints {
   /// Looks further through the run's log, for at most that many milliseconds. True if something new was
   /// found.
   bool look(const Run& run, const CheckedLog& checked, double milliseconds);
-  /// Expansions before a position of the run that look() looks at.
-  std::int64_t expansions_before(const Run& run, std::size_t position);
   /// The first hit after a position, the last one before it, if it is among those that are known.
   [[nodiscard]] const Hit* known_after(std::size_t position) const;
   [[nodiscard]] const Hit* known_before(std::size_t position) const;
@@ -87,6 +88,7 @@ class Breakpoints {
   }
   void look_again();
   void follow_log(const Run& run);
+  void follow_checkers(const CheckedLog& checked);
 
   std::vector<Breakpoint> list_;
   std::vector<Reading> read_;  // one for each of the list
@@ -95,6 +97,7 @@ class Breakpoints {
   std::uint64_t log_id_ = 0;          // of the log that was looked at
   std::optional<StopSearch> search_;  // at looked_
   ExpansionCount expansions_;
+  bool laws_on_ = false, oracle_on_ = false;
   std::string stopped_;
   std::optional<Hunt> hunt_;
 };

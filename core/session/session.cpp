@@ -35,6 +35,7 @@ Session::Session(Scenario scenario, std::string file, const RunLimits& limits)
       file_(std::move(file)),
       scripted_(scenario_->surprises.size()) {
   restart_runs();
+  take_debug(scenario_->debug);
 }
 
 std::string Session::undo_text() const {
@@ -47,6 +48,7 @@ std::string Session::redo_text() const {
 Result<void> Session::apply(const Command& command) {
   Result<void> done = std::visit([this](const auto& each) { return run_command(each); }, command);
   if (!done) say(done.error());
+  update_instruments();
   ++revision_;
   return done;
 }
@@ -91,12 +93,13 @@ Result<void> Session::run_command(const ReplaceScenario& command) {
   scripted_ = std::min(command.scripted.value_or(scenario_->surprises.size()), scenario_->surprises.size());
   playback_.direction = 0;
   restart_runs();
+  take_debug(scenario_->debug);
   say(file_.empty() ? "new world" : "opened " + file_);
   return {};
 }
 
 Result<void> Session::run_command(const Restart&) {
-  Scenario changed = to_save();
+  Scenario changed = tidied();
   if (changed == *scenario_)
     restart_runs();
   else
@@ -105,6 +108,7 @@ Result<void> Session::run_command(const Restart&) {
 }
 
 Result<void> Session::run_command(const Play& command) {
+  stop_hunt();
   playback_.direction = command.direction;
   returning_.reset();
   owed_ = 0;
@@ -119,9 +123,14 @@ Result<void> Session::run_command(const SetSpeed& command) {
 }
 
 Result<void> Session::run_command(const Step& command) {
+  stop_hunt();
   playback_.direction = 0;
   returning_.reset();
   follow_ = false;
+  if (command.unit == StepUnit::mission && command.count > 0) {
+    go_to_arrival();
+    return {};
+  }
   Run& run = leading();
   for (int i = 0; i < std::abs(command.count); ++i) {
     const std::size_t cursor = run.timeline().cursor();
@@ -139,13 +148,18 @@ Result<void> Session::run_command(const Step& command) {
 }
 
 Result<void> Session::run_command(const Seek& command) {
+<<<<<<< HEAD
   returning_.reset();
+=======
+  stop_hunt();
+>>>>>>> main
   follow_ = command.position >= run().timeline().size();
   seek(command.position, command.travel);
   return {};
 }
 
 Result<void> Session::run_command(const RunToEnd&) {
+  stop_hunt();
   playback_.direction = 0;
   returning_.reset();
   for (const auto& run : runs_) run->go(Target::end());
@@ -154,7 +168,11 @@ Result<void> Session::run_command(const RunToEnd&) {
 }
 
 Result<void> Session::run_command(const Cancel&) {
+<<<<<<< HEAD
   returning_.reset();
+=======
+  stop_hunt();
+>>>>>>> main
   checks_.stop_comparing();
   for (const auto& run : runs_) run->cancel();
   catching_up_ = false;
@@ -169,7 +187,7 @@ void Session::seek(std::size_t position, double travel) {
 }
 
 bool Session::update(double seconds) {
-  bool changed = false;
+  bool changed = catching_up_;  // finish() may have taken over what a pane waited for
   for (const auto& run : runs_)
     if (run->pump()) changed = true;
   const bool returning = returning_.has_value();
@@ -182,6 +200,8 @@ bool Session::update(double seconds) {
   if (changed && !returning && (follow_ || catching_up_)) follow_lead();
   if (play(seconds)) changed = true;
   if (check()) changed = true;
+  if (look_for_stops()) changed = true;
+  if (update_instruments()) changed = true;
   if (changed) ++revision_;
   return changed;
 }
@@ -218,6 +238,11 @@ bool Session::play(double seconds) {
     owed_ -= step_seconds_;
     cursor = next;
   }
+  cursor = may_play_to(begin, cursor);
+  if (const auto stop = stop_between(begin, cursor)) {
+    stop_at(*stop);
+    return true;
+  }
   // A robot that drives smoothly is still on its way while time is owed to it.
   const bool smooth = run.scenario().robot.motion == Motion::smooth && playback_.direction > 0 && moves;
   seek(cursor, smooth && owed_ < 0 && step_seconds_ > 0 ? 1 + owed_ / step_seconds_ : 1);
@@ -239,6 +264,16 @@ void Session::settle() {
   do update(0);
   while (checks_.comparing());
   checks_.settle(runs_);
+  while (hunting_) {
+    if (hunting_->direction > 0) {
+      const Mark* last = run().marks().empty() ? nullptr : &run().marks().back();
+      leading().finish(last == nullptr ? Target::plan() : Target::clock_at(last->clock + 1));
+    }
+    update(0);
+    checks_.settle(runs_);
+  }
+  breakpoints_.look(run(), checked_log(), HUGE_VAL);
+  watches_.look(runs_, HUGE_VAL);
 }
 
 std::string Session::failure() const {

@@ -10,6 +10,7 @@
 #include "core/session/breakpoints.hpp"
 #include "core/session/checks.hpp"
 #include "core/session/commands.hpp"
+#include "core/session/hunt.hpp"
 #include "core/session/run.hpp"
 #include "core/session/watches.hpp"
 
@@ -51,6 +52,9 @@ class Session {
   [[nodiscard]] const Breakpoints& breakpoints() const { return breakpoints_; }
   [[nodiscard]] const Watches& watches() const { return watches_; }
   [[nodiscard]] const Checks& checks() const { return checks_; }
+  /// Breakpoints and watches as they would be saved. They are no part of scenario(), of undo or of
+  /// modified().
+  [[nodiscard]] DebugSetup debug() const;
   [[nodiscard]] const std::string& file() const { return file_; }
   /// True if there are edits that were not saved.
   [[nodiscard]] bool modified() const { return document_state() != saved_at_ || taken_up_ > 0; }
@@ -83,11 +87,11 @@ class Session {
   [[nodiscard]] std::string failure() const;
   /// Takes over what the background did and plays on by `seconds`. True if something to be seen changed.
   bool update(double seconds);
-  /// Waits until the background stands still: for programs without a window.
+  /// Waits until the background stands still and what is looked for is found: for programs without a window.
   void settle();
 
   /// The scenario as it would be saved: edits made before the robot first moved are part of the map, if
-  /// nothing else that may happen then comes before them, and if the robot knows the map.
+  /// nothing else that may happen then comes before them, and if the robot knows the map. With debug().
   [[nodiscard]] Scenario to_save() const;
   /// Tells that to_save() was written to `file`.
   void saved(const std::string& file);
@@ -156,6 +160,26 @@ class Session {
   bool check();
   void show_difference();
   [[nodiscard]] double seconds_of(const Run& run, std::size_t from, std::size_t to) const;
+  void take_debug(const DebugSetup& debug);
+  void start_hunt(HuntTask task);
+  void stop_hunt();
+  bool hunt(double milliseconds);
+  void hunt_breakpoint(double milliseconds);
+  void hunt_event();
+  void find_nothing(const std::string& words);
+  void go_to_arrival();
+  bool run_on();
+  void stop_at(Hit hit);
+  [[nodiscard]] std::optional<Hit> stop_between(std::size_t from, std::size_t to);
+  [[nodiscard]] std::size_t may_play_to(std::size_t from, std::size_t to) const;
+  [[nodiscard]] std::optional<std::size_t> last_change(const GoToChange& command, std::size_t before) const;
+  [[nodiscard]] std::optional<std::size_t> next_change(const GoToChange& command, std::size_t from) const;
+  [[nodiscard]] std::optional<std::size_t> next_arrival(std::size_t from) const;
+  [[nodiscard]] CheckedLog checked_log() const;
+  [[nodiscard]] WorldSize world_size() const;
+  bool update_instruments();
+  bool look_for_stops();
+  [[nodiscard]] Scenario tidied() const;
   void say(std::string line) {
     log_.push_back(std::move(line));
   }
@@ -172,10 +196,14 @@ class Session {
   Breakpoints breakpoints_;
   Watches watches_;
   Checks checks_;
-  double owed_ = 0;           // seconds of play not yet shown; negative: the last stop still lasts so long
-  double step_seconds_ = 0;   // how long the last stop lasts in all
-  bool follow_ = true;        // the cursor stays at the end of the log
-  bool catching_up_ = false;  // a pane beside the leading one has yet to run to where it belongs
+  std::optional<HuntTask> hunting_;
+  std::uint64_t stopped_log_ = 0;  // where the cursor was stopped
+  std::size_t stopped_at_ = 0;
+  WorldSize instruments_world_;  // that breakpoints and watches were read for
+  double owed_ = 0;              // seconds of play not yet shown; negative: the last stop still lasts so long
+  double step_seconds_ = 0;      // how long the last stop lasts in all
+  bool follow_ = true;           // the cursor stays at the end of the log
+  bool catching_up_ = false;     // a pane beside the leading one has yet to run to where it belongs
   std::uint64_t serials_ = 0, saved_at_ = 0;
   std::size_t taken_up_ = 0;      // unsaved edits that came with the scenario
   std::size_t scripted_ = 0;      // surprises that came with the scenario

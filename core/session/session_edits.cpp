@@ -170,6 +170,13 @@ Result<void> Session::run_command(const SetRobot& command) {
 }
 
 Scenario Session::to_save() const {
+  Scenario scenario = tidied();
+  scenario.debug = debug();
+  return scenario;
+}
+
+/// The scenario with the edits that were made before the robot moved as parts of its map.
+Scenario Session::tidied() const {
   Scenario folded = *scenario_;
   if (folded.robot.knowledge == Knowledge::nothing) return folded;
   std::size_t kept = 0;

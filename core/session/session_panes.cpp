@@ -60,6 +60,7 @@ Result<void> Session::run_command(const SetLockstep& command) {
 Result<void> Session::run_command(const Lead& command) {
   if (command.pane >= runs_.size()) return Error{"there is no such pane"};
   if (command.pane == lead_) return {};
+  stop_hunt();
   lead_ = command.pane;
   catching_up_ = false;
   follow_ = run().timeline().cursor() == run().timeline().size();
@@ -107,7 +108,7 @@ void Session::follow_lead() {
   for (const auto& each : runs_) {
     if (each.get() == &first) continue;
     const Place place = place_beside(first, *each, lockstep_);
-    if (place.lacking) {
+    if (place.lacking && each->failure().empty()) {
       catching_up_ = true;
       if (!each->busy()) each->go(*place.lacking);
     }

@@ -46,7 +46,7 @@ bool Session::under_way() const {
 Result<void> Session::run_command(const SetStart& command) {
   if (!scenario_->map.contains(command.cell)) return Error{"the start must lie on the map"};
   if (command.cell == scenario_->start) return {};
-  Scenario changed = to_save();
+  Scenario changed = tidied();
   changed.start = command.cell;
   commit("move the start", command.stroke, std::move(changed));
   return {};
@@ -62,7 +62,7 @@ Result<void> Session::run_command(const SetGoal& command) {
                        std::move(surprise));
   }
   if (command.cell == scenario_->goal) return {};
-  Scenario changed = to_save();
+  Scenario changed = tidied();
   changed.goal = command.cell;
   commit("move the goal", command.stroke, std::move(changed));
   return {};

@@ -98,14 +98,14 @@ Result<void> Session::run_command(const RemoveSurprise& command) {
 }
 
 Result<void> Session::run_command(const TurnWorld& command) {
-  commit(turn_text(command.turn), 0, turned(to_save(), command.turn));
+  commit(turn_text(command.turn), 0, turned(tidied(), command.turn));
   return {};
 }
 
 Result<void> Session::run_command(const ResizeWorld& command) {
   const GridMap& map = scenario_->map;
   if (command.size.width == map.width && command.size.height == map.height) return {};
-  Result<Resized> done = resized(to_save(), command.size);
+  Result<Resized> done = resized(tidied(), command.size);
   if (!done) return Error{done.error()};
   const auto lost = std::count_if(done->surprises_lost.begin(), done->surprises_lost.end(),
                                   [this](std::size_t index) { return index < scripted_; });

@@ -17,6 +17,13 @@ bool is_stop(const Timeline& log, std::size_t p, StepUnit unit) {
   return here.line != log.event(p - 1).line;
 }
 
+/// The event behind which steps of that unit end.
+std::optional<EventKind> landmark_of(StepUnit unit) {
+  if (unit == StepUnit::replan) return EventKind::plan_end;
+  if (unit == StepUnit::mission) return EventKind::arrival;
+  return std::nullopt;
+}
+
 std::int64_t clock_at(const Run& run, std::size_t position) {
   const Mark* mark = run.mark_at(position);
   return mark == nullptr ? -1 : mark->clock;
@@ -32,9 +39,9 @@ std::size_t next_stop(const Run& run, std::size_t from, StepUnit unit) {
       if (mark.event > from && mark.clock > clock) return mark.event;
     return log.size();
   }
-  if (unit == StepUnit::replan) {
+  if (const auto landmark = landmark_of(unit)) {
     for (const Marker& marker : run.markers())
-      if (marker.kind == EventKind::plan_end && marker.event >= from) return marker.event + 1;
+      if (marker.kind == *landmark && marker.event >= from) return marker.event + 1;
     return log.size();
   }
   for (std::size_t p = from + 1; p < log.size(); ++p)
@@ -51,10 +58,10 @@ std::size_t previous_stop(const Run& run, std::size_t from, StepUnit unit) {
       if (mark.event < from && mark.clock < clock) best = mark.event;
     return best;
   }
-  if (unit == StepUnit::replan) {
+  if (const auto landmark = landmark_of(unit)) {
     std::size_t best = 0;
     for (const Marker& marker : run.markers())
-      if (marker.kind == EventKind::plan_end && marker.event + 1 < from) best = marker.event + 1;
+      if (marker.kind == *landmark && marker.event + 1 < from) best = marker.event + 1;
     return best;
   }
   for (std::size_t p = std::min(from, log.size()); p-- > 1;)

@@ -13,6 +13,7 @@ enum class StepUnit : std::uint8_t {
   expansion,  ///< one iteration of the main loop, or one thing that happens between searches
   move,       ///< one step of the robot
   replan,     ///< to where the next plan stands
+  mission,    ///< to where the robot arrives
 };
 
 /// The first stop after `from`; the end of the log if there is none yet.

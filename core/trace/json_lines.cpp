@@ -1,6 +1,5 @@
 #include "core/trace/json_lines.hpp"
 
-#include "core/debug/event_words.hpp"
 #include "core/plan/planner.hpp"
 #include "core/sim/mission.hpp"
 #include "core/trace/trace_text.hpp"
@@ -115,10 +114,10 @@ void JsonLines::event(std::string& out, std::size_t index, const Event& event, c
   out += ",\"line\":";
   append_whole(out, event.line);
   out += ",\"kind\":\"";
-  out += kind_id(event.kind);
+  out += event_name(event.kind);
   if (event.kind == EventKind::scalar) {
     out += "\",\"name\":\"";
-    out += scalar_id(static_cast<Scalar>(event.node));
+    out += scalar_name(static_cast<Scalar>(event.node));
     out += '"';
   } else {
     out += "\",\"cell\":";

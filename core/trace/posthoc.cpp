@@ -129,7 +129,7 @@ std::string cell_id(Cell at) {
 
 PosthocSize posthoc_size(const Timeline& log) {
   constexpr std::size_t kCounted = std::size_t{1} << 20, kSample = 4096;
-  constexpr std::size_t kBytesPerStep = 150;
+  constexpr std::size_t kBytesPerStep = 165;
   constexpr KindSet kSteps{EventKind::queue, EventKind::visit, EventKind::known, EventKind::move,
                            EventKind::plan_end};
   const std::size_t size = log.size();

@@ -1,13 +1,20 @@
-// The numbers of the trace formats.
+// The words and numbers of the trace formats.
 #pragma once
 
 #include <charconv>
 #include <concepts>
 #include <string>
+#include <string_view>
 
 #include "core/base/cost.hpp"
+#include "core/trace/event.hpp"
 
 namespace replan {
+
+/// The fixed name of a kind in files: "rhs", "plan_begin".
+std::string_view event_name(EventKind kind);
+/// The fixed name of a value of the run: "km", "robot".
+std::string_view scalar_name(Scalar scalar);
 
 void append_whole(std::string& out, std::integral auto number) {
   char digits[24];

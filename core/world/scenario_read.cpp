@@ -309,8 +309,7 @@ class ScenarioReader {
   void read_debug(const JsonNode& node) {
     if (!node.expect_object({"breakpoints", "watches"})) return;
     if (const auto breakpoints = node.find("breakpoints"))
-      for (const JsonNode& item :
-           breakpoints->items(0, kMaxBreakpoints, "a list of at most 64 breakpoints"))
+      for (const JsonNode& item : breakpoints->items(0, kMaxBreakpoints, "a list of at most 64 breakpoints"))
         read_breakpoint(item);
     const WorldSize size{scenario_.map.width, scenario_.map.height};
     if (const auto watches = node.find("watches"))

@@ -170,6 +170,18 @@ TEST_F(CommandLine, runWritesCsv) {
   EXPECT_TRUE(whole_file(folder_.file("out.csv")).starts_with(names));
 }
 
+TEST_F(CommandLine, runWritesTablesForPapers) {
+  const Outcome markdown = run_program({"run", scenario_, "--markdown", "-"});
+  EXPECT_EQ(markdown.code, 0);
+  EXPECT_TRUE(markdown.out.starts_with("| figure ")) << markdown.out;
+  EXPECT_NE(markdown.out.find("| nodes "), std::string::npos);
+  const std::string file = folder_.file("table.tex");
+  EXPECT_EQ(run_program({"run", scenario_, "--latex", file}).code, 0);
+  EXPECT_NE(whole_file(file).find("\\begin{tabular}{lrr}"), std::string::npos);
+  expect_complaint({"run", scenario_, "--json", "--latex", "-"}, {"--json", "--latex", "file name"});
+  expect_complaint({"run", scenario_, "--markdown", "-", "--csv", "-"}, {"--csv", "--markdown", "file name"});
+}
+
 TEST_F(CommandLine, badInputIsOneLineThatNamesTheMend) {
   const std::string start = "--start", goal = "--goal", planner = "--planner";
   expect_complaint({"run"}, {"give a scenario file, or --map FILE"});

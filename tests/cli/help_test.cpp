@@ -10,7 +10,7 @@
 namespace replan::test {
 namespace {
 
-const std::vector<std::string> kCommands = {"run", "batch", "render", "convert", "list"};
+const std::vector<std::string> kCommands = {"run", "batch", "render", "convert", "show", "list"};
 
 /// The options of a help text: the words that begin with "-" in its first column.
 std::set<std::string> options_in(const std::string& help) {

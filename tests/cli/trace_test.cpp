@@ -1,6 +1,7 @@
 // 'replan run --trace' and 'replan list terms'.
 #include <sstream>
 
+#include "core/debug/case_text.hpp"
 #include "core/plan/glossary.hpp"
 #include "tests/cli/child.hpp"
 #include "tests/support/posthoc_check.hpp"
@@ -83,6 +84,17 @@ TEST_F(TraceCommand, saysWhatIsWrongBeforeItRuns) {
       {"run", scenario_, "--trace", folder_.file("t.jsonl"), "--trace-map", folder_.file("t.png")},
       "end the name");
   expect_complaint({"run", scenario_, "--trace", "/nonexistent/t.jsonl"}, "/nonexistent/t.dstar-lite.jsonl");
+}
+
+TEST_F(TraceCommand, showPrintsAMomentThatLeadsBack) {
+  const Outcome outcome = run_program({"show", scenario_, "--at", "40", "--cell", "5,2"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto moment = parse_case_text(outcome.out, "stdout");
+  ASSERT_TRUE(moment.ok()) << moment.error();
+  EXPECT_EQ(moment->event, 40u);
+  EXPECT_NE(outcome.out.find("around (5, 2)"), std::string::npos);
+  expect_complaint({"show", scenario_, "--at", "replan:99"}, "--at");
+  expect_complaint({"show", scenario_, "--cell", "8,2"}, "outside the world");
 }
 
 TEST(ListTerms, explainsTheWordsOfTheField) {

@@ -88,7 +88,7 @@ class PanelTest : public testing::Test {
     }
     return found;
   }
-  [[nodiscard]] const Run& run() const { return session_->run(); }
+  [[nodiscard]] const replan::Run& run() const { return session_->run(); }
 
   std::unique_ptr<Session> session_;
   std::unique_ptr<app::Offscreen> offscreen_;

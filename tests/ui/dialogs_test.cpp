@@ -5,12 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/platform/offscreen.hpp"
 #include "core/base/file.hpp"
 #include "core/world/map_file.hpp"
-#include "tests/support/temporary_folder.hpp"
-#include "ui/keys.hpp"
-#include "ui/shell/shell.hpp"
+#include "tests/ui/shell_fixture.hpp"
 
 namespace replan::ui {
 namespace {
@@ -23,58 +20,16 @@ std::string world(const std::string& name) {
         "start": [0, 0], "goal": [9, 1], "planners": [{"id": "dstar-lite"}]})";
 }
 
-class DialogsTest : public testing::Test {
+class DialogsTest : public ShellTest {
  protected:
-  void SetUp() override {
-    path_ = folder_.with("first.json", world("First"));
-    session_ = std::make_unique<Session>(*read_scenario(path_), path_);
-    session_->settle();
-    auto offscreen = app::Offscreen::create({1280, 800, 1});
-    ASSERT_TRUE(offscreen.ok()) << offscreen.error();
-    offscreen_ = std::move(*offscreen);
-    offscreen_->frame([this] { shell_ = std::make_unique<Shell>(offscreen_->stage().renderer()); });
-    frames(2);
-  }
-  void TearDown() override {
-    if (offscreen_) offscreen_->frame([this] { shell_.reset(); });
-  }
+  void SetUp() override { open("first.json", world("First")); }
 
-  void frames(int count) {
-    for (int i = 0; i < count; ++i)
-      offscreen_->frame([this] {
-        session_->update(0);
-        shell_->draw(offscreen_->stage().look(), *session_, 0);
-      });
-  }
-  void press(int key, bool ctrl = false, bool shift = false) {
-    InputQueue& input = offscreen_->stage().input();
-    const auto modifiers = [&](bool down) {
-      if (ctrl) input.key(key::kLeftControl, down);
-      if (shift) input.key(key::kLeftShift, down);
-    };
-    modifiers(true);
-    input.key(key, true);
-    frames(6);
-    input.key(key, false);
-    modifiers(false);
-    frames(6);
-  }
-  void type(const std::string& text) {
-    for (const char c : text) offscreen_->stage().input().character(static_cast<unsigned>(c));
-    frames(static_cast<int>(text.size()) * 2 + 4);
-  }
   void settle_in() { shell_->settle_in(*session_, {folder_.file("state"), folder_.file("library"), {}}); }
   void edit() {
     session_->settle();
     ASSERT_TRUE(session_->apply(PaintCells{{{{5, 0}, true}}}).ok());
     frames(2);
   }
-
-  test::TemporaryFolder folder_;
-  std::string path_;
-  std::unique_ptr<Session> session_;
-  std::unique_ptr<app::Offscreen> offscreen_;
-  std::unique_ptr<Shell> shell_;
 };
 
 TEST_F(DialogsTest, OpenFiltersByWhatIsTypedAndTakesEnter) {

@@ -121,6 +121,26 @@ TEST(Render, SvgIsWritten) {
   EXPECT_GT(fs::file_size(request.output), 2000u);
 }
 
+TEST(Render, AnActionOpensItsDialogFirst) {
+  const test::TemporaryFolder folder;
+  RenderRequest request = demo("dark");
+  request.window = true;
+  std::vector<ui::Image> pictures;
+  for (const char* action : {"", "keys"}) {
+    request.action = action;
+    request.output = folder.file(std::string("with-") + action + ".png");
+    const auto drawn = render(request);
+    ASSERT_TRUE(drawn.ok()) << drawn.error();
+    pictures.push_back(*ui::read_image(request.output));
+  }
+  EXPECT_NE(pictures[0].rgba, pictures[1].rgba);
+  request.action = "kes";
+  EXPECT_NE(render(request).error().find("did you mean 'keys'?"), std::string::npos);
+  request.action = "keys";
+  request.window = false;
+  EXPECT_FALSE(render(request).ok()) << "a canvas has no dialogs";
+}
+
 std::vector<ui::Image> frames_in(const std::string& folder) {
   std::vector<fs::path> names(fs::directory_iterator(folder), {});
   std::sort(names.begin(), names.end());

@@ -4,13 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/platform/offscreen.hpp"
 #include "core/base/file.hpp"
 #include "core/debug/case_text.hpp"
 #include "tests/support/posthoc_check.hpp"
-#include "tests/support/temporary_folder.hpp"
-#include "ui/keys.hpp"
-#include "ui/shell/shell.hpp"
+#include "tests/ui/shell_fixture.hpp"
 
 namespace replan::ui {
 namespace {
@@ -22,32 +19,15 @@ constexpr const char* kWorld = R"({"replan": 1, "name": "Gap",
   "robot": {"knowledge": "map", "sensor_radius": 2},
   "surprises": [{"at": {"move": 1}, "add": {"cells": [[3, 0]]}}]})";
 
-class TracesTest : public testing::Test {
+class TracesTest : public ShellTest {
  protected:
   void SetUp() override {
-    path_ = folder_.with("gap.json", kWorld);
-    session_ = std::make_unique<Session>(*read_scenario(path_), path_);
-    session_->settle();
-    auto offscreen = app::Offscreen::create({1280, 800, 1});
-    ASSERT_TRUE(offscreen.ok()) << offscreen.error();
-    offscreen_ = std::move(*offscreen);
-    offscreen_->frame([this] { shell_ = std::make_unique<Shell>(offscreen_->stage().renderer()); });
+    open("gap.json", kWorld);
     static std::string held;
     ImGui::GetIO().SetClipboardTextFn = [](void*, const char* text) { held = text; };
     ImGui::GetIO().GetClipboardTextFn = [](void*) { return held.c_str(); };
-    frames(2);
-  }
-  void TearDown() override {
-    if (offscreen_) offscreen_->frame([this] { shell_.reset(); });
   }
 
-  void frames(int count) {
-    for (int i = 0; i < count; ++i)
-      offscreen_->frame([this] {
-        session_->update(0);
-        shell_->draw(offscreen_->stage().look(), *session_, 0);
-      });
-  }
   /// Until nothing is under way any more.
   void rest() {
     for (int i = 0; i < 500 && shell_->wants_frames(*session_); ++i) {
@@ -55,35 +35,12 @@ class TracesTest : public testing::Test {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
-  void press(int key, bool ctrl = false, bool shift = false) {
-    InputQueue& input = offscreen_->stage().input();
-    const auto modifiers = [&](bool down) {
-      if (ctrl) input.key(key::kLeftControl, down);
-      if (shift) input.key(key::kLeftShift, down);
-    };
-    modifiers(true);
-    input.key(key, true);
-    frames(6);
-    input.key(key, false);
-    modifiers(false);
-    frames(6);
-  }
-  void type(const std::string& text) {
-    for (const char c : text) offscreen_->stage().input().character(static_cast<unsigned>(c));
-    frames(static_cast<int>(text.size()) * 2 + 4);
-  }
   void run_to_end() {
     ASSERT_TRUE(session_->apply(RunToEnd{}).ok());
     session_->settle();
     frames(2);
   }
   [[nodiscard]] std::uint64_t state() const { return session_->run().timeline().state().hash(); }
-
-  test::TemporaryFolder folder_;
-  std::string path_;
-  std::unique_ptr<Session> session_;
-  std::unique_ptr<app::Offscreen> offscreen_;
-  std::unique_ptr<Shell> shell_;
 };
 
 TEST_F(TracesTest, AMomentIsCopiedAndPastedHashForHash) {

@@ -87,6 +87,16 @@ TEST(SessionPanes, TheRunsThatStayAreKeptAndTheNewOneCatchesUp) {
   EXPECT_EQ(&kept->scenario(), &session.scenario());
 }
 
+TEST(SessionPanes, SettlingPutsANewPaneInItsPlace) {
+  Session session(wall_with_gap());
+  session.settle();
+  ASSERT_TRUE(session.apply(SetPanes{2}).ok());
+  session.settle();
+  const replan::Run& added = *session.runs()[1];
+  ASSERT_FALSE(added.marks().empty());
+  EXPECT_EQ(added.timeline().cursor(), added.marks().front().event) << "its plan stands";
+}
+
 TEST(SessionPanes, ComeAndGoWithUndoAndRedo) {
   Session session(wall_with_gap());
   session.settle();

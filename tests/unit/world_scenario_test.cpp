@@ -37,7 +37,8 @@ json full_document() {
     "view": {"overlays": ["g", "path"], "theme": "light", "camera": {"x": 1.5, "y": 2, "zoom": 14}},
     "debug": {"breakpoints": [{"condition": "g(3, 2) > 1 || taken", "enabled": false}, {"condition": "km > 5"}],
               "watches": ["size(U)", "rhs(0, 0)"]},
-    "seed": 18446744073709551615})");
+    "seed": 18446744073709551615
+})");
 }
 
 Result<Scenario> parse(const json& document) {
@@ -99,12 +100,15 @@ TEST(Scenario, BreakpointsAndWatchesMustReadOnItsWorld) {
   EXPECT_NE(error_with("/debug/breakpoints/1/condition", "g(4, 0) > 1")
                 .find("character 2: (4, 0) is outside the world: x goes from 0 to 3, y from 0 to 2"),
             std::string::npos);
-  EXPECT_NE(error_with("/debug/breakpoints/1/condition", "km").find("character 1: a breakpoint needs a truth"),
-            std::string::npos);
-  EXPECT_NE(error_with("/debug/watches/0", "size(V)").find("character 1: 'size' is told of the open list only"),
-            std::string::npos);
-  EXPECT_NE(error_with("/debug/watches", std::vector<std::string>(17, "km")).find("a list of at most 16 watches"),
-            std::string::npos);
+  EXPECT_NE(
+      error_with("/debug/breakpoints/1/condition", "km").find("character 1: a breakpoint needs a truth"),
+      std::string::npos);
+  EXPECT_NE(
+      error_with("/debug/watches/0", "size(V)").find("character 1: 'size' is told of the open list only"),
+      std::string::npos);
+  EXPECT_NE(
+      error_with("/debug/watches", std::vector<std::string>(17, "km")).find("a list of at most 16 watches"),
+      std::string::npos);
 }
 
 TEST(Scenario, TextIsReadBackEqual) {

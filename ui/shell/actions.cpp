@@ -116,6 +116,13 @@ const Action& action(ActionId id) {
   return actions()[static_cast<std::size_t>(id)];
 }
 
+const Action* find_action(std::string_view name) {
+  const auto all = actions();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Action& each) { return each.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
 ActionId overlay_action(Overlay overlay) {
   switch (overlay) {
 #define REPLAN_ACTION(ID, MENU, GROUP, LABEL, ICON, CHORD, HELD, TEACH, EFFECT)
@@ -200,6 +207,11 @@ bool available(const Action& action, const ActionContext& context) {
     case ActionId::record_window:
       return !context.panels.recording.finishing &&
              !(context.panels.recording.on && !context.panels.recording.window);
+    case ActionId::next_pane:
+    case ActionId::lockstep_expansions:
+    case ActionId::lockstep_moves:
+    case ActionId::lockstep_race:
+      return session.runs().size() > 1;
     case ActionId::reset_settings:
       return session.lead() < session.scenario().planners.size() &&
              !session.scenario().planners[session.lead()].settings.values().empty();
@@ -208,6 +220,39 @@ bool available(const Action& action, const ActionContext& context) {
                          [](const auto& run) { return run->busy(); });
     default:
       return true;
+  }
+}
+
+const char* why_not(ActionId id) {
+  switch (id) {
+    case ActionId::undo:
+      return "no edit was made";
+    case ActionId::redo:
+      return "no edit was taken back";
+    case ActionId::unpin:
+    case ActionId::delete_selected:
+      return "nothing is selected";
+    case ActionId::finish_way:
+      return "no way is being drawn";
+    case ActionId::copy:
+    case ActionId::cut:
+      return "no region is selected";
+    case ActionId::pin_left:
+    case ActionId::pin_right:
+    case ActionId::pin_up:
+    case ActionId::pin_down:
+      return "no cell is pinned";
+    case ActionId::next_pane:
+    case ActionId::lockstep_expansions:
+    case ActionId::lockstep_moves:
+    case ActionId::lockstep_race:
+      return "there is only one pane";
+    case ActionId::reset_settings:
+      return "all settings are at their defaults";
+    case ActionId::cancel:
+      return "nothing is being planned";
+    default:
+      return "";
   }
 }
 
@@ -238,6 +283,18 @@ bool checked(const Action& action, const ActionContext& context) {
       return view.tool == Tool::measure;
     case ActionId::round_brush:
       return view.editing.round;
+    case ActionId::one_pane:
+      return context.session.runs().size() == 1;
+    case ActionId::two_panes:
+      return context.session.runs().size() == 2;
+    case ActionId::four_panes:
+      return context.session.runs().size() == 4;
+    case ActionId::lockstep_expansions:
+      return context.session.lockstep() == Lockstep::expansions;
+    case ActionId::lockstep_moves:
+      return context.session.lockstep() == Lockstep::moves;
+    case ActionId::lockstep_race:
+      return context.session.lockstep() == Lockstep::race;
     case ActionId::panels:
       return view.panels;
     case ActionId::legend:

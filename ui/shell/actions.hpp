@@ -11,6 +11,7 @@
 
 #include "core/scene/view.hpp"
 #include "core/session/commands.hpp"
+#include "core/study/figures_table.hpp"
 #include "ui/canvas.hpp"
 #include "ui/shell/frame.hpp"
 #include "ui/widgets.hpp"
@@ -59,6 +60,7 @@ struct ActionContext {
   // Through the clipboard, as text (core/world/ascii_map.hpp).
   void copy_world();
   void copy_state();
+  void copy_figures(FiguresFormat format);
   void copy_region();
   void cut_region();
   void paste();
@@ -97,10 +99,14 @@ struct Action {
 /// All actions in the order of the table.
 std::span<const Action> actions();
 const Action& action(ActionId id);
+/// The action of that identifier ("keys"), or nullptr.
+const Action* find_action(std::string_view name);
 ActionId overlay_action(Overlay overlay);
 
 /// Whether the action would do something now (undo: is there anything to take back?).
 bool available(const Action& action, const ActionContext& context);
+/// Why it would do nothing now, as half a sentence ("nothing is selected"); empty if that explains itself.
+const char* why_not(ActionId id);
 /// Whether it is a switch that is on, or the chosen one of several.
 bool checked(const Action& action, const ActionContext& context);
 /// Actions whose chord was pressed this frame; none while text is typed.

@@ -1,65 +1,19 @@
-// The Cell tab: everything that the planner holds of one cell, and why its rhs (A*: its g) is what it is.
+// The Cell tab: everything that the planner holds of one cell, who wrote it, and what the last replan made of
+// it. Why its rhs is what it is stands in cell_why.cpp, its past in history_panel.cpp.
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <optional>
 #include <vector>
 
 #include "core/debug/open_order.hpp"
 #include "core/trace/search_state.hpp"
 #include "ui/icons.hpp"
+#include "ui/shell/cell_view.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
 #include "ui/shell/term_hint.hpp"
 
 namespace replan::ui {
 namespace {
-
-/// One neighbour's offer: c + g + dist = sum.
-struct Offer {
-  NodeId node;
-  Cost step, g, dist, sum;
-};
-
-/// What a cell's values mean depends on the planner: D* Lite looks ahead by rhs, A* knows g alone.
-struct CellView {
-  const Run& run;
-  const SearchState& state;
-  Cell cell;
-  NodeId node;
-  bool lookahead;  // the planner keeps rhs
-
-  CellView(const Run& of, Cell at)
-      : run(of),
-        state(of.timeline().state()),
-        cell(at),
-        node(of.lattice().node(at)),
-        lookahead(of.info().values == SearchValues::lookahead) {}
-};
-
-/// Moves from the cell on the robot's map at the cursor: of a window of 3 x 3 cells under the same rules.
-std::vector<Offer> offers(const CellView& view) {
-  const Grid2& lattice = view.run.lattice();
-  const int left = std::max(view.cell.x - 1, 0), top = std::max(view.cell.y - 1, 0);
-  const int right = std::min(view.cell.x + 1, lattice.width() - 1),
-            bottom = std::min(view.cell.y + 1, lattice.height() - 1);
-  std::vector<std::uint8_t> blocked;
-  for (int y = top; y <= bottom; ++y)
-    for (int x = left; x <= right; ++x)
-      blocked.push_back(view.state.known_blocked(lattice.node(Cell{x, y})) ? 1 : 0);
-  const Grid2 window({right - left + 1, bottom - top + 1}, std::move(blocked), lattice.rules());
-  const NodeId middle = window.node(Cell{view.cell.x - left, view.cell.y - top});
-  std::vector<Offer> all;
-  for (auto rest = static_cast<std::uint32_t>(window.moves(middle)); rest != 0; rest &= rest - 1) {
-    const int d = std::countr_zero(rest);
-    const Cell at = window.position(window.neighbour(middle, d));
-    const NodeId node = lattice.node(Cell{at.x + left, at.y + top});
-    const Cost g = view.state.g(node), dist = view.state.dist(node), step = Grid2::step_cost(d);
-    all.push_back({node, step, g, dist, step + g + dist});
-  }
-  std::stable_sort(all.begin(), all.end(), [](const Offer& a, const Offer& b) { return a.sum < b.sum; });
-  return all;
-}
 
 std::pair<const char*, ImU32> consistency(const Theme& theme, const CellView& view) {
   const Cost g = view.state.g(view.node), rhs = view.state.rhs(view.node);
@@ -204,66 +158,6 @@ void touched_line(Frame& frame, const CellView& view) {
   hint(look, {"", "", words.c_str()});
 }
 
-/// Why there is nothing to add up; empty if there is.
-const char* special_case(const CellView& view, const std::vector<Offer>& all) {
-  if (view.node == view.state.node(view.lookahead ? Scalar::goal : Scalar::start))
-    return view.lookahead ? "This is the goal: its rhs is 0, by definition."
-                          : "This is the start: its g is 0.";
-  if (view.state.known_blocked(view.node))
-    return "The robot takes this cell for an obstacle: no move leads in or out.";
-  if (all.empty()) return "Obstacles stand all around: no move leads from here.";
-  if (all.front().sum.is_infinite()) return "No neighbour has a value now: no way leads on from here yet.";
-  return "";
-}
-
-/// Each neighbour's sum, the least first; a click goes on to the neighbour.
-void offer_table(Frame& frame, const CellView& view, const std::vector<Offer>& all) {
-  const Look& look = frame.look;
-  const bool with_dist = view.run.info().clearance;
-  std::vector<Column> columns = {{"neighbour", 1.6f, Align::left}, {"c", 1}, {"g", 1.2f}};
-  if (with_dist) columns.push_back({"dist"});
-  columns.push_back({"sum", 1.2f});
-  table_head(look, columns);
-  std::size_t shown = 0;
-  for (; shown < all.size() && !all[shown].sum.is_infinite(); ++shown) {
-    const Offer& offer = all[shown];
-    const bool winner = offer.node == view.state.lp(view.node);
-    const std::string at = node_text(view.run, offer.node), c = cost_text(offer.step), g = cost_text(offer.g),
-                      dist = cost_text(offer.dist), sum = cost_text(offer.sum);
-    std::vector<TableCell> cells = {{at}, {c}, {g}};
-    if (with_dist) cells.push_back({dist});
-    cells.push_back({sum, 0, winner});
-    if (table_row(look, static_cast<int>(shown), columns, cells, winner))
-      show_cell(frame, view.run.lattice().position(offer.node));
-  }
-  if (shown == all.size()) return;
-  std::vector<TableCell> cells(columns.size());
-  const std::string more = std::to_string(all.size() - shown) + " more";
-  cells.front() = {more, look.theme.faint};
-  cells.back() = {"∞", look.theme.faint};
-  table_row(look, -1, columns, cells);
-}
-
-/// The table and, where it does not add up yet, the reason.
-void explain(Frame& frame, const CellView& view) {
-  const Look& look = frame.look;
-  const Cost value = view.lookahead ? view.state.rhs(view.node) : view.state.g(view.node);
-  const char* name = view.lookahead ? "rhs" : "g";
-  section_title(look, std::string("Why is ") + name + " " + cost_text(value) + "?");
-  const std::vector<Offer> all = offers(view);
-  if (const std::string_view special = special_case(view, all); !special.empty()) {
-    paragraph(look.fonts.ui, look.theme.dim, special);
-    return;
-  }
-  offer_table(frame, view, all);
-  if (all.front().sum == value) return;
-  ImGui::Dummy({0, look.px.xs});
-  paragraph(look.fonts.ui, look.theme.warning,
-            view.lookahead ? "The least sum is " + cost_text(all.front().sum) +
-                                 ": UpdateVertex has yet to come to this cell."
-                           : "A neighbour offers less: it has not been expanded yet.");
-}
-
 /// The lines about the current one, as in the Code tab.
 void code_excerpt(Frame& frame) {
   const Result<PlannerPage>& page = page_of(frame.panels, frame.run().choice().id);
@@ -304,7 +198,7 @@ void draw_cell_panel(Frame& frame) {
   values(frame, view);
   touched_line(frame, view);
   section_rule(look);
-  explain(frame, view);
+  draw_why(frame, view);
   section_rule(look);
   draw_history(frame, *cell);
   code_excerpt(frame);

@@ -59,6 +59,16 @@ void laws_of(Frame& frame, std::size_t pane) {
   ImGui::PopID();
 }
 
+std::string disagreement_text(const Disagreement& first) {
+  const std::string plan = first.plan == 0 ? "The first plan" : "Replan " + grouped(first.plan);
+  if (first.claimed.is_infinite())
+    return plan + " finds no path, yet there is one that costs " + cost_text(first.right) + ".";
+  if (first.right.is_infinite())
+    return plan + " claims a path that costs " + cost_text(first.claimed) + ", yet there is none.";
+  return plan + " costs " + cost_text(first.claimed) + "; the cheapest one costs " + cost_text(first.right) +
+         ".";
+}
+
 void oracle_of(Frame& frame, std::size_t pane) {
   const Look& look = frame.look;
   const OracleReport report = frame.session.checks().oracle(pane);
@@ -67,13 +77,10 @@ void oracle_of(Frame& frame, std::size_t pane) {
   ImGui::PushID(static_cast<int>(pane));
   if (report.first) {
     const Disagreement& first = *report.first;
-    const std::string plan = first.plan == 0 ? "the first plan" : "replan " + grouped(first.plan);
     status(look, look.theme.bad,
            name + "disagrees with " +
                count_text(static_cast<std::int64_t>(report.disagreements), "plan", "plans"));
-    paragraph(look.fonts.ui, look.theme.text,
-              as_sentence(plan) + " costs " + cost_text(first.claimed) +
-                  ", it says; the cheapest way costs " + cost_text(first.right) + ".");
+    paragraph(look.fonts.ui, look.theme.text, disagreement_text(first));
     ways_to(frame, pane, first.position, "event(oracle)");
   } else if (report.busy || asked == 0) {
     status(look, look.theme.dim,
@@ -81,6 +88,11 @@ void oracle_of(Frame& frame, std::size_t pane) {
                                : "nothing to ask yet: no plan stands"));
   } else {
     status(look, look.theme.good, name + "agrees with " + count_text(asked, "plan", "plans"));
+    if (!report.exact)
+      hint(look, {"", "",
+                  "With these settings the planner does not promise a cheapest path. The oracle asks only "
+                  "whether it "
+                  "finds one where there is one."});
   }
   ImGui::PopID();
 }
@@ -137,7 +149,6 @@ void difference_choices(Frame& frame) {
         "costs; or where the robot goes."});
   ImGui::SameLine(0, look.px.s);
   if (state.compared[0] != state.compared[1] && button(look, "Find", ButtonKind::primary, icon::search)) {
-    state.asked = true;
     frame.commands.push_back(FindDifference{
         {static_cast<std::size_t>(state.compared[0]), static_cast<std::size_t>(state.compared[1])},
         static_cast<Compare>(state.compare)});
@@ -161,16 +172,17 @@ void draw_difference(Frame& frame) {
   if (checks.comparing()) {
     frame.panels.animated = true;
     progress(look, -1, "Running both until they part…");
-  } else if (const auto& difference = checks.difference()) {
-    paragraph(look.fonts.ui, look.theme.text, as_sentence(difference->words) + ".");
-    if (link(look, "go", "Go there", look.fonts.ui))
-      go_to(frame, difference->panes[0], difference->positions[0]);
-  } else {
-    paragraph(look.fonts.ui, look.theme.dim,
-              frame.panels.debugger.asked
-                  ? "They do the same all the way."
-                  : "Runs both as far as they are alike, and goes to where they differ first.");
+    return;
   }
+  if (checks.comparison().empty()) {
+    paragraph(look.fonts.ui, look.theme.dim,
+              "Runs both as far as they are alike, and goes to where they differ first.");
+    return;
+  }
+  paragraph(look.fonts.ui, look.theme.text, as_sentence(checks.comparison()));
+  const auto& difference = checks.difference();
+  if (difference && link(look, "go", "Go there", look.fonts.ui))
+    go_to(frame, difference->panes[0], difference->positions[0]);
 }
 
 }  // namespace replan::ui

@@ -94,8 +94,10 @@ void title_with_steps(Frame& frame) {
   ImGui::SetCursorScreenPos(below);
 }
 
-/// Where the breakpoint stops next, as a sentence.
+/// Where the breakpoint stops next, or what is wrong with it, as a sentence.
 std::string next_hit_text(const Frame& frame, std::size_t index) {
+  if (const std::string& problem = frame.session.breakpoints().problem(index); !problem.empty())
+    return as_sentence(problem);
   const std::span<const Hit> hits = frame.session.breakpoints().hits();
   const std::size_t cursor = frame.session.run().timeline().cursor();
   const auto from = std::partition_point(hits.begin(), hits.end(),
@@ -115,10 +117,19 @@ void breakpoint_row(Frame& frame, std::size_t index, std::int64_t hits) {
   bool on = breakpoint.enabled;
   if (toggle(look, "##on", on)) frame.commands.push_back(SwitchBreakpoint{index, on});
   hint(look, {on ? "Switch it off" : "Switch it on"});
-  const std::string count = hits == 0 ? "no stop" : count_text(hits, "stop", "stops");
+  const Breakpoints& all = frame.session.breakpoints();
+  const bool sound = all.problem(index).empty();
+  const bool more = all.looked_through() < frame.session.run().timeline().size();  // or too many to keep
+  const std::string count = !sound      ? "not on this world"
+                            : !on       ? ""
+                            : hits == 0 ? (more ? "…" : "no stop")
+                                        : count_text(hits, "stop", "stops") + (more ? "+" : "");
   const float count_x = right - look.px(28) - text_width(look.fonts.small, count);
   ImGui::SetCursorScreenPos({origin.x + look.px(38), origin.y + look.px(3)});
-  text(look.fonts.mono, on ? look.theme.text : look.theme.faint,
+  text(look.fonts.mono,
+       !sound ? look.theme.bad
+       : on   ? look.theme.text
+              : look.theme.faint,
        elide(look.fonts.mono, breakpoint.condition, count_x - origin.x - look.px(38 + 8)));
   hint(look, {breakpoint.condition.c_str(), "", next_hit_text(frame, index).c_str()});
   draw_text(*ImGui::GetWindowDrawList(), look.fonts.small, {count_x, origin.y + look.px(4)}, look.theme.faint,

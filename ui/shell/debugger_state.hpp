@@ -34,8 +34,6 @@ struct DebuggerState {
   std::string breakpoint, watch;  ///< being typed
   std::array<int, 2> compared{0, 1};
   int compare = 1;     ///< a Compare
-  bool asked = false;  ///< a difference was looked for: no result means that there is none
-  bool focus_breakpoint = false;
 
   bool menu_open = false;       ///< that of ViewState::menu
   std::optional<Cell> pointed;  ///< the cell of the row under the mouse, which the canvas shows as hovered

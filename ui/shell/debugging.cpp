@@ -75,7 +75,6 @@ void ActionContext::go_to_breach() {
 }
 
 void ActionContext::find_difference() {
-  panels.debugger.asked = true;
   show_tab(kDebugTab);
   const auto [one, other] = panels.debugger.compared;
   const auto panes = static_cast<int>(session.runs().size());

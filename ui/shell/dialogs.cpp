@@ -17,7 +17,7 @@ float width_of(DialogKind kind) {
     case DialogKind::worlds:
       return 1080;
     case DialogKind::keys:
-      return 880;
+      return 1240;
     case DialogKind::recover:
       return 600;
     default:

@@ -133,7 +133,8 @@ class Dialogs {
   std::string capture_path_;
   double fps_ = 30;  // of the film
   TraceFacts trace_facts_;
-  bool trace_map_ = true;  // what was chosen last
+  bool trace_map_ = true;     // what was chosen last
+  float page_height_ = 2000;  // of the keys, as drawn last
 };
 
 }  // namespace replan::ui

@@ -1,4 +1,5 @@
-// The Figures tab: what the plan that stands is worth and what it cost, a column per planner.
+// The Figures tab: what the plans that stand are worth and what they cost, a column per pane, with ratios to
+// the first and the best of each row marked.
 #include <algorithm>
 #include <vector>
 
@@ -9,52 +10,6 @@
 
 namespace replan::ui {
 namespace {
-
-/// A figure with its explanation and its text per pane.
-struct Row {
-  const char* label;
-  const char* unit;
-  const char* teach;
-  std::string (*text)(const PathFigures& path, const replan::Mark& mark, const Run& run);
-};
-
-using Figures = const PathFigures&;
-std::string count(std::int64_t number) {
-  return grouped(number);
-}
-std::string milliseconds(double time) {
-  return fixed(time, time < 10 ? 3 : 1);
-}
-
-// clang-format off
-const Row kPathRows[] = {
-    {"nodes", "", "Corners of the path's polyline, both ends counted.", [](Figures f, const replan::Mark&, const Run&) { return count(f.nodes); }},
-    {"length", "cells", "Along the straight segments.", [](Figures f, const replan::Mark&, const Run&) { return fixed(f.length, 3); }},
-    {"turns", "", "Inner corners where the heading changes.", [](Figures f, const replan::Mark&, const Run&) { return count(f.turns); }},
-    {"turning", "°", "The sum of all changes of heading.", [](Figures f, const replan::Mark&, const Run&) { return fixed(f.turning_angle_deg, 1); }},
-    {"least clearance", "cells", "From the path to the nearest obstacle's edge, at the narrowest place.", [](Figures f, const replan::Mark&, const Run&) { return fixed(f.min_clearance, 3); }},
-    {"mean clearance", "cells", "The mean over the whole path, sampled every tenth of a cell.", [](Figures f, const replan::Mark&, const Run&) { return fixed(f.mean_clearance, 3); }},
-};
-const Row kPlanRows[] = {
-    {"expansions", "", "Vertices that the latest plan or replan took from the open list and settled or raised.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.last_plan.expansions); }},
-    {"queue operations", "", "Inserts, removals, changes of key and pops.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.last_plan.queue_operations); }},
-    {"sight checks", "", "Lines of sight that were looked along.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.last_plan.sight_checks); }},
-};
-const Row kRunRows[] = {
-    {"expansions", "", "Of all plans so far together.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.counters.expansions); }},
-    {"queue operations", "", "Of all plans so far together.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.counters.queue_operations); }},
-    {"sight checks", "", "Of all plans so far together.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.counters.sight_checks); }},
-    {"first plan", "ms", "Wall time, while every step is being recorded; planning without a record is several times as fast.", [](Figures, const replan::Mark& m, const Run&) { return milliseconds(m.figures.plan_ms); }},
-    {"replans", "ms", "Wall time of all replans together, while every step is being recorded.", [](Figures, const replan::Mark& m, const Run&) { return milliseconds(m.figures.replan_ms); }},
-    {"replans", "", "How often the plan was repaired or made anew.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.replans); }},
-    {"record", "", "Memory of the run's log and its key frames, which is what stepping back costs. Beyond 1 GiB for all panes together the oldest stretches are dropped, and planned once more when you go there.", [](Figures, const replan::Mark&, const Run& r) { return bytes_text(r.timeline().log_bytes() + r.timeline().frame_bytes()); }},
-};
-const Row kRobotRows[] = {
-    {"moves", "", "Cells that the robot has entered.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.moves); }},
-    {"travelled", "cells", "The way the robot has gone, along its paths.", [](Figures, const replan::Mark& m, const Run&) { return fixed(m.figures.travelled, 3); }},
-    {"collisions", "", "Times that a plan led into an obstacle. Only with remote parents as printed.", [](Figures, const replan::Mark& m, const Run&) { return count(m.figures.collisions); }},
-};
-// clang-format on
 
 /// The robot's map changed after the mark: what is known at the cursor is not what this plan was made for.
 bool map_changed_since(const Run& run, const replan::Mark& mark) {
@@ -80,58 +35,162 @@ const PathFigures& figures_of(PanelState& panels, const Run& run, std::size_t pa
   return cache.figures;
 }
 
-std::vector<Column> columns_for(const Session& session, const std::vector<std::string>& names) {
-  std::vector<Column> columns = {{"", 2.6f, Align::left}};
-  for (std::size_t i = 0; i < session.runs().size(); ++i) columns.push_back({names[i].c_str(), 1.2f});
-  return columns;
+/// As the window prints it: thousands apart.
+std::string shown(const FigureRow& row, std::size_t pane, bool standing) {
+  if (!standing) return "–";
+  if (row.info->decimals > 0 || !row.values[pane]) return figure_text(*row.info, row.values[pane]);
+  const double scale = row.info->unit == "kB" ? 1000 : 1;
+  return grouped(static_cast<std::int64_t>(*row.values[pane] / scale + 0.5));
 }
 
-void rows(Frame& frame, const char* title, std::span<const Row> table, std::span<const Column> columns) {
-  const Look& look = frame.look;
-  section_title(look, title);
-  int id = 0;
-  ImGui::PushID(title);
-  for (const Row& row : table) {
-    const std::string label =
-        std::string(row.label) + (row.unit[0] == '\0' ? "" : std::string("  ") + row.unit);
-    std::vector<std::string> texts;
-    for (std::size_t pane = 0; pane < frame.session.runs().size(); ++pane) {
-      const Run& run = *frame.session.runs()[pane];
-      const replan::Mark* mark = run.mark_at(run.timeline().cursor());
-      texts.push_back(mark == nullptr ? "—"
-                                      : row.text(figures_of(frame.panels, run, pane, *mark), *mark, run));
-    }
-    std::vector<TableCell> cells = {{label, look.theme.dim}};
-    for (const std::string& each : texts) cells.push_back({each});
-    table_row(look, id++, columns, cells);
-    hint(look, {row.label, "", row.teach});
+/// A number at the right end of its column, and the best with a bar under it: it is told by more than its
+/// colour and weight.
+void draw_value(const Look& look, float right, float y, const std::string& text, bool best) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImFont* font = best ? look.fonts.mono_bold : look.fonts.mono;
+  const float width = text_width(font, text);
+  draw_text(list, font, {right - width, y}, best ? look.theme.good : look.theme.text, text);
+  if (!best) return;
+  const float foot = y + font->FontSize + look.px(1);
+  list.AddRectFilled({right - width, foot}, {right, foot + look.px(2)}, look.theme.good);
+}
+
+/// How the columns lie: with one or two panes beside the row's name, with more below it.
+struct Layout {
+  float left, width, name;  // name: the share of the names; 0 if they stand above
+  std::size_t panes;
+  [[nodiscard]] float ratio_width(const Look& look) const { return panes == 2 ? look.px(48) : 0; }
+  [[nodiscard]] float right(const Look& look, std::size_t pane) const {
+    const float room = width - name - ratio_width(look);
+    return left + name + room * static_cast<float>(pane + 1) / static_cast<float>(panes);
   }
-  ImGui::PopID();
+};
+
+Layout layout_of(const Look& look, std::size_t panes) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  return {ImGui::GetCursorScreenPos().x, width, panes <= 2 ? std::min(look.px(140), width * 0.42f) : 0,
+          panes};
+}
+
+void draw_names(const Look& look, const Layout& layout, const FiguresTable& table) {
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  float before = layout.left + layout.name;
+  for (std::size_t i = 0; i < table.names.size(); ++i) {
+    const float right = layout.right(look, i);
+    const std::string name = elide(look.fonts.ui, table.names[i], right - before - look.px.s);
+    draw_text(*ImGui::GetWindowDrawList(), look.fonts.ui, {right - text_width(look.fonts.ui, name), origin.y},
+              look.theme.dim, name);
+    before = right;
+  }
+  ImGui::Dummy({layout.width, look.px.row});
+}
+
+void draw_ratio(const Look& look, const Layout& layout, const FigureRow& row, std::size_t pane, float y) {
+  const auto ratio = row.ratio(pane);
+  if (!ratio) return;
+  const std::string text = ratio_text(*ratio);
+  const ImFont* font = layout.name > 0 ? look.fonts.mono : look.fonts.small;
+  const float right = layout.name > 0 ? layout.left + layout.width : layout.right(look, pane);
+  draw_text(*ImGui::GetWindowDrawList(), font, {right - text_width(font, text), y}, look.theme.dim, text);
+}
+
+void draw_row(const Look& look, const Layout& layout, const FigureRow& row,
+              const std::vector<bool>& standing) {
+  const bool stacked = layout.name == 0;
+  const bool ratios =
+      stacked && std::any_of(row.values.begin() + 1, row.values.end(), [&](const auto& value) {
+        return value && row.ratio(static_cast<std::size_t>(&value - row.values.data()));
+      });
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float line = look.px.row, height = stacked ? line * (ratios ? 2.35f : 1.75f) : line;
+  ImGui::InvisibleButton(row.info->key.data(), {layout.width, height});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (ImGui::IsItemHovered())
+    list.AddRectFilled(origin, {origin.x + layout.width, origin.y + height}, look.theme.hover, look.px(4));
+  hint(look, {row.info->label.data(), "", row.info->teach.data()});
+  const std::string name =
+      std::string(row.info->label) + (row.info->unit.empty() ? "" : "  " + std::string(row.info->unit));
+  const float y = origin.y + (line - look.fonts.mono->FontSize) * 0.5f;
+  draw_text(list, look.fonts.ui, {origin.x, y}, look.theme.dim,
+            stacked ? name : elide(look.fonts.ui, name, layout.name));
+  const float values = stacked ? y + line * 0.75f : y;
+  for (std::size_t i = 0; i < layout.panes; ++i) {
+    draw_value(look, layout.right(look, i), values, shown(row, i, standing[i]), standing[i] && row.best(i));
+    if (standing[i]) draw_ratio(look, layout, row, i, stacked ? values + line * 0.75f : y);
+  }
+}
+
+void export_menu(Frame& frame) {
+  const Look& look = frame.look;
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - look.px(24));
+  if (small_button(
+          look, "export",
+          {.icon = icon::download,
+           .hint = {"Export", "",
+                    "These figures as CSV, JSON, Markdown or LaTeX: to the clipboard or to a file."}}))
+    ImGui::OpenPopup("export");
+  if (!ImGui::BeginPopup("export")) return;
+  for (const ActionId id : {ActionId::copy_markdown, ActionId::copy_latex, ActionId::copy_csv,
+                            ActionId::copy_json, ActionId::save_figures}) {
+    if (id == ActionId::save_figures) ImGui::Separator();
+    if (ImGui::MenuItem(action(id).label.c_str())) perform(frame, id);
+    hint(look, {"", "", action(id).teach.c_str()});
+  }
+  ImGui::EndPopup();
 }
 
 }  // namespace
 
+std::vector<RunReport> figures_now(PanelState& panels, const Session& session) {
+  std::vector<RunReport> reports;
+  for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
+    const Run& run = *session.runs()[pane];
+    const replan::Mark* mark = run.mark_at(run.timeline().cursor());
+    if (mark == nullptr) {
+      reports.emplace_back();
+      reports.back().planner = run.choice().id;
+      reports.back().status = status_name(PlanStatus::searching);
+    } else {
+      reports.push_back(report_at(*mark, figures_of(panels, run, pane, *mark), run.choice()));
+    }
+  }
+  return reports;
+}
+
+void ActionContext::copy_figures(FiguresFormat format) {
+  ImGui::SetClipboardText(figures_text(format, figures_now(panels, session)).c_str());
+  panels.said =
+      std::string("Copied the figures as ") + figures_formats()[static_cast<std::size_t>(format)].name;
+  panels.said_bad = false;
+}
+
 void draw_figures_panel(Frame& frame) {
   const Look& look = frame.look;
-  const bool any = std::any_of(frame.session.runs().begin(), frame.session.runs().end(), [](const auto& run) {
-    return run->mark_at(run->timeline().cursor()) != nullptr;
-  });
-  if (!any) {
+  std::vector<bool> standing;
+  for (const auto& run : frame.session.runs())
+    standing.push_back(run->mark_at(run->timeline().cursor()) != nullptr);
+  if (std::find(standing.begin(), standing.end(), true) == standing.end()) {
     empty_state(look, icon::bar_chart, "No plan stands here yet",
                 "Step or play on until the first plan is found; its figures show here.");
     return;
   }
-  std::vector<std::string> names;
-  for (const auto& run : frame.session.runs()) names.emplace_back(run->info().name);
-  const std::vector<Column> columns = columns_for(frame.session, names);
-  table_header(look, columns);
-  rows(frame, "The plan that stands", kPathRows, columns);
-  section_rule(look);
-  rows(frame, "What it cost", kPlanRows, columns);
-  section_rule(look);
-  rows(frame, "The run so far", kRunRows, columns);
-  section_rule(look);
-  rows(frame, "The robot", kRobotRows, columns);
+  const FiguresTable table = figures_table(figures_now(frame.panels, frame.session));
+  const Layout layout = layout_of(look, standing.size());
+  section_title(look, figure_group_title(FigureGroup::path));
+  export_menu(frame);
+  draw_names(look, layout, table);
+  FigureGroup group = FigureGroup::path;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, look.px(1)));
+  for (const FigureRow& row : table.rows) {
+    if (row.info->wall_time && !frame.view.live) continue;  // a picture is the same on every machine
+    if (row.info->group != group) {
+      section_rule(look);
+      section_title(look, figure_group_title(row.info->group));
+      group = row.info->group;
+    }
+    draw_row(look, layout, row, standing);
+  }
+  ImGui::PopStyleVar();
 }
 
 }  // namespace replan::ui

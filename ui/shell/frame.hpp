@@ -52,7 +52,10 @@ enum class Wish : std::uint8_t {
   stop_export,
   go_to_pasted,  ///< PanelState::pasted
   generate,
-  resize
+  resize,
+  palette,
+  open_world,  ///< of the library: PanelState::wished
+  save_figures
 };
 
 /// Path figures of one pane, kept until another plan stands.

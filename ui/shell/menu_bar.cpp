@@ -38,11 +38,16 @@ void recent_items(Frame& frame) {
   ImGui::EndMenu();
 }
 
-/// The entries of a menu, with a line between groups.
+bool is_lockstep(ActionId id) {
+  return id == ActionId::lockstep_expansions || id == ActionId::lockstep_moves ||
+         id == ActionId::lockstep_race;
+}
+
+/// The entries of a menu, with a line between groups. What panes keep step by shows where there are several.
 void menu_items(Frame& frame, Menu menu) {
   int group = -1;
   for (const Action& each : actions()) {
-    if (each.menu != menu) continue;
+    if (each.menu != menu || (is_lockstep(each.id) && frame.session.runs().size() < 2)) continue;
     if (group >= 0 && each.group != group) ImGui::Separator();
     group = each.group;
     menu_item(frame, each);
@@ -87,13 +92,42 @@ void menu(Frame& frame, const char* name, Menu which) {
   ImGui::EndMenu();
 }
 
+/// What looks like a box to type into opens the command palette. Returns its left end; in a narrow window it
+/// is an icon alone.
+float search_box_at_right(Frame& frame, const ImRect& bar) {
+  const Look& look = frame.look;
+  const Action& palette = action(ActionId::palette);
+  const bool wide = bar.GetWidth() > look.px(1180);
+  const float width = look.px(wide ? 222 : 28), height = look.px(26);
+  const ImVec2 cursor = ImGui::GetCursorScreenPos();
+  const ImVec2 min(bar.Max.x - look.px.m - width, bar.Min.y + (look.px.menu - height) * 0.5f);
+  const ImVec2 max(min.x + width, min.y + height);
+  ImGui::SetCursorScreenPos(min);
+  if (ImGui::InvisibleButton("search", {width, height})) perform(frame, ActionId::palette);
+  const bool hovered = ImGui::IsItemHovered();
+  hint(look, palette.hint());
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(min, max, hovered ? look.theme.hover : look.theme.raised, look.px.radius);
+  const float y = bar.Min.y + (look.px.menu - look.fonts.ui->FontSize) * 0.5f;
+  if (wide) {
+    draw_text(list, look.fonts.ui, {min.x + look.px(10), y}, look.theme.faint, palette.label);
+    draw_text(list, look.fonts.ui, {max.x - look.px(10) - text_width(look.fonts.ui, palette.keys), y},
+              look.theme.faint, palette.keys);
+  } else {
+    draw_icon(list, look.fonts.ui, {(min.x + max.x) * 0.5f, (min.y + max.y) * 0.5f}, look.theme.dim,
+              icon::search);
+  }
+  ImGui::SetCursorScreenPos(cursor);
+  return min.x;
+}
+
 void file_name_at_right(Frame& frame) {
   const Look& look = frame.look;
   const Session& session = frame.session;
   const std::string shown = document_name(session);
   const char* state = session.modified() ? " — edited" : session.file().empty() ? " — not saved yet" : "";
   const ImRect bar = ImGui::GetCurrentWindow()->MenuBarRect();
-  const float right = bar.Max.x - look.px.l;
+  const float right = search_box_at_right(frame, bar) - look.px.l;
   const float room = right - ImGui::GetCursorScreenPos().x - look.px.l - text_width(look.fonts.ui, state);
   const std::string name = elide(look.fonts.ui, shown, room);
   const float y = bar.Min.y + (look.px.menu - look.fonts.ui->FontSize) * 0.5f;

@@ -28,6 +28,8 @@ void draw_cell_panel(Frame& frame);
 void draw_open_list_panel(Frame& frame);
 void draw_code_panel(Frame& frame);
 void draw_figures_panel(Frame& frame);
+/// How all panes stand at their cursors.
+std::vector<RunReport> figures_now(PanelState& panels, const Session& session);
 void draw_debug_panel(Frame& frame);
 // Its sections about the planners.
 void draw_checks(Frame& frame);

@@ -8,14 +8,13 @@
 #include "core/scene/scene.hpp"
 #include "ui/icons.hpp"
 #include "ui/keys.hpp"
-#include "ui/pane_row.hpp"
+#include "ui/pane_grid.hpp"
 #include "ui/shell/panels.hpp"
 
 namespace replan::ui {
 namespace {
 
 constexpr float kNarrowestSide = 340, kWidestSide = 640, kNarrowestCanvas = 320;
-constexpr float kNarrowestPane = 340;
 constexpr float kCaption = 32;  // height of the line over the canvas
 
 /// Seeks, steps and play are no edits: nobody needs to be told twice that there is nothing to undo.
@@ -41,6 +40,7 @@ void Shell::draw(const Look& look, Session& session, double) {
   view_.view.scale = static_cast<double>(look.px.scale);
   Frame frame{look, session, view_, panels_, commands, wish};
   take_keys(frame);
+  for (const ActionId id : std::exchange(next_actions_, {})) perform(frame, id);
   draw_parts(frame);
   if (const std::string failure = session.failure(); !failure.empty() && message_.text.empty())
     tell(failure, true);
@@ -59,9 +59,10 @@ void Shell::draw(const Look& look, Session& session, double) {
 }
 
 bool Shell::wants_frames(const Session& session) const {
-  const bool busy = session.checks().busy() || std::any_of(session.runs().begin(), session.runs().end(),
-                                                           [](const auto& run) { return run->busy(); });
-  return busy || session.playback().direction != 0 || session.revision() != drawn_ || held_ ||
+  const bool busy =
+      std::any_of(session.runs().begin(), session.runs().end(), [](const auto& run) { return run->busy(); });
+  const bool debugging = session.checks().busy() || session.breakpoints().hunt();
+  return busy || debugging || session.playback().direction != 0 || session.revision() != drawn_ || held_ ||
          panels_.animated || dialogs_.animated() || export_.busy() || awaited_ ||
          std::any_of(canvases_.begin(), canvases_.end(), [](const auto& each) { return each->animating(); });
 }
@@ -120,6 +121,7 @@ void Shell::draw_parts(Frame& frame) {
   if (panels) draw_splitter(frame, split, look.px.menu, bottom);
   draw_stop(frame, {split - look.px.m, under - look.px(52)});
   draw_message(look, {left, look.px.menu}, {split, under});
+  palette_.draw(frame, library_.get());
 }
 
 Canvas& Shell::canvas(std::size_t pane) {
@@ -136,21 +138,21 @@ void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
   const Look& look = frame.look;
   panels_.canvas = {min, max};
   area("canvas", min, {max.x - min.x, max.y - min.y}, look.theme.background, {0, 0}, [&] {
-    const auto room = static_cast<std::size_t>(std::max(1.0f, (max.x - min.x) / look.px(kNarrowestPane)));
+    const std::size_t room = PaneGrid::room(look, min, max);
     const std::size_t count = std::min(frame.session.runs().size(), panels_.panes > 0 ? panels_.panes : room);
     // Too narrow for all: the one that the side panel is about.
     const std::size_t first = count < frame.session.runs().size()
                                   ? std::min(frame.session.lead(), frame.session.runs().size() - count)
                                   : 0;
-    const PaneRow row(look, count, min, max);
+    const PaneGrid grid(look, count, min, max);
     const GridMap& map = frame.session.scenario().map;
     panels_.zoom = resolve(view_.view.camera, map.width, map.height,
-                           {static_cast<int>(row.width()), static_cast<int>(max.y - min.y)})
+                           {static_cast<int>(grid.width()), static_cast<int>(grid.height())})
                        .zoom;
     for (std::size_t i = 0; i < count; ++i) {
-      canvas(first + i).draw(look, frame.session, first + i, view_, row.min(i), row.max(i),
-                             !dialogs_.open() && !world_dialogs_.open(), frame.commands);
-      row.draw_parting(i);
+      canvas(first + i).draw(look, frame.session, first + i, view_, grid.min(i), grid.max(i),
+                             !dialogs_.open() && !world_dialogs_.open() && !palette_.open(), frame.commands);
+      grid.draw_parting(i);
     }
   });
 }

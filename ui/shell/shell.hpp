@@ -13,6 +13,7 @@
 #include "ui/canvas.hpp"
 #include "ui/gl/imgui_renderer.hpp"
 #include "ui/shell/actions.hpp"
+#include "ui/shell/command_palette.hpp"
 #include "ui/shell/dialogs.hpp"
 #include "ui/shell/dialogs/world_dialogs.hpp"
 #include "ui/shell/file_watch.hpp"
@@ -72,6 +73,8 @@ class Shell {
   [[nodiscard]] bool quitting() const { return quitting_; }
   /// What the user wants filmed or pictured, once; its path is as typed_path() makes it.
   std::optional<CaptureRequest> take_capture() { return std::exchange(capture_, std::nullopt); }
+  /// Does what the action does, in the next frame; nothing if it is not available then.
+  void perform_next(ActionId id) { next_actions_.push_back(id); }
   /// A sentence over the canvas for a while.
   void tell(std::string sentence, bool bad);
 
@@ -83,6 +86,7 @@ class Shell {
       open_dialog,
       open_file,
       worlds_dialog,
+      open_world,
       new_world,
       pasted,
       quit
@@ -133,6 +137,8 @@ class Shell {
   void go_on(Session& session);
   void choose_open(const Session& session, const std::string& path);
   void choose_save(const Session& session);
+  void choose_figures_file();
+  void save_figures(const Session& session, const std::string& path);
   [[nodiscard]] std::vector<Place> places() const;
   void save_in_place(Session& session);
   bool save(Session& session, const std::string& path);
@@ -156,6 +162,7 @@ class Shell {
   std::unique_ptr<WorldLibrary> library_;
   Dialogs dialogs_;  // after the library that it shows
   WorldDialogs world_dialogs_;
+  CommandPalette palette_;
   Pending pending_;
   std::unique_ptr<Background<Loaded>> loader_ = std::make_unique<Background<Loaded>>();
   std::unique_ptr<Autosaver> autosave_ = std::make_unique<Autosaver>();
@@ -171,9 +178,11 @@ class Shell {
   std::optional<Awaited> awaited_;
   CaptureRequest asked_;  // while its dialog is open
   std::optional<CaptureRequest> capture_;
+  std::vector<ActionId> next_actions_;
   bool quitting_ = false;
-  bool held_ = false;        // a key that repeats is down
-  std::uint64_t drawn_ = 0;  // the session's revision that the last frame showed
+  bool saving_figures_ = false;  // the file dialog asks for the file of the figures
+  bool held_ = false;            // a key that repeats is down
+  std::uint64_t drawn_ = 0;      // the session's revision that the last frame showed
 };
 
 }  // namespace replan::ui

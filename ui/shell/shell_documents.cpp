@@ -8,6 +8,7 @@
 #include "ui/icons.hpp"
 #include "ui/shell/documents.hpp"
 #include "ui/shell/format.hpp"
+#include "ui/shell/panels.hpp"
 #include "ui/shell/shell.hpp"
 
 namespace replan::ui {
@@ -60,6 +61,16 @@ void Shell::take_wish(Session& session, Wish wish) {
       break;
     case Wish::quit:
       begin(session, {Pending::Kind::quit, {}});
+      break;
+    case Wish::palette:
+      if (library_) library_->refresh();
+      palette_.show();
+      break;
+    case Wish::open_world:
+      begin(session, {Pending::Kind::open_world, panels_.wished});
+      break;
+    case Wish::save_figures:
+      choose_figures_file();
       break;
     case Wish::save:
       save_in_place(session);
@@ -117,6 +128,7 @@ void Shell::take_decision(Session& session, const Decision& decision) {
     case Decision::Kind::cancel:
       loader_->cancel();
       dialogs_.close();
+      saving_figures_ = false;
       orphans_.clear();  // their locks with them: the next program offers them again
       pending_ = {};
       break;
@@ -127,6 +139,10 @@ void Shell::take_decision(Session& session, const Decision& decision) {
       load(session, {Loading::From::library, decision.path, {}});
       break;
     case Decision::Kind::save:
+      if (saving_figures_) {
+        save_figures(session, decision.path);
+        break;
+      }
       if (!save(session, decision.path)) break;
       dialogs_.close();
       go_on(session);
@@ -208,6 +224,9 @@ void Shell::go_on(Session& session) {
     case Pending::Kind::worlds_dialog:
       if (library_) dialogs_.choose_world(*library_);
       break;
+    case Pending::Kind::open_world:
+      load(session, {Loading::From::library, pending.path, {}});
+      break;
     case Pending::Kind::new_world:
       dialogs_.show(DialogKind::new_world);
       break;
@@ -248,6 +267,7 @@ void Shell::choose_open(const Session& session, const std::string& path) {
 }
 
 void Shell::choose_save(const Session& session) {
+  saving_figures_ = false;
   std::string name = session.file();
   if (name.empty()) {
     const std::vector<std::string> folders = recent_.folders();
@@ -268,6 +288,38 @@ void Shell::choose_save(const Session& session) {
        .losses = [scenario = session.snapshot()](
                      const std::string& extension) { return lost_in(extension, *scenario); }},
       surroundings_.work);
+}
+
+void Shell::choose_figures_file() {
+  std::vector<FileFilter> filters;
+  for (const FiguresFormatInfo& format : figures_formats())
+    filters.push_back({std::string(format.name) + " (" + format.extension + ")", {format.extension}});
+  const std::vector<std::string> folders = recent_.folders();
+  const std::string folder = !dialogs_.folder().empty() ? dialogs_.folder()
+                             : folders.empty()          ? "."
+                                                        : folders.front();
+  saving_figures_ = true;
+  dialogs_.choose_file({.saving = true,
+                        .title = "Save the figures",
+                        .action = "Save",
+                        .filters = std::move(filters),
+                        .path = folder + "/figures.csv",
+                        .places = places(),
+                        .losses = {}},
+                       surroundings_.work);
+}
+
+/// In the format that the name ends in.
+void Shell::save_figures(const Session& session, const std::string& path) {
+  for (const FiguresFormatInfo& format : figures_formats()) {
+    if (file_extension(path) != format.extension) continue;
+    const auto done = write_file_atomically(path, figures_text(format.format, figures_now(panels_, session)));
+    if (!done) return complain(done.error());
+    saving_figures_ = false;
+    dialogs_.close();
+    return tell("Saved " + file_name(path), false);
+  }
+  complain("the name of the figures' file must end in .csv, .json, .md or .tex");
 }
 
 /// To its own file if that can hold it and nobody else has written it meanwhile; else the user is asked.

@@ -62,7 +62,14 @@ void draw_playhead(const Look& look, ImDrawList& list, const TimelineScale& scal
   list.AddCircleFilled({x, track}, look.px(6), look.theme.text);
 }
 
-/// What stands under the mouse, and what the shapes mean.
+/// What the shapes mean, where no mark stands under the mouse.
+constexpr Hint kLegend = {
+    "Timeline", "",
+    "Triangles: a plan begins. Diamonds: the world or the goal changes. Circle: the robot arrives. Crosses: "
+    "something "
+    "went wrong. Flags: a breakpoint stops. A bar under a mark: several stand at its place.\n"
+    "Click or drag to go anywhere."};
+
 void mark_hint(const Look& look, const MarkGroup& group) {
   std::string words = "Event " + grouped(group.position) + ". Click to go there.";
   if (!group.others.empty()) words += "\n" + group.others + ".";
@@ -93,6 +100,8 @@ void draw_timeline(Frame& frame, ImVec2 min, ImVec2 max) {
     if (ImGui::IsItemActivated() || ImGui::GetIO().MouseDelta.x != 0) frame.commands.push_back(Seek{target});
   } else if (hovered && mark != nullptr) {
     mark_hint(look, *mark);
+  } else if (hovered && ImGui::GetIO().MousePos.y > track - look.px(4)) {
+    hint(look, kLegend);
   }
   draw_playhead(look, list, scale, run.timeline().cursor(), min.y, track);
 }

@@ -68,6 +68,20 @@ void step_unit(Frame& frame, bool roomy) {
               "the robot, all up to the next plan, or the whole mission up to the goal."});
 }
 
+/// What the panes keep step by, while there are several.
+void lockstep(Frame& frame) {
+  const Look& look = frame.look;
+  static constexpr std::array<const char*, 3> kModes = {"by expansions", "by moves", "as a race"};
+  static constexpr std::array kActions = {ActionId::lockstep_expansions, ActionId::lockstep_moves,
+                                          ActionId::lockstep_race};
+  ImGui::SameLine(0, look.px.s);
+  int mode = static_cast<int>(frame.session.lockstep());
+  if (combo(look, "##lockstep", kModes, mode, look.px(120)))
+    perform(frame, kActions[static_cast<std::size_t>(mode)]);
+  const Action& now = action(kActions[static_cast<std::size_t>(mode)]);
+  hint(look, {"Lockstep of the panes", "", now.teach.c_str()});
+}
+
 std::string speed_text(double speed) {
   if (speed >= Session::kFullSpeed) return "as fast as possible";
   if (speed >= 1000) return grouped(static_cast<std::int64_t>(std::llround(speed / 100) * 100)) + " /s";
@@ -137,9 +151,12 @@ void draw_transport(Frame& frame) {
   edge(look, Edge::top);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
-  const bool roomy = width > look.px(frame.session.breakpoints().list().empty() ? 790 : 880);
+  const bool several = frame.session.runs().size() > 1;
+  const float extra = (frame.session.breakpoints().list().empty() ? 0.0f : 90.0f) + (several ? 130.0f : 0.0f);
+  const bool roomy = width > look.px(790 + extra);
   buttons(frame);
   step_unit(frame, roomy);
+  if (several) lockstep(frame);
   speed(frame, roomy);
   counter(frame, ImGui::GetItemRectMax().x + look.px.m, origin.x + width, origin.y);
   draw_timeline(frame, {origin.x, origin.y + look.px(38)}, {origin.x + width, origin.y + look.px(107)});

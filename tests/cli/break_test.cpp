@@ -1,0 +1,71 @@
+// replan run --break: where the runs stop.
+#include "tests/cli/child.hpp"
+
+namespace replan::test {
+namespace {
+
+const std::string kDemo = std::string(REPLAN_SOURCE_DIR) + "/maps/demo.json";
+
+TEST(RunBreak, tellsWhereEachRunStopsFirst) {
+  const Outcome outcome = run_program({"run", kDemo, "--planner", "astar,dld-star-lite", "--break",
+                                       "event(replan)", "--break", "moves >= 100000", "--json"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto stops = outcome.json()["stops"];
+  ASSERT_EQ(stops.size(), 2u);
+  EXPECT_EQ(stops[0]["planner"], "astar");
+  EXPECT_EQ(stops[1]["planner"], "dld-star-lite");
+  for (const auto& stop : stops) {
+    EXPECT_EQ(keys(stop), (std::set<std::string>{"planner", "stopped", "condition", "event", "clock",
+                                                 "expansions", "line", "what", "values"}));
+    EXPECT_EQ(stop["stopped"], true);
+    EXPECT_EQ(stop["condition"], "event(replan)");
+    EXPECT_EQ(stop["what"], "replan 1 begins");
+    EXPECT_EQ(stop["line"]["number"], 109);
+    EXPECT_GT(stop["event"], 0);
+    EXPECT_GT(stop["expansions"], 0);
+    EXPECT_TRUE(stop["values"].empty());
+  }
+  EXPECT_EQ(stops[1]["line"]["name"], "line 9 of Algorithm 1: main");
+  EXPECT_EQ(stops[1]["line"]["text"], "if any edge costs changed");
+}
+
+TEST(RunBreak, tellsTheValuesThatTheConditionReads) {
+  const Outcome outcome = run_program({"run", kDemo, "--planner", "dstar-lite", "--break",
+                                       "size(U) >= 10 && robot != none && !queued(0, 0)", "--json"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto values = outcome.json()["stops"][0]["values"];
+  EXPECT_EQ(keys(values), (std::set<std::string>{"size(U)", "robot", "queued(0, 0)"}));
+  EXPECT_EQ(values["size(U)"], 10);
+  EXPECT_EQ(values["robot"].size(), 2u);
+  EXPECT_EQ(values["queued(0, 0)"], false);
+}
+
+TEST(RunBreak, saysWhatIsNotReached) {
+  const Outcome outcome =
+      run_program({"run", kDemo, "--planner", "astar,dstar-lite", "--break", "km > 0 && replans == 1"});
+  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  EXPECT_NE(outcome.out.find("astar       not reached"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("dstar-lite  km > 0 && replans == 1"), std::string::npos) << outcome.out;
+}
+
+TEST(RunBreak, pointsAtMistakes) {
+  expect_complaint({"run", kDemo, "--break", "rsh(3, 4) > 1"},
+                   {"--break 'rsh(3, 4) > 1': character 1: unknown name 'rsh'; did you mean 'rhs'?"});
+  expect_complaint({"run", kDemo, "--break", "km"}, {"compare it, as in km > 5"});
+  expect_complaint({"run", kDemo, "--break", "km > 5", "--csv", "-"}, {"--break", "--json"});
+}
+
+TEST(RunBreak, aMapIsPlannedOnAndNotDriven) {
+  const Outcome outcome = run_program({"run", "--map", "generator:cells?width=30&height=20", "--start", "1,1",
+                                       "--goal", "28,18", "--planner", "astar", "--break", "moves > 0"});
+  EXPECT_EQ(outcome.code, 1) << outcome.out << outcome.err;
+}
+
+TEST(RunBreak, itsHelpNamesTheLanguage) {
+  const std::string help = run_program({"run", "--help"}).out;
+  for (const char* name : {"g(x, y)", "changed(value)", "size(U)", "underconsistent", "sight_failed"})
+    EXPECT_NE(help.find(name), std::string::npos) << name;
+}
+
+}  // namespace
+}  // namespace replan::test
