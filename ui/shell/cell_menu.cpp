@@ -16,7 +16,7 @@ bool item(const char* label, const char* icon, bool on = false, bool enabled = t
 void breakpoint_item(Frame& frame, const std::string& label, const std::string& condition) {
   if (condition.empty()) return;
   const bool set = find_breakpoint(frame.session, condition).has_value();
-  if (item(label.c_str(), icon::stop, set))
+  if (item(label.c_str(), icon::circle, set))
     frame.commands.push_back(toggle_breakpoint(frame.session, condition));
 }
 

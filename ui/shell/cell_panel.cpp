@@ -179,7 +179,8 @@ void heading(Frame& frame, Cell cell) {
   const ImVec2 below = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({right - look.px(24), origin.y - look.px(5)});
   const Action& menu = action(ActionId::cell_menu);
-  if (small_button(look, "cell menu", {.icon = menu.icon, .hint = menu.hint()})) frame.view.menu = cell;
+  if (small_button(look, "cell menu", {.icon = icon::angle_down, .hint = menu.hint()}))
+    frame.view.menu = cell;
   ImGui::SetCursorScreenPos(below);
 }
 

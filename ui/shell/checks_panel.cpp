@@ -1,5 +1,8 @@
 // What the planners are held to: their own laws, the oracle, and one another. Part of the Debug tab.
+#include <algorithm>
 #include <array>
+#include <string>
+#include <vector>
 
 #include "ui/icons.hpp"
 #include "ui/shell/conditions.hpp"

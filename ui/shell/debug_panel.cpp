@@ -2,6 +2,8 @@
 // held to is in checks_panel.cpp.
 #include <algorithm>
 #include <array>
+#include <string>
+#include <vector>
 
 #include "ui/icons.hpp"
 #include "ui/shell/conditions.hpp"
@@ -174,17 +176,19 @@ void watch_row(Frame& frame, std::size_t index) {
   const std::string& expression = session.watches().list()[index];
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float right = origin.x + ImGui::GetContentRegionAvail().x;
-  const std::string value = quantity_text(session.watches().value(session.lead(), index));
+  const std::string& problem = session.watches().problem(index);
+  const std::string value =
+      problem.empty() ? quantity_text(session.watches().value(session.lead(), index)) : "not on this world";
   const float value_x = right - look.px(28) - text_width(look.fonts.mono_bold, value);
   ImGui::PushID(static_cast<int>(index));
   text(look.fonts.mono, look.theme.dim, elide(look.fonts.mono, expression, value_x - origin.x - look.px.s));
-  hint(look, {"", "", expression.c_str()});
+  hint(look, {expression.c_str(), "", as_sentence(problem).c_str()});
   draw_text(*ImGui::GetWindowDrawList(), look.fonts.mono_bold, {value_x, origin.y}, look.theme.text, value);
   ImGui::SetCursorScreenPos({right - look.px(24), origin.y - look.px(5)});
   if (small_button(look, "remove", {.icon = icon::times, .hint = {"Watch it no longer"}}))
     frame.commands.push_back(RemoveWatch{index});
   ImGui::SetCursorScreenPos({origin.x, origin.y + look.px(20)});
-  watch_chart(frame, index, look.px(48));
+  if (problem.empty()) watch_chart(frame, index, look.px(48));
   ImGui::PopID();
   ImGui::Dummy({0, look.px.xs});
 }

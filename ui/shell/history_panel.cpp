@@ -1,6 +1,7 @@
 // What happened to a cell's values over the whole run: part of the Cell tab.
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "core/debug/event_words.hpp"
 #include "ui/icons.hpp"

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <string>
+#include <vector>
 
 #include "ui/icons.hpp"
 #include "ui/shell/format.hpp"
@@ -40,31 +42,65 @@ StateWord state_word(const Theme& theme, const Run& run, NodeId node) {
   return g > rhs ? StateWord{"over", theme.accent} : StateWord{"under", theme.warning};
 }
 
-void open_row(Frame& frame, std::size_t rank, const OpenEntry& entry, std::span<const Column> columns) {
+/// What a row shows: as much as there is room for, whatever the size of the world and of the list.
+struct Layout {
+  std::vector<Column> columns = {};
+  int decimals = 2;
+  bool lookahead = true;
+  bool state = true;  ///< over or under in words; g and rhs side by side tell it too
+};
+
+std::string widest_cell(const Run& run) {
+  return cell_text({run.lattice().width() - 1, run.lattice().height() - 1});
+}
+
+/// Columns as wide as what stands in them: ranks and cells first, then the state in words, then decimals give
+/// way.
+Layout layout_of(const Look& look, const Run& run, const OpenOrder& order) {
+  const bool lookahead = run.info().values == SearchValues::lookahead;
+  const float digit = text_width(look.fonts.mono, "0"), padding = look.px(12);
+  const float room = ImGui::GetContentRegionAvail().x;
+  const Cost middle = order[order.size() / 2].k1;
+  const auto chars = [digit, padding](std::size_t count) {
+    return digit * static_cast<float>(count) + padding;
+  };
+  Layout layout;
+  layout.lookahead = layout.state = lookahead;
+  const float rank = chars(grouped(order.size()).size()), cell = chars(widest_cell(run).size()),
+              state = chars(5);
+  const std::size_t costs = lookahead ? 4 : 3;
+  const auto cost = [&] {
+    return chars(std::max<std::size_t>(cost_text(middle, layout.decimals).size(), 3));
+  };
+  const auto whole = [&] {
+    return rank + cell + static_cast<float>(costs) * cost() + (layout.state ? state : 0.0f);
+  };
+  if (whole() > room) layout.decimals = 1;
+  if (whole() > room) layout.state = false;
+  if (whole() > room) layout.decimals = 0;
+  layout.columns = {{"rank", rank}, {"cell", cell}};
+  for (const char* name : lookahead ? std::array{"k1", "k2", "g", "rhs"} : std::array{"f", "h", "g", ""})
+    if (name[0] != '\0') layout.columns.push_back({name, cost()});
+  if (layout.state) layout.columns.push_back({"state", state});
+  return layout;
+}
+
+void open_row(Frame& frame, std::size_t rank, const OpenEntry& entry, const Layout& layout) {
   const Look& look = frame.look;
   const Run& run = frame.run();
   const SearchState& state = run.timeline().state();
-  const bool lookahead = run.info().values == SearchValues::lookahead;
   const Cell cell = run.lattice().position(entry.node);
-  const std::string number = grouped(rank + 1), at = cell_text(cell), k1 = cost_text(entry.k1, 2),
-                    k2 = cost_text(entry.k2, 2), g = cost_text(state.g(entry.node), 2),
-                    rhs = cost_text(state.rhs(entry.node), 2);
+  const auto cost = [&layout](Cost value) { return cost_text(value, layout.decimals); };
+  const std::string number = grouped(rank + 1), at = cell_text(cell), k1 = cost(entry.k1),
+                    k2 = cost(entry.k2), g = cost(state.g(entry.node)), rhs = cost(state.rhs(entry.node));
   const auto [word, colour] = state_word(look.theme, run, entry.node);
   std::vector<TableCell> cells = {{number, look.theme.faint}, {at}, {k1}, {k2}, {g}};
-  if (lookahead) {
-    cells.push_back({rhs});
-    cells.push_back({word, colour});
-  }
+  if (layout.lookahead) cells.push_back({rhs});
+  if (layout.state) cells.push_back({word, colour});
   const bool pinned = frame.view.view.pinned == cell;
-  if (table_row(look, static_cast<int>(rank % kMostIds), columns, cells, pinned)) show_cell(frame, cell);
+  if (table_row(look, static_cast<int>(rank % kMostIds), layout.columns, cells, pinned))
+    show_cell(frame, cell);
   point_at(frame, cell);
-}
-
-/// The columns for the planner at hand: A* has no rhs, and its list is ordered by f and h.
-std::vector<Column> columns_of(const PlannerInfo& info) {
-  if (info.values == SearchValues::best_first)
-    return {{"rank", 0.9f}, {"cell", 1.5f}, {"f", 1}, {"h", 1}, {"g", 1}};
-  return {{"#", 0.75f}, {"cell", 1.35f}, {"k1", 1}, {"k2", 1}, {"g", 1}, {"rhs", 1}, {"", 0.85f}};
 }
 
 void open_list(Frame& frame) {
@@ -83,12 +119,11 @@ void open_list(Frame& frame) {
       count_text(static_cast<std::int64_t>(order.size()), "vertex waits", "vertices wait");
   const bool late = order.position() != run.timeline().cursor();
   paragraph(look.fonts.ui, look.theme.dim,
-            late ? count + " at event " + grouped(order.position())
-                 : count + ", in the order in which they will be taken");
-  const std::vector<Column> columns = columns_of(run.info());
-  table_head(look, columns);
+            late ? count + " at event " + grouped(order.position()) : count + "; the first is taken next");
+  const Layout layout = layout_of(look, run, order);
+  table_head(look, layout.columns);
   const RowsInSight sight = begin_rows(look, "open list", order.size(), 0, frame.panels.debugger.order_rows);
-  for (std::size_t rank = sight.first; rank < sight.last; ++rank) open_row(frame, rank, order[rank], columns);
+  for (std::size_t rank = sight.first; rank < sight.last; ++rank) open_row(frame, rank, order[rank], layout);
   end_rows();
 }
 
@@ -152,7 +187,7 @@ void touched_list(Frame& frame) {
 }  // namespace
 
 void draw_open_list_panel(Frame& frame) {
-  static constexpr std::array<const char*, 2> kParts = {"Open list U", "Touched by the last replan"};
+  static constexpr std::array<const char*, 2> kParts = {"Open list U", "Last repair"};
   int part = frame.panels.debugger.repair ? 1 : 0;
   if (segments(frame.look, "part", kParts, part)) frame.panels.debugger.repair = part == 1;
   ImGui::Dummy({0, frame.look.px.xs});

@@ -29,6 +29,8 @@ ActionId step_action(StepUnit unit, bool forwards) {
       return forwards ? ActionId::move_forward : ActionId::move_back;
     case StepUnit::replan:
       return forwards ? ActionId::replan_forward : ActionId::replan_back;
+    case StepUnit::mission:
+      return forwards ? ActionId::mission_forward : ActionId::mission_back;
   }
   return ActionId::step_forward;
 }
@@ -54,7 +56,8 @@ void buttons(Frame& frame) {
 
 void step_unit(Frame& frame, bool roomy) {
   const Look& look = frame.look;
-  static constexpr std::array<const char*, 4> kUnits = {"line", "expansion", "robot move", "replan"};
+  static constexpr std::array<const char*, 5> kUnits = {"line", "expansion", "robot move", "replan",
+                                                        "to the goal"};
   ImGui::SameLine(0, look.px(roomy ? 20 : 8));
   if (roomy) {
     ImGui::AlignTextToFramePadding();
