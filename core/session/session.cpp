@@ -148,11 +148,8 @@ Result<void> Session::run_command(const Step& command) {
 }
 
 Result<void> Session::run_command(const Seek& command) {
-<<<<<<< HEAD
   returning_.reset();
-=======
   stop_hunt();
->>>>>>> main
   follow_ = command.position >= run().timeline().size();
   seek(command.position, command.travel);
   return {};
@@ -168,11 +165,8 @@ Result<void> Session::run_command(const RunToEnd&) {
 }
 
 Result<void> Session::run_command(const Cancel&) {
-<<<<<<< HEAD
   returning_.reset();
-=======
   stop_hunt();
->>>>>>> main
   checks_.stop_comparing();
   for (const auto& run : runs_) run->cancel();
   catching_up_ = false;
