@@ -8,6 +8,7 @@
 
 #include "app/cli/output.hpp"
 #include "core/debug/event_words.hpp"
+#include "core/session/lockstep.hpp"
 #include "core/session/session.hpp"
 
 namespace replan::cli {
@@ -39,7 +40,11 @@ struct BreakReport {
 
 Json value_json(const Grid2& lattice, const TermValue& value) {
   if (value.type == ValueType::truth) return value.truth;
-  if (value.type == ValueType::number) return std::isinf(value.number) ? Json("inf") : Json(value.number);
+  if (value.type == ValueType::number) {
+    if (std::isinf(value.number)) return "inf";
+    if (std::trunc(value.number) == value.number) return static_cast<std::int64_t>(value.number);
+    return value.number;
+  }
   if (value.node >= lattice.node_count()) return nullptr;
   const Cell at = lattice.position(value.node);
   return Json::array({at.x, at.y});
@@ -62,7 +67,7 @@ Stop stop_of(const Session& session, const Hit& hit) {
   stop.condition = session.breakpoints().list()[hit.breakpoint].condition;
   stop.position = hit.position;
   stop.clock = static_cast<std::int64_t>(run.timeline().state_at(hit.position).scalar(Scalar::moves));
-  stop.expansions = ExpansionCount().before(run.timeline(), hit.position);
+  stop.expansions = expansions_until(run, hit.position);
   stop.line = run.timeline().event(hit.position - 1).line;
   stop.line_name = "line " + std::to_string(stop.line);
   if (const auto page = read_page(run.info().id)) {

@@ -63,7 +63,11 @@ class Background {
   }
 
   /// Waits until no job is at work any more; take() then has the last one's result.
-  void wait() { threads_.clear(); }
+  void wait() {
+    // A thread that is merely let go of would be asked to stop first, and its job end half done.
+    for (Worker& worker : threads_) worker.thread.join();
+    threads_.clear();
+  }
 
   /// Whether a job was begun whose result was not taken yet.
   [[nodiscard]] bool busy() const { return current_ != nullptr; }

@@ -1,7 +1,5 @@
 #include "core/debug/expansions.hpp"
 
-#include <algorithm>
-
 namespace replan {
 
 bool ExpansionTeller::operator()(const Timeline& log, std::size_t index) {
@@ -22,31 +20,6 @@ bool ExpansionTeller::operator()(const Timeline& log, std::size_t index) {
     }
   }
   return false;
-}
-
-bool ExpansionCount::extend(const Timeline& log, std::size_t most) {
-  while (before_block_.size() * kBlock <= log.size()) {
-    if (most == 0) return false;
-    most -= std::min(most, kBlock);
-    const std::size_t begin = (before_block_.size() - 1) * kBlock;
-    std::int64_t count = before_block_.back();
-    for (std::size_t i = begin; i < begin + kBlock; ++i) count += teller_(log, i) ? 1 : 0;
-    before_block_.push_back(count);
-  }
-  return true;
-}
-
-std::int64_t ExpansionCount::before(const Timeline& log, std::size_t position) {
-  extend(log, position);
-  const std::size_t block = std::min(position / kBlock, before_block_.size() - 1);
-  std::int64_t count = before_block_[block];
-  for (std::size_t i = block * kBlock; i < position; ++i) count += teller_(log, i) ? 1 : 0;
-  return count;
-}
-
-void ExpansionCount::truncate(std::size_t size) {
-  if (before_block_.size() > size / kBlock + 1) before_block_.resize(size / kBlock + 1);
-  teller_ = {};
 }
 
 }  // namespace replan

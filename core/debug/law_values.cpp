@@ -34,16 +34,16 @@ LawValues::LawValues(const LogView& view, std::size_t position)
 }
 
 void LawValues::load(const SearchState& state) {
-  static_assert(kPage == SearchState::kPage);
+  constexpr std::size_t kStatePage = SearchState::kPage;
   constexpr EventKind kKinds[] = {EventKind::g,  EventKind::rhs, EventKind::queue,
                                   EventKind::lp, EventKind::rp,  EventKind::dist};
   for (std::size_t which = 0; which < scalars_.size(); ++which)
     scalars_[which] = state.scalar(static_cast<Scalar>(which));
-  for (NodeId first = 0; first < known_.node_count(); first += kPage) {
+  for (NodeId first = 0; first < known_.node_count(); first += kStatePage) {
     if (std::none_of(std::begin(kKinds), std::end(kKinds),
                      [&](EventKind kind) { return state.touched(kind, first); }))
       continue;
-    const auto end = std::min<std::size_t>(known_.node_count(), first + kPage);
+    const auto end = std::min<std::size_t>(known_.node_count(), first + kStatePage);
     for (NodeId node = first; node < end; ++node) {
       LawVertex& vertex = write(node);
       vertex.g = state.g(node);

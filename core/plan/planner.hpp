@@ -43,6 +43,15 @@ struct Counters {
   std::int64_t expansions = 0;        ///< vertices taken from the open list and settled or raised
   std::int64_t queue_operations = 0;  ///< inserts, removals, re-keyings and pops; one `queue` event each
   std::int64_t sight_checks = 0;      ///< line-of-sight questions, in the search and along paths
+
+  friend Counters operator+(const Counters& a, const Counters& b) {
+    return {a.expansions + b.expansions, a.queue_operations + b.queue_operations,
+            a.sight_checks + b.sight_checks};
+  }
+  friend Counters operator-(const Counters& a, const Counters& b) {
+    return {a.expansions - b.expansions, a.queue_operations - b.queue_operations,
+            a.sight_checks - b.sight_checks};
+  }
 };
 
 /// A change of the map that the lattice shows already.

@@ -8,10 +8,14 @@ namespace replan {
 void RunDigest::read(const Run& run) {
   const Timeline& log = run.timeline();
   if (run.log_id() != log_id_) {
-    *this = RunDigest();
+    if (const std::size_t common = run.common_with(log_id_); common > 0) {
+      forget_from(run, common);
+    } else {
+      *this = RunDigest();
+      incremental_ = run.info().incremental;
+      stamps_ = PagedArray<std::uint32_t>(run.lattice().node_count());
+    }
     log_id_ = run.log_id();
-    incremental_ = run.info().incremental;
-    stamps_ = PagedArray<std::uint32_t>(run.lattice().node_count());
   }
   for (; read_ < log.size(); ++read_) {
     if (read_ % kStride == 0) {
@@ -20,6 +24,20 @@ void RunDigest::read(const Run& run) {
     }
     take(log.event(read_), read_);
   }
+}
+
+// A log is cut between two decisions of the robot, so that no plan is under way at `position`.
+void RunDigest::forget_from(const Run& run, std::size_t position) {
+  if (position >= read_) return;
+  expanded_ = expansions(run, position);
+  read_ = position;
+  expansions_.resize((position + kStride - 1) / kStride);
+  popped_at_.resize(expansions_.size());
+  const auto later = [position](const MapEvent& event) { return event.event >= position; };
+  map_events_.erase(std::find_if(map_events_.begin(), map_events_.end(), later), map_events_.end());
+  plans_.erase(plans_.begin() + static_cast<std::ptrdiff_t>(plans_before(position)), plans_.end());
+  touches_.resize(plans_.empty() ? 0 : plans_.back().last_touch);
+  cause_ = {};
 }
 
 // A planner that starts every replan afresh wipes its values on the record before its first pop, and so does
@@ -48,6 +66,7 @@ void RunDigest::take(const Event& event, std::size_t index) {
                         .last_touch = touches_.size(),
                         .cause = std::exchange(cause_, {})});
       popped_ = false;
+      ++stamp_;
       break;
     case EventKind::plan_end:
       if (!plans_.empty()) plans_.back().end = index + 1;
@@ -71,13 +90,12 @@ void RunDigest::take(const Event& event, std::size_t index) {
 
 void RunDigest::touch(NodeId node, std::size_t index) {
   if (plans_.empty()) return;
-  const auto number = static_cast<std::uint32_t>(plans_.size());
-  if (stamps_[node] == number) return;
-  stamps_.at(node) = number;
+  if (stamps_[node] == stamp_) return;
+  stamps_.at(node) = stamp_;
   PlanSpan& plan = plans_.back();
   ++plan.touched;
   // The first plan may touch millions of vertices; nobody asks for more than their number.
-  if (number == 1) return;
+  if (plans_.size() == 1) return;
   touches_.push_back({index, node});
   plan.last_touch = touches_.size();
 }

@@ -41,7 +41,7 @@ struct PlanSpan {
 
 class RunDigest {
  public:
-  /// Reads on to the end of the log, from the start if events were cut off.
+  /// Reads on to the end of the log; if events were cut off, from where it is still what was read.
   void read(const Run& run);
 
   [[nodiscard]] std::span<const MapEvent> map_events() const { return map_events_; }
@@ -56,6 +56,7 @@ class RunDigest {
  private:
   static constexpr std::size_t kStride = 1024;
 
+  void forget_from(const Run& run, std::size_t position);
   void take(const Event& event, std::size_t index);
   void touch(NodeId node, std::size_t index);
   [[nodiscard]] bool starts_afresh() const { return !plans_.empty() && plans_.back().cause.new_goal; }
@@ -71,7 +72,8 @@ class RunDigest {
   std::vector<MapEvent> map_events_;
   std::vector<PlanSpan> plans_;
   std::vector<Touch> touches_;
-  PagedArray<std::uint32_t> stamps_;  // number of the last plan that touched the node
+  PagedArray<std::uint32_t> stamps_;  // stamp of the last plan that touched the node
+  std::uint32_t stamp_ = 0;           // another one for every plan, those that were cut off included
 };
 
 }  // namespace replan

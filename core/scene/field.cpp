@@ -23,11 +23,13 @@ FieldReader FieldReader::of(Overlay field) {
   }
 }
 
-void RangeTracker::scan(const FieldReader& reader, const SearchState& state, std::size_t page) {
+void RangeTracker::scan(const FieldReader& reader, const SearchState& state, std::size_t stretch) {
   Ends ends;
-  const std::size_t first = page * SearchState::kPage;
-  if (const std::uint64_t* words = state.page(reader.kind, static_cast<NodeId>(first)); words != nullptr) {
-    const std::size_t count = std::min(SearchState::kPage, state.node_count() - first);
+  const std::size_t end = std::min((stretch + 1) * kStretch, state.node_count());
+  for (std::size_t first = stretch * kStretch; first < end; first += SearchState::kPage) {
+    const std::uint64_t* words = state.page(reader.kind, static_cast<NodeId>(first));
+    if (words == nullptr) continue;
+    const std::size_t count = std::min(SearchState::kPage, end - first);
     for (std::size_t i = 0; i < count; ++i) {
       const std::int64_t value = reader.read(words[i]);
       if (value == FieldReader::kNone) continue;
@@ -35,32 +37,32 @@ void RangeTracker::scan(const FieldReader& reader, const SearchState& state, std
       ends.high = std::max(ends.high, value);
     }
   }
-  pages_[page] = ends;
+  stretches_[stretch] = ends;
 }
 
 std::optional<FieldRange> RangeTracker::follow(const FieldReader& reader, const Timeline& log,
                                                std::uint64_t log_id, const SearchState& state,
                                                std::size_t position) {
-  const std::size_t count = (state.node_count() + SearchState::kPage - 1) / SearchState::kPage;
+  const std::size_t count = (state.node_count() + kStretch - 1) / kStretch;
   const std::size_t from = std::min(position_, position), to = std::max(position_, position);
-  // Beyond that many events it is cheaper to look at all pages than to find the written ones.
-  const bool afresh = log_id != log_id_ || pages_.size() != count || to - from > state.node_count();
+  // Beyond that many events it is cheaper to look at everything than to find the written ones.
+  const bool afresh = log_id != log_id_ || stretches_.size() != count || to - from > state.node_count();
   if (afresh) {
-    pages_.assign(count, {});
-    for (std::size_t page = 0; page < count; ++page) scan(reader, state, page);
+    stretches_.assign(count, {});
+    for (std::size_t stretch = 0; stretch < count; ++stretch) scan(reader, state, stretch);
   } else {
     std::vector<std::size_t> written;
     for (std::size_t i = from; i < to; ++i)
       if (const Event& event = log.event(i); event.kind == reader.kind)
-        written.push_back(event.node / SearchState::kPage);
+        written.push_back(event.node / kStretch);
     std::sort(written.begin(), written.end());
     written.erase(std::unique(written.begin(), written.end()), written.end());
-    for (const std::size_t page : written) scan(reader, state, page);
+    for (const std::size_t stretch : written) scan(reader, state, stretch);
   }
   log_id_ = log_id;
   position_ = position;
   Ends all;
-  for (const Ends& ends : pages_) {
+  for (const Ends& ends : stretches_) {
     all.low = std::min(all.low, ends.low);
     all.high = std::max(all.high, ends.high);
   }

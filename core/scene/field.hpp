@@ -30,8 +30,8 @@ struct FieldReader {
   }
 };
 
-/// The least and the greatest value of a field over all cells, kept page by page and brought up to date from
-/// the log.
+/// The least and the greatest value of a field over all cells, kept by stretches of them and brought up to
+/// date from the log.
 class RangeTracker {
  public:
   /// The range in `state`, which stands at `position` of the log numbered `log_id`.
@@ -39,16 +39,17 @@ class RangeTracker {
                                    const SearchState& state, std::size_t position);
 
  private:
+  static constexpr std::size_t kStretch = 32 * SearchState::kPage;
   struct Ends {
     std::int64_t low = std::numeric_limits<std::int64_t>::max();
     std::int64_t high = FieldReader::kNone;
   };
 
-  void scan(const FieldReader& reader, const SearchState& state, std::size_t page);
+  void scan(const FieldReader& reader, const SearchState& state, std::size_t stretch);
 
   std::uint64_t log_id_ = 0;
   std::size_t position_ = 0;
-  std::vector<Ends> pages_;
+  std::vector<Ends> stretches_;
 };
 
 /// The ends of the colour map at the run's cursor: over the state there and the state at the end of the log,

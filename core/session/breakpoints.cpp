@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "core/session/lockstep.hpp"
 #include "core/session/run.hpp"
 
 namespace replan {
@@ -67,7 +68,7 @@ StopSearch Breakpoints::search(const Run& run, const CheckedLog& checked, std::s
     wanted.push_back({i, *read_[i].condition});
     counts |= read_[i].condition->uses(Op::expansions);
   }
-  const std::int64_t expansions = counts ? expansions_.before(run.timeline(), position) : 0;
+  const std::int64_t expansions = counts ? expansions_until(run, position) : 0;
   return {run.log_view(), std::move(wanted), position, checked.verdicts(), expansions};
 }
 
@@ -93,7 +94,6 @@ void Breakpoints::follow_log(const Run& run) {
   log_id_ = run.log_id();
   looked_ = std::min(looked_, common);
   while (!hits_.empty() && hits_.back().position > looked_) hits_.pop_back();
-  expansions_.truncate(common);
   search_.reset();
 }
 

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "core/debug/expansions.hpp"
 #include "core/session/stop_search.hpp"
 #include "core/world/scenario.hpp"
 
@@ -96,7 +95,6 @@ class Breakpoints {
   std::size_t looked_ = 0;
   std::uint64_t log_id_ = 0;          // of the log that was looked at
   std::optional<StopSearch> search_;  // at looked_
-  ExpansionCount expansions_;
   bool laws_on_ = false, oracle_on_ = false;
   std::string stopped_;
   std::optional<Hunt> hunt_;

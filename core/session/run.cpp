@@ -1,20 +1,21 @@
 #include "core/session/run.hpp"
 
 #include <algorithm>
-#include <atomic>
+#include <chrono>
 #include <new>
-
-#include "core/session/expansions.hpp"
 
 namespace replan {
 namespace {
 
-/// Iterations of a planner per slice: some milliseconds, so that a cancel is soon heard.
-constexpr std::int64_t kSliceIterations = 20000;
-/// Decisions of the robot per slice.
+/// Decisions of the robot per slice, and stretches of a search.
 constexpr int kSliceDecisions = 64;
-/// Events of one batch, so that taking it over fits between two frames.
+/// Events of one batch: some milliseconds of work, so that a cancel is soon heard.
 constexpr std::size_t kBatchEvents = 400000;
+/// Batches that wait to be taken over. With more the background waits too.
+constexpr std::size_t kMostReady = 8;
+/// Time that pump() takes of a frame, and the events after which it looks at the clock.
+constexpr std::chrono::milliseconds kPumpTime{4};
+constexpr std::size_t kPartEvents = 16384;
 
 bool is_marker(EventKind kind) {
   switch (kind) {
@@ -34,26 +35,27 @@ bool is_marker(EventKind kind) {
   }
 }
 
-std::uint64_t next_log_id() {
-  static std::atomic<std::uint64_t> last = 0;
-  return ++last;
-}
-
 SearchState initial_state(const Scenario& scenario) {
   return SearchState(initial_knowledge(scenario), initial_truth(scenario));
 }
 
 }  // namespace
 
-Run::Run(std::shared_ptr<const Scenario> scenario, std::size_t planner)
+Run::Run(std::shared_ptr<const Scenario> scenario, std::size_t planner, const RunLimits& limits)
     : scenario_(std::move(scenario)),
       planner_(planner),
       info_(find_planner(scenario_->planners[planner].id)),
       lattice_(std::make_unique<const Grid2>(Grid2::Coordinates{scenario_->map.width, scenario_->map.height},
                                              scenario_->map.blocked,
                                              move_rules(scenario_->planners[planner].settings))),
-      timeline_(initial_state(*scenario_)),
-      log_id_(next_log_id()) {
+      timeline_(initial_state(*scenario_), limits.log),
+      log_id_(next_log_id()),
+      limits_(limits) {
+  timeline_.set_source([this](std::size_t position, const KeyFrame& frame, std::size_t from, std::size_t to) {
+    if (!reexecution_)
+      reexecution_ = std::make_unique<Reexecution>(scenario_, planner_, limits_.slice_iterations);
+    return reexecution_->events(position, frame, from, to);
+  });
   thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }
 
@@ -82,28 +84,43 @@ void Run::work(const std::stop_token& stop) {
     lock.lock();
     ready_.push_back(std::move(batch));
     if (!failure.empty()) failure_ = std::move(failure);
-    if (done || cancelled_ || stop.stop_requested()) {
-      working_ = false;
-      idle_.notify_all();
-    }
+    if (!done) room_.wait(lock, stop, [this] { return ready_.size() < kMostReady || cancelled_; });
+    if (done || cancelled_ || stop.stop_requested()) working_ = false;
+    idle_.notify_all();
   }
 }
 
 Run::Batch Run::slice() {
   if (!mission_) mission_ = std::make_unique<Mission<Recorder>>(*scenario_, choice(), recorder_);
+  // Several to a key frame, so that one stands wherever the timeline wants one.
+  const std::size_t checkpoint_events = std::max<std::size_t>(1, limits_.log.frame_interval / 8);
+  const std::vector<Event>& events = recorder_.buffer();
   Batch batch;
-  for (int i = 0; i < kSliceDecisions && recorder_.buffer().size() < kBatchEvents && !reached(); ++i) {
-    if (!mission_->advance(kSliceIterations)) i = kSliceDecisions;
+  std::size_t next_checkpoint = 0;
+  for (int i = 0; i < kSliceDecisions && events.size() < kBatchEvents && !reached(); ++i) {
+    if (!mission_->advance(limits_.slice_iterations)) i = kSliceDecisions;
     if (mission_->standing()) {
       batch.marks.push_back(mission_->now());
-      batch.marks.back().event = recorder_.buffer().size();
+      batch.marks.back().event = events.size();
     }
+    if (events.size() < next_checkpoint) continue;
+    auto checkpoint = std::make_shared<Checkpoint>(mission_->checkpoint());
+    checkpoint->line = recorder_.current_line();
+    batch.checkpoints.emplace_back(events.size(), std::move(checkpoint));
+    next_checkpoint = events.size() + checkpoint_events;
   }
-  batch.events = recorder_.take();
+  std::vector<Event> next;
+  if (const std::scoped_lock lock(mutex_); !spare_.empty()) {
+    next = std::move(spare_.back());
+    spare_.pop_back();
+  }
+  batch.events = recorder_.take(std::move(next));
   return batch;
 }
 
 bool Run::reached() const {
+  if (target_.kind == Target::Kind::length && recorded_ + recorder_.buffer().size() >= target_.length)
+    return true;
   if (!mission_->standing()) return false;
   if (mission_->state() != MissionState::driving) return true;
   if (target_.kind == Target::Kind::plan) return mission_->settled();
@@ -131,7 +148,7 @@ std::string Run::failure() const {
 
 bool Run::busy() const {
   const std::scoped_lock lock(mutex_);
-  return working_ || !ready_.empty();
+  return working_ || !ready_.empty() || handover_.has_value();
 }
 
 bool Run::over() const {
@@ -139,99 +156,93 @@ bool Run::over() const {
 }
 
 bool Run::pump() {
-  std::deque<Batch> batches;
-  {
-    const std::scoped_lock lock(mutex_);
-    batches.swap(ready_);
+  const auto until = std::chrono::steady_clock::now() + kPumpTime;
+  bool came = false;
+  while (std::chrono::steady_clock::now() < until && next_batch()) {
+    take_over_part();
+    came = true;
   }
-  for (Batch& batch : batches) take_over(std::move(batch));
-  return !batches.empty();
+  return came;
+}
+
+void Run::take_over_all() {
+  while (next_batch()) take_over_part();
 }
 
 void Run::cancel() {
   {
     std::unique_lock lock(mutex_);
     cancelled_ = true;
+    room_.notify_all();
     idle_.wait(lock, [this] { return !working_; });
   }
-  pump();
+  take_over_all();
 }
 
 void Run::finish(Target target) {
   go(target);
-  {
-    std::unique_lock lock(mutex_);
-    idle_.wait(lock, [this] { return !working_; });
+  for (bool more = true; more;) {
+    {
+      std::unique_lock lock(mutex_);
+      idle_.wait(lock, [this] { return !working_ || !ready_.empty(); });
+      more = working_;
+    }
+    take_over_all();
   }
-  pump();
 }
 
-void Run::take_over(Batch&& batch) {
-  const std::size_t base = timeline_.size();
-  ExpansionCounter counter(timeline_, base);
-  for (std::size_t i = 0; i < batch.events.size(); ++i) {
-    const EventKind kind = batch.events[i].kind;
-    const std::size_t bucket = (base + i) / kCurveChunk;
+/// Whether there is a batch to take over; the next one comes into handover_.
+bool Run::next_batch() {
+  if (handover_) return true;
+  const std::scoped_lock lock(mutex_);
+  if (ready_.empty()) return false;
+  handover_.emplace();
+  handover_->batch = std::move(ready_.front());
+  handover_->base = timeline_.size();
+  ready_.pop_front();
+  room_.notify_all();
+  return true;
+}
+
+/// Takes over the events up to the next checkpoint, but no more than a part.
+void Run::take_over_part() {
+  Handover& from = *handover_;
+  Batch& batch = from.batch;
+  const bool to_checkpoint = from.checkpoints < batch.checkpoints.size() &&
+                             batch.checkpoints[from.checkpoints].first - from.events <= kPartEvents;
+  const std::size_t end = to_checkpoint ? batch.checkpoints[from.checkpoints].first
+                                        : std::min(from.events + kPartEvents, batch.events.size());
+  const std::span<const Event> events =
+      std::span<const Event>(batch.events).subspan(from.events, end - from.events);
+  note_events(events);
+  timeline_.append(events, to_checkpoint ? batch.checkpoints[from.checkpoints++].second : nullptr);
+  from.events = end;
+  for (; from.marks < batch.marks.size() && batch.marks[from.marks].event <= end; ++from.marks) {
+    marks_.push_back(std::move(batch.marks[from.marks]));
+    marks_.back().event += from.base;
+  }
+  if (end < batch.events.size()) return;
+  const std::scoped_lock lock(mutex_);
+  if (spare_.size() < kMostReady) spare_.push_back(std::move(batch.events));
+  handover_.reset();
+}
+
+void Run::note_events(std::span<const Event> events) {
+  std::size_t position = timeline_.size();
+  if (!counter_) counter_.emplace(timeline_, position);
+  for (const Event& event : events) {
+    const std::size_t bucket = position / kCurveChunk;
     if (bucket >= curve_.size()) curve_.resize(bucket + 1);
-    if (counter.take(batch.events[i])) ++curve_[bucket];
-    if (is_marker(kind)) markers_.push_back({base + i, kind});
+    if (counter_->take(event)) ++curve_[bucket];
+    if (is_marker(event.kind)) markers_.push_back({position, event.kind});
+    ++position;
   }
-  for (Mark& mark : batch.marks) {
-    mark.event += base;
-    marks_.push_back(std::move(mark));
-  }
-  timeline_.append(batch.events);
-}
-
-std::size_t Run::common_with(std::uint64_t log_id) const {
-  if (log_id == log_id_) return timeline_.size();
-  const auto earlier = earlier_.find(log_id);
-  return earlier == earlier_.end() ? 0 : earlier->second;
 }
 
 const Mark* Run::mark_at(std::size_t position) const {
   const auto after = std::upper_bound(marks_.begin(), marks_.end(), position,
                                       [](std::size_t p, const Mark& mark) { return p < mark.event; });
   return after == marks_.begin() ? nullptr : &*std::prev(after);
-}
-
-const Mark* Run::mark_for_new_surprise(std::int64_t clock) const {
-  const auto first = std::lower_bound(marks_.begin(), marks_.end(), clock,
-                                      [](const Mark& mark, std::int64_t c) { return mark.clock < c; });
-  if (first == marks_.end()) return nullptr;
-  const auto after =
-      std::find_if(first, marks_.end(), [&](const Mark& mark) { return mark.clock > first->clock; });
-  const std::vector<bool>& due = std::prev(after)->fired;
-  const auto all_happened = [&](const Mark& mark) {
-    for (std::size_t i = 0; i < due.size(); ++i)
-      if (due[i] && (i >= mark.fired.size() || !mark.fired[i])) return false;
-    return true;
-  };
-  return &*std::find_if(first, after, all_happened);
-}
-
-bool Run::rebase(std::shared_ptr<const Scenario> scenario, std::size_t common) {
-  cancel();
-  if (!mission_) return false;
-  const auto happened = [&](const Mark& mark) {
-    return std::find(mark.fired.begin() + static_cast<std::ptrdiff_t>(std::min(common, mark.fired.size())),
-                     mark.fired.end(), true) != mark.fired.end();
-  };
-  const auto kept = std::find_if(marks_.begin(), marks_.end(), happened);
-  std::size_t count = static_cast<std::size_t>(kept - marks_.begin());
-  const bool partial = count < marks_.size();
-  marks_.resize(count);
-  for (std::size_t i = common; i < scenario->surprises.size(); ++i) {
-    const auto& move = scenario->surprises[i].at.move;
-    if (!move) return false;
-    if (const Mark* mark = mark_for_new_surprise(*move))
-      count = std::min(count, static_cast<std::size_t>(mark - marks_.data()) + 1);
-  }
-  if (count == 0) return false;
-  scenario_ = std::move(scenario);
-  if (partial || count < marks_.size() || !mission_->standing()) cut(count);
-  mission_->set_surprises(scenario_->surprises);
-  return true;
 }
 
 void Run::adopt(std::shared_ptr<const Scenario> scenario) {
@@ -244,24 +255,6 @@ void Run::adopt(std::shared_ptr<const Scenario> scenario) {
   cancel();  // the mission may be about to be made from the old one
   scenario_ = std::move(scenario);
   if (worked) go(target);
-}
-
-void Run::cut(std::size_t mark_count) {
-  marks_.resize(mark_count);
-  const std::size_t size = marks_.back().event;
-  earlier_.emplace(log_id_, size);
-  for (auto& [id, common] : earlier_) common = std::min(common, size);
-  log_id_ = next_log_id();
-  timeline_.truncate(size);
-  while (!markers_.empty() && markers_.back().event >= size) markers_.pop_back();
-  curve_.resize(size / kCurveChunk);
-  std::uint32_t expansions = 0;
-  ExpansionCounter counter(timeline_, curve_.size() * kCurveChunk);
-  for (std::size_t i = curve_.size() * kCurveChunk; i < size; ++i)
-    expansions += counter.take(timeline_.event(i)) ? 1 : 0;
-  curve_.push_back(expansions);
-  recorded_ = size;
-  mission_->restore(marks_.back(), timeline_.head());
 }
 
 }  // namespace replan

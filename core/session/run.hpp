@@ -7,12 +7,15 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "core/debug/log_view.hpp"
+#include "core/session/expansions.hpp"
+#include "core/session/reexecution.hpp"
 #include "core/sim/mission.hpp"
 #include "core/trace/timeline.hpp"
 #include "core/world/scenario.hpp"
@@ -27,21 +30,31 @@ struct Marker {
 
 /// How far a run is to be taken.
 struct Target {
-  enum class Kind : std::uint8_t { plan, clock, end } kind = Kind::plan;
+  enum class Kind : std::uint8_t { plan, clock, length, end } kind = Kind::plan;
   std::int64_t clock = 0;  ///< for Kind::clock
+  std::size_t length = 0;  ///< for Kind::length
 
-  static Target plan() { return {Kind::plan, 0}; }                     ///< until the plan stands
+  static Target plan() { return {Kind::plan}; }                        ///< until the plan stands
   static Target clock_at(std::int64_t c) { return {Kind::clock, c}; }  ///< until the robot's clock shows c
-  static Target end() { return {Kind::end, 0}; }                       ///< until nothing is left to do
+  static Target length_of(std::size_t n) { return {Kind::length, 0, n}; }  ///< until the log has n events
+  static Target end() { return {Kind::end}; }                              ///< until nothing is left to do
+};
+
+/// What the log of a run may take, and how finely the run is cut up.
+struct RunLimits {
+  LogLimits log;
+  /// Iterations of the planner between two places where the run can be taken up again.
+  std::int64_t slice_iterations = 2000;
 };
 
 /// A mission that runs on a thread of its own in slices, and the timeline of what it did. The thread owns the
 /// mission while it works; pump() is the one place where events come over. All members are for the owner's
-/// thread.
+/// thread. Where the log exceeds its limit, a second mission on the owner's thread works out what was dropped
+/// when it is read.
 class Run {
  public:
   /// `planner` is an index into scenario->planners. Nothing runs before go() or finish().
-  Run(std::shared_ptr<const Scenario> scenario, std::size_t planner);
+  Run(std::shared_ptr<const Scenario> scenario, std::size_t planner, const RunLimits& limits = {});
   ~Run();
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
@@ -79,7 +92,8 @@ class Run {
 
   /// Asks the background to go on to a target. Further ones replace it.
   void go(Target target);
-  /// Takes over what was done in the background. True if anything new came.
+  /// Takes over what was done in the background, for a few milliseconds; the rest comes with the next calls.
+  /// True if anything new came.
   bool pump();
   /// True while the background works towards the target.
   [[nodiscard]] bool busy() const;
@@ -105,15 +119,27 @@ class Run {
   struct Batch {
     std::vector<Event> events;
     std::vector<Mark> marks;  // their `event` counts from the batch's first
+    std::vector<std::pair<std::size_t, std::shared_ptr<const Checkpoint>>> checkpoints;  // as do these
+  };
+  /// A batch on its way into the timeline, and how much of it is there.
+  struct Handover {
+    Batch batch;
+    std::size_t base = 0;  // the log's size before it
+    std::size_t events = 0, marks = 0, checkpoints = 0;
   };
 
-  /// Events of one run: 4 GiB of log.
-  static constexpr std::size_t kMostEvents = std::size_t{1} << 28;
+  /// Events of one run: their index alone takes half a GiB.
+  static constexpr std::size_t kMostEvents = std::size_t{1} << 30;
 
+  static std::uint64_t next_log_id();
   void work(const std::stop_token& stop);
   [[nodiscard]] Batch slice();
   [[nodiscard]] bool reached() const;
-  void take_over(Batch&& batch);
+  [[nodiscard]] bool next_batch();
+  void take_over_part();
+  void take_over_all();
+  void note_events(std::span<const Event> events);
+  [[nodiscard]] std::size_t foreseen(const Scenario& scenario) const;
   void cut(std::size_t mark_count);
 
   std::shared_ptr<const Scenario> scenario_;
@@ -127,6 +153,10 @@ class Run {
   std::uint64_t log_id_;
   std::map<std::uint64_t, std::size_t> earlier_;  // ids that the log had, and what is left of it since
   double travel_ = 1;
+  RunLimits limits_;
+  std::unique_ptr<Reexecution> reexecution_;  // made when it is first needed
+  std::optional<Handover> handover_;
+  std::optional<ExpansionCounter> counter_;  // at the end of the log
 
   // The thread's own while working_, the owner's while not.
   Recorder recorder_;
@@ -134,8 +164,9 @@ class Run {
   std::unique_ptr<Mission<Recorder>> mission_;
 
   mutable std::mutex mutex_;  // guards what follows
-  std::condition_variable_any wake_, idle_;
+  std::condition_variable_any wake_, idle_, room_;
   std::deque<Batch> ready_;
+  std::vector<std::vector<Event>> spare_;  // memory of batches that were taken over
   Target target_;
   bool working_ = false;
   bool cancelled_ = false;

@@ -29,8 +29,9 @@ const char* command_text(const Command& command) {
   return kTexts[command.index()];
 }
 
-Session::Session(Scenario scenario, std::string file)
+Session::Session(Scenario scenario, std::string file, const RunLimits& limits)
     : scenario_(std::make_shared<const Scenario>(std::move(scenario))),
+      limits_(limits),
       file_(std::move(file)),
       scripted_(scenario_->surprises.size()) {
   restart_runs();
@@ -52,10 +53,17 @@ Result<void> Session::apply(const Command& command) {
   return done;
 }
 
+std::unique_ptr<Run> Session::new_run(std::size_t planner) const {
+  RunLimits limits = limits_;
+  limits.log.bytes /= scenario_->planners.size();
+  return std::make_unique<Run>(scenario_, planner, limits);
+}
+
 void Session::restart_runs() {
   runs_.clear();
+  returning_.reset();
   for (std::size_t i = 0; i < scenario_->planners.size(); ++i) {
-    runs_.push_back(std::make_unique<Run>(scenario_, i));
+    runs_.push_back(new_run(i));
     runs_.back()->go(Target::plan());
   }
   lead_ = std::min(lead_, runs_.size() - 1);
@@ -63,6 +71,7 @@ void Session::restart_runs() {
 }
 
 void Session::replace(std::shared_ptr<const Scenario> scenario) {
+  returning_.reset();
   const auto common = common_surprises(*scenario_, *scenario);
   const bool same_script = scenario_->surprises == scenario->surprises;
   scenario_ = std::move(scenario);
@@ -101,6 +110,7 @@ Result<void> Session::run_command(const Restart&) {
 Result<void> Session::run_command(const Play& command) {
   stop_hunt();
   playback_.direction = command.direction;
+  returning_.reset();
   owed_ = 0;
   for (const auto& run : runs_) run->set_travel(1);
   if (command.direction != 0) follow_ = false;
@@ -115,6 +125,7 @@ Result<void> Session::run_command(const SetSpeed& command) {
 Result<void> Session::run_command(const Step& command) {
   stop_hunt();
   playback_.direction = 0;
+  returning_.reset();
   follow_ = false;
   if (command.unit == StepUnit::mission && command.count > 0) {
     go_to_arrival();
@@ -137,6 +148,7 @@ Result<void> Session::run_command(const Step& command) {
 }
 
 Result<void> Session::run_command(const Seek& command) {
+  returning_.reset();
   stop_hunt();
   follow_ = command.position >= run().timeline().size();
   seek(command.position, command.travel);
@@ -146,12 +158,14 @@ Result<void> Session::run_command(const Seek& command) {
 Result<void> Session::run_command(const RunToEnd&) {
   stop_hunt();
   playback_.direction = 0;
+  returning_.reset();
   for (const auto& run : runs_) run->go(Target::end());
   follow_ = true;
   return {};
 }
 
 Result<void> Session::run_command(const Cancel&) {
+  returning_.reset();
   stop_hunt();
   checks_.stop_comparing();
   for (const auto& run : runs_) run->cancel();
@@ -170,12 +184,14 @@ bool Session::update(double seconds) {
   bool changed = catching_up_;  // finish() may have taken over what a pane waited for
   for (const auto& run : runs_)
     if (run->pump()) changed = true;
+  const bool returning = returning_.has_value();
   Run& first = leading();
-  if (follow_ && first.timeline().cursor() != first.timeline().size()) {
+  if (follow_ && !returning && first.timeline().cursor() != first.timeline().size()) {
     first.timeline().seek(first.timeline().size());
     changed = true;
   }
-  if (changed && (follow_ || catching_up_)) follow_lead();
+  if (arrive()) changed = true;
+  if (changed && !returning && (follow_ || catching_up_)) follow_lead();
   if (play(seconds)) changed = true;
   if (check()) changed = true;
   if (look_for_stops()) changed = true;
@@ -235,18 +251,14 @@ bool Session::play(double seconds) {
 }
 
 void Session::settle() {
-  for (const auto& run : runs_) run->finish(checks_.comparing() ? Target::end() : Target::plan());
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    const Target way = returning_ ? Target::length_of(returning_->lengths[i]) : Target::plan();
+    runs_[i]->finish(checks_.comparing() ? Target::end() : way);
+  }
   do update(0);
   while (checks_.comparing());
   checks_.settle(runs_);
-  while (hunting_) {
-    if (hunting_->direction > 0) {
-      const Mark* last = run().marks().empty() ? nullptr : &run().marks().back();
-      leading().finish(last == nullptr ? Target::plan() : Target::clock_at(last->clock + 1));
-    }
-    update(0);
-    checks_.settle(runs_);
-  }
+  settle_hunt();
   breakpoints_.look(run(), checked_log(), HUGE_VAL);
   watches_.look(runs_, HUGE_VAL);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,7 +27,9 @@ struct Playback {
 /// An edit while a plan stands is an announced surprise at the robot's present step: the planner repairs its
 /// plan, and the whole run stays a function of the scenario. The run after the cursor is forgotten and goes
 /// another way; what is scripted for later steps, by file or by hand, still happens. An
-/// edit before the first plan stands changes the map and starts afresh.
+/// edit before the first plan stands changes the map and starts afresh. Undo brings the old future back: the
+/// runs are carried out again in the background until they are as long as they were, and the cursors go where
+/// they were.
 class Session {
  public:
   static constexpr double kFullSpeed = 1e6;      ///< from here on a frame shows as much as it can
@@ -36,7 +39,8 @@ class Session {
   static constexpr double kRealTimeSpeed = 240;
 
   /// Starts planning in the background.
-  explicit Session(Scenario scenario, std::string file = {});
+  /// `limits` are for all panes together: they share the log's bytes evenly.
+  explicit Session(Scenario scenario, std::string file = {}, const RunLimits& limits = {});
 
   [[nodiscard]] const Scenario& scenario() const { return *scenario_; }
   [[nodiscard]] std::span<const std::unique_ptr<Run>> runs() const { return runs_; }
@@ -98,6 +102,11 @@ class Session {
     std::size_t cell;
     std::uint8_t before, after;
   };
+  /// How far the runs had come and where their cursors stood.
+  struct Moment {
+    std::vector<std::size_t> lengths, cursors;
+    bool follow = true;
+  };
   /// An undoable change. The map is kept as its changed cells, or whole if its size changed; the rest of the
   /// scenario whole.
   struct Edit {
@@ -108,6 +117,7 @@ class Session {
     std::vector<std::uint8_t> map_before, map_after;          // empty if the size stayed
     std::shared_ptr<const Scenario> rest_before, rest_after;  // without the map's cells
     std::size_t scripted_before = 0, scripted_after = 0;      // how many surprises were no edits
+    Moment left, undone;  ///< when it was made, and when it was taken back
   };
 
   Result<void> run_command(const std::monostate&) { return {}; }
@@ -127,6 +137,10 @@ class Session {
   Result<void> replace_map(std::string label, GridMap map, std::optional<Cell> start,
                            std::optional<Cell> goal);
   void replace(std::shared_ptr<const Scenario> scenario);
+  [[nodiscard]] Moment moment() const;
+  void return_to(Moment moment);
+  bool arrive();
+  [[nodiscard]] std::unique_ptr<Run> new_run(std::size_t planner) const;
   [[nodiscard]] Run& leading() {
     return *runs_[lead_];
   }
@@ -136,8 +150,8 @@ class Session {
   void follow_lead();
   /// A planner with those of the settings that it declares too.
   [[nodiscard]] static PlannerChoice choice_of(const PlannerInfo& info, const Settings& settings);
-  [[nodiscard]] std::shared_ptr<const Scenario> take_back(const Scenario& from);
-  [[nodiscard]] std::shared_ptr<const Scenario> bring_back(const Scenario& from);
+  [[nodiscard]] std::shared_ptr<const Scenario> take_back(const Scenario& from, Moment now);
+  [[nodiscard]] std::shared_ptr<const Scenario> bring_back(const Scenario& from, Moment now);
   void commit_movers(std::string label, std::uint64_t stroke, std::vector<MovingObstacle> movers);
   [[nodiscard]] bool under_way() const;
   Result<void> edit_script(std::string label, std::uint64_t stroke, Surprise surprise);
@@ -153,6 +167,7 @@ class Session {
   void hunt_breakpoint(double milliseconds);
   void hunt_event();
   void find_nothing(const std::string& words);
+  void settle_hunt();
   void go_to_arrival();
   bool run_on();
   void stop_at(Hit hit);
@@ -172,6 +187,8 @@ class Session {
 
   std::shared_ptr<const Scenario> scenario_;
   std::vector<std::unique_ptr<Run>> runs_;
+  RunLimits limits_;
+  std::optional<Moment> returning_;  // to which an undo leads back, while the runs are on their way there
   std::size_t lead_ = 0;
   std::vector<Edit> undo_, redo_;
   std::string file_;

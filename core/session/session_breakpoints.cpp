@@ -1,6 +1,7 @@
 // Breakpoints: commands, the hunt for the next one, and where playing stops.
 #include <algorithm>
 #include <chrono>
+#include <thread>
 
 #include "core/debug/event_words.hpp"
 #include "core/session/session.hpp"
@@ -209,6 +210,23 @@ void Session::hunt_event() {
 void Session::find_nothing(const std::string& words) {
   say(words);
   stop_hunt();
+}
+
+/// Waits until what is hunted is found, and the other panes have come to where they belong.
+void Session::settle_hunt() {
+  while (hunting_) {
+    if (hunting_->direction > 0) {
+      const Mark* last = run().marks().empty() ? nullptr : &run().marks().back();
+      leading().finish(last == nullptr ? Target::plan() : Target::clock_at(last->clock + 1));
+    }
+    update(0);
+    checks_.settle(runs_);
+  }
+  const auto busy = [](const auto& run) { return run->busy(); };
+  while (catching_up_ && std::any_of(runs_.begin(), runs_.end(), busy)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    update(0);
+  }
 }
 
 /// Has the leading run go on, in the background. False if nothing is left to do.

@@ -29,6 +29,7 @@ void Session::commit(std::string label, std::uint64_t stroke, Scenario changed, 
     for (std::size_t i = 0; i < before.size(); ++i)
       if (before[i] != after[i]) edit.cells.push_back({i, before[i], after[i]});
   }
+  edit.left = moment();
   edit.label = std::move(label);
   edit.stroke = stroke;
   edit.rest_before = rest_of(*scenario_);

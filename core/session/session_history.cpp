@@ -1,12 +1,57 @@
 // The session's history: how edits are taken back and brought back.
+#include <algorithm>
+
 #include "core/session/session.hpp"
 
 namespace replan {
 
-/// The last edit undone in `from`; it can be brought back afterwards.
-std::shared_ptr<const Scenario> Session::take_back(const Scenario& from) {
+Session::Moment Session::moment() const {
+  Moment now;
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    const Timeline& log = runs_[i]->timeline();
+    // On the way back to a moment the runs are not yet what they are going to be.
+    now.lengths.push_back(returning_ ? returning_->lengths[i] : log.size());
+    now.cursors.push_back(returning_ ? returning_->cursors[i] : log.cursor());
+  }
+  now.follow = returning_ ? returning_->follow : follow_;
+  return now;
+}
+
+/// The runs are carried out again until they are as long as they were.
+void Session::return_to(Moment moment) {
+  if (moment.lengths.size() != runs_.size()) return;  // there were more or fewer panes
+  for (std::size_t i = 0; i < runs_.size(); ++i)
+    if (runs_[i]->timeline().size() < moment.lengths[i]) runs_[i]->go(Target::length_of(moment.lengths[i]));
+  returning_ = std::move(moment);
+  catching_up_ = false;
+  arrive();
+}
+
+/// Puts the cursors where they were as soon as the runs have come that far. True if one has moved.
+bool Session::arrive() {
+  if (!returning_) return false;
+  bool there = true, moved = false, longer = false;
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    Timeline& log = runs_[i]->timeline();
+    const std::size_t cursor = std::min(returning_->cursors[i], log.size());
+    if (log.cursor() != cursor) {
+      log.seek(cursor);
+      moved = true;
+    }
+    if (log.size() < returning_->lengths[i] && runs_[i]->busy()) there = false;
+    // An edit that made no difference: the run has gone on since.
+    if (log.size() > returning_->lengths[i]) longer = true;
+  }
+  follow_ = returning_->follow && !longer;
+  if (there) returning_.reset();
+  return moved;
+}
+
+/// The last edit undone in `from`; it can be brought back afterwards, and then to the moment `now`.
+std::shared_ptr<const Scenario> Session::take_back(const Scenario& from, Moment now) {
   Edit edit = std::move(undo_.back());
   undo_.pop_back();
+  edit.undone = std::move(now);
   auto scenario = std::make_shared<Scenario>(*edit.rest_before);
   scenario->map.blocked = edit.map_before.empty() ? from.map.blocked : edit.map_before;
   // Backwards: a cell may have been written several times in one stroke.
@@ -17,9 +62,10 @@ std::shared_ptr<const Scenario> Session::take_back(const Scenario& from) {
   return scenario;
 }
 
-std::shared_ptr<const Scenario> Session::bring_back(const Scenario& from) {
+std::shared_ptr<const Scenario> Session::bring_back(const Scenario& from, Moment now) {
   Edit edit = std::move(redo_.back());
   redo_.pop_back();
+  edit.left = std::move(now);
   auto scenario = std::make_shared<Scenario>(*edit.rest_after);
   scenario->map.blocked = edit.map_after.empty() ? from.map.blocked : edit.map_after;
   for (const CellValue& each : edit.cells) scenario->map.blocked[each.cell] = each.after;
@@ -31,14 +77,16 @@ std::shared_ptr<const Scenario> Session::bring_back(const Scenario& from) {
 Result<void> Session::run_command(const Undo&) {
   if (undo_.empty()) return Error{"there is nothing to undo"};
   say("undo: " + undo_.back().label);
-  replace(take_back(*scenario_));
+  replace(take_back(*scenario_, moment()));
+  return_to(redo_.back().left);
   return {};
 }
 
 Result<void> Session::run_command(const Redo&) {
   if (redo_.empty()) return Error{"there is nothing to redo"};
   say("redo: " + redo_.back().label);
-  replace(bring_back(*scenario_));
+  replace(bring_back(*scenario_, moment()));
+  return_to(undo_.back().undone);
   return {};
 }
 
@@ -47,10 +95,19 @@ Result<void> Session::run_command(const GoToHistory& command) {
   if (command.position == undo_.size()) return {};
   const bool back = command.position < undo_.size();
   std::shared_ptr<const Scenario> scenario = scenario_;
-  while (undo_.size() > command.position) scenario = take_back(*scenario);
-  while (undo_.size() < command.position) scenario = bring_back(*scenario);
+  // On the way each edit leads to the moment at which it was left when it was there last.
+  Moment now = moment();
+  while (undo_.size() > command.position) {
+    scenario = take_back(*scenario, std::move(now));
+    now = redo_.back().left;
+  }
+  while (undo_.size() < command.position) {
+    scenario = bring_back(*scenario, std::move(now));
+    now = undo_.back().undone;
+  }
   say(undo_.empty() ? "back to the beginning" : (back ? "back to: " : "on to: ") + undo_.back().label);
   replace(std::move(scenario));
+  return_to(std::move(now));
   return {};
 }
 

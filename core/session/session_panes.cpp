@@ -74,7 +74,7 @@ void Session::replace_panes() {
   std::vector<std::unique_ptr<Run>> panes;
   for (std::size_t i = 0; i < scenario_->planners.size(); ++i) {
     const bool stays = i < runs_.size() && runs_[i]->choice() == scenario_->planners[i];
-    panes.push_back(stays ? std::move(runs_[i]) : std::make_unique<Run>(scenario_, i));
+    panes.push_back(stays ? std::move(runs_[i]) : new_run(i));
     if (stays)
       panes.back()->adopt(scenario_);
     else
@@ -92,7 +92,7 @@ void Session::rebase_runs(std::size_t common) {
   for (std::size_t i = 0; i < scenario_->planners.size(); ++i) {
     const bool stays = i < runs_.size() && runs_[i]->choice() == scenario_->planners[i] &&
                        runs_[i]->rebase(scenario_, common);
-    panes.push_back(stays ? std::move(runs_[i]) : std::make_unique<Run>(scenario_, i));
+    panes.push_back(stays ? std::move(runs_[i]) : new_run(i));
     panes.back()->go(Target::plan());
   }
   runs_ = std::move(panes);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/session/lockstep.hpp"
 #include "core/session/run.hpp"
 #include "core/world/scenario.hpp"
 
@@ -141,7 +142,6 @@ void Watches::meet(Runs runs) {
 
 void Watches::forget(Pane& pane, std::size_t common) {
   pane.cursor = SIZE_MAX;
-  pane.expansions.truncate(common);
   for (Track& track : pane.tracks) {
     track.probe.reset();
     track.looked = track.series.truncate(std::min(track.looked, common));
@@ -149,10 +149,9 @@ void Watches::forget(Pane& pane, std::size_t common) {
   }
 }
 
-Probe Watches::probe_at(const Run& run, Pane& pane, std::size_t watch, std::size_t position) const {
+Probe Watches::probe_at(const Run& run, std::size_t watch, std::size_t position) const {
   const Condition& quantity = *read_[watch];
-  const std::int64_t expansions =
-      quantity.uses(Op::expansions) ? pane.expansions.before(run.timeline(), position) : 0;
+  const std::int64_t expansions = quantity.uses(Op::expansions) ? expansions_until(run, position) : 0;
   return {run.log_view(), quantity, position, {}, expansions};
 }
 
@@ -161,7 +160,7 @@ bool Watches::look(const Run& run, Pane& pane, std::size_t watch, std::size_t en
   Track& track = pane.tracks[watch];
   bool changed = false;
   if (!track.probe) {
-    track.probe.emplace(probe_at(run, pane, watch, track.looked));
+    track.probe.emplace(probe_at(run, watch, track.looked));
     track.last = value_of(*track.probe);
     const auto known = track.series.points();
     if (known.empty() || known.back().value != track.last) track.series.add({track.looked, track.last});
@@ -214,7 +213,7 @@ bool Watches::read_cursors(Runs runs) {
         pane.tracks[watch].at_cursor = kNone;
         continue;
       }
-      Probe probe = probe_at(*runs[i], pane, watch, cursor);
+      Probe probe = probe_at(*runs[i], watch, cursor);
       pane.tracks[watch].at_cursor = value_of(probe);
     }
   }

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "core/debug/expansions.hpp"
 #include "core/debug/probe.hpp"
 
 namespace replan {
@@ -88,13 +87,12 @@ class Watches {
   struct Pane {
     std::uint64_t log_id = 0;  // of the log that was looked at
     std::size_t cursor = SIZE_MAX;
-    ExpansionCount expansions;
     std::vector<Track> tracks;  // one for each of the list
   };
   void meet(Runs runs);
   void forget(Pane& pane, std::size_t common);
   bool look(const Run& run, Pane& pane, std::size_t watch, std::size_t end);
-  [[nodiscard]] Probe probe_at(const Run& run, Pane& pane, std::size_t watch, std::size_t position) const;
+  [[nodiscard]] Probe probe_at(const Run& run, std::size_t watch, std::size_t position) const;
 
   std::vector<std::string> list_;
   std::vector<std::optional<Condition>> read_;  // one for each of the list, as the problems

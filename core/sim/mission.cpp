@@ -30,16 +30,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-Counters operator+(const Counters& a, const Counters& b) {
-  return {a.expansions + b.expansions, a.queue_operations + b.queue_operations,
-          a.sight_checks + b.sight_checks};
-}
-
-Counters operator-(const Counters& a, const Counters& b) {
-  return {a.expansions - b.expansions, a.queue_operations - b.queue_operations,
-          a.sight_checks - b.sight_checks};
-}
-
 }  // namespace
 
 const char* mission_state_name(MissionState state) {
@@ -362,8 +352,10 @@ void Mission<T>::set_surprises(std::vector<Surprise> surprises) {
 }
 
 template <class T>
-void Mission<T>::restore(const Mark& mark, const SearchState& state) {
-  now_ = mark;
+void Mission<T>::restore(const Checkpoint& checkpoint, const SearchState& state) {
+  now_ = checkpoint.now;
+  now_.fired.resize(surprises_.size());  // the script may have grown since
+  before_plan_ = checkpoint.before_plan;
   std::vector<std::uint8_t> known(truth_.size());
   for (NodeId node = 0; node < truth_.size(); ++node) {
     known[node] = state.known_blocked(node) ? 1 : 0;
@@ -371,7 +363,7 @@ void Mission<T>::restore(const Mark& mark, const SearchState& state) {
   }
   known_ = Grid2(known_.size(), std::move(known), known_.rules());
   planner_ = make_planner(*info_, known_, settings_, tr_);
-  planner_->restore(state, mark.figures.counters - mark.before_goal);
+  planner_->restore(state, checkpoint.planner);
   robot_ = state.node(Scalar::robot);
   goal_ = state.node(Scalar::goal);
   begun_ = true;

@@ -59,6 +59,15 @@ struct Mark {
   SimTime forgets_after = kSecond;  ///< so much waiting it forgets the sightings that are out of sight
 };
 
+/// A moment between two calls of Mission::advance(), in the middle of a search too, from which a mission can
+/// be taken up again. What the planner needs is in the log's state there.
+struct Checkpoint {
+  Mark now;
+  Counters planner;      ///< its counters
+  Counters before_plan;  ///< and what they were when the latest plan began
+  int line = 0;          ///< the recorder's, for the owner of the log
+};
+
 /// One mission with one planner. T is NoTrace or Recorder.
 ///
 /// What moves: obstacles wait for the robot rather than run into it or the cell that it is leaving. The robot
@@ -90,8 +99,13 @@ class Mission {
   /// Puts another list of surprises in place; those that have happened must be the same. A mission that had
   /// ended goes on if something is due.
   void set_surprises(std::vector<Surprise> surprises);
-  /// Goes back to a mark of this scenario's own run, `state` being the log's state there.
-  void restore(const Mark& mark, const SearchState& state);
+  /// This moment; not before the first advance(). Its `line` is left to the owner of the log.
+  [[nodiscard]] Checkpoint checkpoint() const { return {now_, planner_->counters(), before_plan_, 0}; }
+  /// Goes to a moment of this scenario's own run, `state` being the log's state there.
+  void restore(const Checkpoint& checkpoint, const SearchState& state);
+  void restore(const Mark& mark, const SearchState& state) {
+    restore({mark, mark.figures.counters - mark.before_goal, {}, 0}, state);
+  }
 
  private:
   void begin();

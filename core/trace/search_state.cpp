@@ -4,14 +4,14 @@
 
 namespace replan {
 
-SearchState::SearchState(std::size_t nodes) {
+SearchState::SearchState(std::size_t nodes) : meter_(std::make_shared<std::atomic<std::size_t>>()) {
   const auto infinite = static_cast<std::uint64_t>(Cost::kInfinityRaw);
   for (std::size_t kind = 0; kind < kWideFields; ++kind) {
     const auto which = static_cast<EventKind>(kind);
     const bool is_cost = which == EventKind::g || which == EventKind::rhs;
-    wide_[kind] = PagedArray<std::uint64_t>(nodes, is_cost ? infinite : 0);
+    wide_[kind] = PagedArray<std::uint64_t>(nodes, is_cost ? infinite : 0, meter_);
   }
-  for (auto& field : narrow_) field = PagedArray<std::uint8_t>(nodes);
+  for (auto& field : narrow_) field = PagedArray<std::uint8_t>(nodes, 0, meter_);
 }
 
 SearchState::SearchState(std::span<const std::uint8_t> known, std::span<const std::uint8_t> truth)
@@ -59,10 +59,21 @@ std::uint64_t SearchState::hash() const {
   return seed;
 }
 
-std::size_t SearchState::own_bytes() const {
+std::size_t SearchState::page_bytes() const {
+  std::size_t bytes = 0;
+  for (const auto& field : wide_) bytes += field.page_bytes();
+  for (const auto& field : narrow_) bytes += field.page_bytes();
+  return bytes;
+}
+
+std::size_t SearchState::family_bytes() const {
+  return meter_ ? meter_->load(std::memory_order_relaxed) : 0;
+}
+
+std::size_t SearchState::table_bytes() const {
   std::size_t bytes = sizeof(*this);
-  for (const auto& field : wide_) bytes += field.own_bytes();
-  for (const auto& field : narrow_) bytes += field.own_bytes();
+  for (const auto& field : wide_) bytes += field.table_bytes();
+  for (const auto& field : narrow_) bytes += field.table_bytes();
   return bytes;
 }
 

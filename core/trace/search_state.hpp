@@ -67,7 +67,7 @@ class SearchState {
 
   /// The raw value of any kind, as events hold it; `node` is the Scalar for EventKind::scalar.
   [[nodiscard]] std::uint64_t value(EventKind kind, NodeId node) const;
-  /// True if the 1024-node page of `node` was ever written for that kind; false lets readers skip it.
+  /// True if the page of `node` (kPage nodes) was ever written for that kind; false lets readers skip it.
   [[nodiscard]] bool touched(EventKind kind, NodeId node) const;
   /// The page of `node` for a 64-bit kind, as PagedArray::page(): for readers of long stretches.
   [[nodiscard]] const std::uint64_t* page(EventKind kind, NodeId node) const {
@@ -81,8 +81,12 @@ class SearchState {
 
   /// A hash over all values: equal states have equal hashes, whichever way they were reached.
   [[nodiscard]] std::uint64_t hash() const;
-  /// Bytes held by this copy alone.
-  [[nodiscard]] std::size_t own_bytes() const;
+  /// Bytes of the pages that this state reaches, shared with its copies or not.
+  [[nodiscard]] std::size_t page_bytes() const;
+  /// Bytes of all pages of this state and its copies together, each counted once.
+  [[nodiscard]] std::size_t family_bytes() const;
+  /// Bytes that each copy takes without its pages.
+  [[nodiscard]] std::size_t table_bytes() const;
 
  private:
   void apply_wide(const Event& event) {
@@ -100,6 +104,7 @@ class SearchState {
     return {static_cast<std::int64_t>(wide(kind, n))};
   }
 
+  PageMeter meter_;  // of the pages of all fields
   std::array<PagedArray<std::uint64_t>, kWideFields> wide_;
   std::array<PagedArray<std::uint8_t>, kNarrowFields> narrow_;
   std::array<std::uint64_t, static_cast<std::size_t>(Scalar::count)> scalars_{};

@@ -5,98 +5,142 @@
 #include "core/base/hash.hpp"
 
 namespace replan {
+namespace {
 
-Timeline::Timeline(SearchState initial, std::size_t frame_budget)
-    : state_(initial), head_(std::move(initial)), frame_budget_(frame_budget) {
-  frames_.emplace(0, head_);
+/// What key frames may take, of the limit and by the length of the log.
+constexpr std::size_t kFrameShare = 4;
+constexpr std::size_t kLeastFrameBytes = std::size_t{64} << 20;
+constexpr std::size_t kFrameBytesPerEvent = 7;
+
+std::size_t distance(std::size_t a, std::size_t b) {
+  return a > b ? a - b : b - a;
 }
 
-void Timeline::append(const std::vector<Event>& events) {
-  for (const Event& event : events) {
-    if (size_ % kChunk == 0) chunks_.emplace_back().reserve(kChunk);
-    chunks_.back().push_back(event);
-    head_.apply(event);
-    index_.add(size_, event.node);
-    ++size_;
-    if (size_ % frame_interval_ == 0) capture();
+}  // namespace
+
+Timeline::Timeline(SearchState initial, const LogLimits& limits)
+    : limits_(limits),
+      events_(limits.chunk_events),
+      state_(initial),
+      head_(std::move(initial)),
+      frame_interval_(limits.frame_interval) {
+  frames_.emplace(0, KeyFrame{head_, nullptr});
+}
+
+void Timeline::append(std::span<const Event> events, const std::shared_ptr<const Checkpoint>& checkpoint) {
+  // Frames stand where the run can be taken up; only where that is far off also in between.
+  while (size() + events.size() - last_frame() >= 2 * frame_interval_) {
+    const std::size_t gap = last_frame() + frame_interval_ - std::min(size(), last_frame() + frame_interval_);
+    const auto piece = events.first(std::min(gap, events.size()));
+    take(piece);
+    events = events.subspan(piece.size());
+    capture(nullptr);
   }
+  take(events);
+  if (size() - last_frame() >= frame_interval_) capture(checkpoint);
+  if (source_) events_.shrink(event_allowance(), events_.chunk_of(cursor_));
 }
 
-void Timeline::capture() {
-  // Pages that the head holds alone were written since the last frame: what this frame adds.
-  frame_bytes_ += head_.own_bytes();
-  frames_.emplace(size_, head_);
-  while (frame_bytes_ > frame_budget_ && frames_.size() > 2) thin_out();
+void Timeline::take(std::span<const Event> events) {
+  std::size_t position = size();
+  for (const Event& event : events) {
+    head_.apply(event);
+    index_.add(position++, event.node);
+  }
+  events_.append(events);
+}
+
+void Timeline::capture(const std::shared_ptr<const Checkpoint>& checkpoint) {
+  frames_.emplace(size(), KeyFrame{head_, checkpoint});
+  while (frame_bytes() > frame_allowance() && frames_.size() > 2) thin_out();
 }
 
 void Timeline::thin_out() {
   frame_interval_ *= 2;
-  const std::size_t before = frames_.size();
-  std::erase_if(frames_, [this](const auto& frame) { return frame.first % frame_interval_ != 0; });
-  // A frame that goes leaves the pages that it shares with those that stay: the rest of the sum is an
-  // estimate.
-  frame_bytes_ = frame_bytes_ * frames_.size() / before;
+  bool goes = false;
+  for (auto frame = std::next(frames_.begin()); frame != frames_.end(); goes = !goes)
+    frame = goes ? std::next(frame) : frames_.erase(frame);
+}
+
+std::size_t Timeline::frame_bytes() const {
+  std::size_t bytes = head_.family_bytes() - std::min(head_.family_bytes(), head_.page_bytes());
+  return bytes + frames_.size() * head_.table_bytes();
+}
+
+std::size_t Timeline::frame_allowance() const {
+  return std::min(limits_.bytes / kFrameShare, std::max(kLeastFrameBytes, kFrameBytesPerEvent * size()));
+}
+
+std::size_t Timeline::event_allowance() const {
+  return limits_.bytes - std::min(limits_.bytes, frame_bytes() + index_.bytes());
+}
+
+Event Timeline::fetch(std::size_t index) const {
+  const std::size_t chunk = events_.chunk_of(index), length = events_.chunk_events();
+  auto frame = std::prev(frames_.upper_bound(chunk * length));
+  while (frame->first != 0 && !frame->second.checkpoint) --frame;
+  // What lies between the frame and the chunk is worked out anyway: as much as there is room for is kept.
+  const std::size_t room = std::max<std::size_t>(1, event_allowance() / (length * sizeof(Event)) / 2);
+  std::size_t first = (frame->first + length - 1) / length;
+  if (chunk - first >= room) first = chunk + 1 - room;
+  const std::size_t end = std::min((chunk + 1) * length, size());
+  const std::vector<Event> events = source_(frame->first, frame->second, first * length, end);
+  for (std::size_t each = first; each <= chunk; ++each) {
+    const std::span<const Event> rest = std::span(events).subspan((each - first) * length);
+    if (!events_.holds(each)) events_.put_back(each, rest.first(std::min(length, rest.size())));
+  }
+  events_.shrink(event_allowance(), chunk);
+  return *events_.find(index);
 }
 
 void Timeline::truncate(std::size_t size) {
-  if (size >= size_) return;
-  if (cursor_ > size) seek(size);
-  const std::size_t back = cursor_;
+  if (size >= this->size()) return;
+  const std::size_t back = std::min(cursor_, size);
   seek(size);
   head_ = state_;
   seek(back);
-  const std::size_t before = frames_.size();
   frames_.erase(frames_.upper_bound(size), frames_.end());
-  frame_bytes_ = frame_bytes_ * frames_.size() / before;  // an estimate, as in thin_out()
-  chunks_.resize((size + kChunk - 1) / kChunk);
-  if (size % kChunk != 0) chunks_.back().resize(size % kChunk);
-  size_ = size;
+  if (size % events_.chunk_events() != 0)
+    static_cast<void>(event(size - 1));  // the last chunk has to be held
+  events_.truncate(size);
   index_.truncate(size / NodeIndex::kBlock);
   for (std::size_t i = size - size % NodeIndex::kBlock; i < size; ++i) index_.add(i, event(i).node);
 }
 
-void Timeline::seek(std::size_t position) {
-  const auto distance = [position](std::size_t from) {
-    return from > position ? from - position : position - from;
-  };
-  std::size_t best = distance(cursor_);
+std::pair<std::size_t, const SearchState*> Timeline::nearest(std::size_t position) const {
+  std::pair<std::size_t, const SearchState*> best{cursor_, &state_};
   const auto offer = [&](std::size_t at, const SearchState& state) {
-    if (distance(at) >= best) return;
-    best = distance(at);
-    cursor_ = at;
-    state_ = state;
+    if (distance(at, position) < distance(best.first, position)) best = {at, &state};
   };
-  offer(size_, head_);
+  offer(size(), head_);
   const auto after = frames_.lower_bound(position);
-  if (after != frames_.end()) offer(after->first, after->second);
-  if (after != frames_.begin()) offer(std::prev(after)->first, std::prev(after)->second);
-  while (cursor_ < position) state_.apply(event(cursor_++));
-  while (cursor_ > position) state_.apply(event(--cursor_));
+  if (after != frames_.end()) offer(after->first, after->second.state);
+  if (after != frames_.begin()) offer(std::prev(after)->first, std::prev(after)->second.state);
+  return best;
+}
+
+void Timeline::walk(SearchState& state, std::size_t from, std::size_t to) const {
+  while (from < to) state.apply(event(from++));
+  while (from > to) state.apply(event(--from));
+}
+
+void Timeline::seek(std::size_t position) {
+  const auto [from, state] = nearest(position);
+  if (state != &state_) state_ = *state;
+  walk(state_, from, position);
+  cursor_ = position;
+  if (position < size()) events_.use(events_.chunk_of(position));
 }
 
 SearchState Timeline::state_at(std::size_t position) const {
-  std::size_t at = cursor_;
-  const SearchState* nearest = &state_;
-  const auto distance = [position](std::size_t from) {
-    return from > position ? from - position : position - from;
-  };
-  const auto offer = [&](std::size_t where, const SearchState& state) {
-    if (distance(where) >= distance(at)) return;
-    at = where;
-    nearest = &state;
-  };
-  offer(size_, head_);
-  const auto after = frames_.lower_bound(position);
-  if (after != frames_.end()) offer(after->first, after->second);
-  if (after != frames_.begin()) offer(std::prev(after)->first, std::prev(after)->second);
-  SearchState state = *nearest;
-  while (at < position) state.apply(event(at++));
-  while (at > position) state.apply(event(--at));
-  return state;
+  const auto [from, state] = nearest(position);
+  SearchState copy = *state;
+  walk(copy, from, position);
+  return copy;
 }
 
 std::optional<std::size_t> Timeline::last_event(NodeId node, KindSet kinds, std::size_t before) const {
-  for (std::size_t end = std::min(before, size_); end > 0;) {
+  for (std::size_t end = std::min(before, size()); end > 0;) {
     const auto block = index_.last_block(node, (end - 1) / NodeIndex::kBlock + 1);
     if (!block) break;
     const std::size_t first = *block * NodeIndex::kBlock;
@@ -108,10 +152,10 @@ std::optional<std::size_t> Timeline::last_event(NodeId node, KindSet kinds, std:
 }
 
 std::optional<std::size_t> Timeline::next_event(NodeId node, KindSet kinds, std::size_t from) const {
-  while (from < size_) {
+  while (from < size()) {
     const auto block = index_.next_block(node, from / NodeIndex::kBlock);
     if (!block) break;
-    const std::size_t end = std::min((*block + 1) * NodeIndex::kBlock, size_);
+    const std::size_t end = std::min((*block + 1) * NodeIndex::kBlock, size());
     for (std::size_t i = std::max(from, *block * NodeIndex::kBlock); i < end; ++i)
       if (const Event e = event(i); e.node == node && kinds.has(e.kind)) return i;
     from = end;
@@ -120,8 +164,8 @@ std::optional<std::size_t> Timeline::next_event(NodeId node, KindSet kinds, std:
 }
 
 std::uint64_t Timeline::log_hash() const {
-  std::uint64_t seed = size_;
-  for (std::size_t i = 0; i < size_; ++i) {
+  std::uint64_t seed = size();
+  for (std::size_t i = 0; i < size(); ++i) {
     const Event e = event(i);
     seed = hash_combine(seed, e.delta ^ mix64(std::uint64_t{e.node} << 16 | std::uint64_t{e.line} << 8 |
                                               static_cast<std::uint64_t>(e.kind)));

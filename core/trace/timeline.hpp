@@ -2,33 +2,67 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/trace/event.hpp"
+#include "core/trace/event_store.hpp"
 #include "core/trace/node_index.hpp"
 #include "core/trace/search_state.hpp"
 
 namespace replan {
 
+struct Checkpoint;
+
+/// What the log of a run may take. Below the limit it takes under 24 bytes an event: 16 for the event, half a
+/// byte for the index, and key frames for at most 7 (but always 64 MiB if there is room for them).
+struct LogLimits {
+  /// Bytes of events, index and key frames; the states at the cursor and at the end are not counted. Beyond
+  /// it events are dropped and worked out again when they are asked for, if there is somebody to do that.
+  std::size_t bytes = std::size_t{1} << 30;
+  /// Events that are dropped together: a power of two.
+  std::size_t chunk_events = std::size_t{1} << 16;
+  /// Events between two key frames at first. It doubles when the frames take too much.
+  std::size_t frame_interval = std::size_t{1} << 17;
+};
+
+/// A moment of the log whose state is kept.
+struct KeyFrame {
+  SearchState state;
+  /// What the run needs besides to be taken up there; nullptr where it cannot be taken up.
+  std::shared_ptr<const Checkpoint> checkpoint;
+};
+
 /// Position n is the state after the first n events. Seeking starts from the nearest of the cursor, the end
-/// and the key frames, and walks from there.
+/// and the key frames, and walks from there. For one thread: reading may bring dropped events back.
 class Timeline {
  public:
-  /// Bytes that key frames may take; beyond it they stand farther apart.
-  static constexpr std::size_t kDefaultFrameBudget = std::size_t{512} << 20;
+  /// Works out the events [from, to) of the log again, from `frame` on, which stands at `position` <= from
+  /// and has a checkpoint, or stands at 0.
+  using Source = std::function<std::vector<Event>(std::size_t position, const KeyFrame& frame,
+                                                  std::size_t from, std::size_t to)>;
 
-  Timeline() = default;
-  explicit Timeline(SearchState initial, std::size_t frame_budget = kDefaultFrameBudget);
+  explicit Timeline(SearchState initial = {}, const LogLimits& limits = {});
 
-  /// Adds events at the end. The cursor stays where it is.
-  void append(const std::vector<Event>& events);
-  /// Forgets all events from position `size` on; a cursor beyond it goes there.
+  /// Who can work out dropped events; without it none is dropped, whatever the limit.
+  void set_source(Source source) { source_ = std::move(source); }
+
+  /// Adds events at the end. The cursor stays where it is. `checkpoint` is for the run after the last of
+  /// them, nullptr if it cannot be taken up there.
+  void append(std::span<const Event> events, const std::shared_ptr<const Checkpoint>& checkpoint = nullptr);
+  /// Forgets all events from position `size` on; a cursor beyond it goes there. The source is still asked for
+  /// the log as it was.
   void truncate(std::size_t size);
 
-  [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] Event event(std::size_t index) const { return chunks_[index / kChunk][index % kChunk]; }
+  [[nodiscard]] std::size_t size() const { return events_.size(); }
+  [[nodiscard]] Event event(std::size_t index) const {
+    const Event* held = events_.find(index);
+    return held != nullptr ? *held : fetch(index);
+  }
   [[nodiscard]] std::size_t cursor() const { return cursor_; }
   /// The state at the cursor.
   [[nodiscard]] const SearchState& state() const { return state_; }
@@ -49,26 +83,34 @@ class Timeline {
   [[nodiscard]] std::uint64_t log_hash() const;
 
   [[nodiscard]] std::size_t key_frames() const { return frames_.size(); }
-  /// Bytes held: the log, and the key frames' pages (an upper bound).
-  [[nodiscard]] std::size_t log_bytes() const { return chunks_.size() * kChunk * sizeof(Event); }
-  [[nodiscard]] std::size_t frame_bytes() const { return frame_bytes_; }
+  /// Bytes of the events that are held and of the index.
+  [[nodiscard]] std::size_t log_bytes() const { return events_.bytes() + index_.bytes(); }
+  /// Bytes that the key frames (and the cursor) take beyond the state at the end, whose pages they share.
+  [[nodiscard]] std::size_t frame_bytes() const;
+  /// True if some events were dropped to keep to the limit.
+  [[nodiscard]] bool dropped() const { return events_.bytes() < size() * sizeof(Event); }
 
  private:
-  static constexpr std::size_t kChunk = std::size_t{1} << 16;
-
-  void capture();
+  void take(std::span<const Event> events);
+  void capture(const std::shared_ptr<const Checkpoint>& checkpoint);
   void thin_out();
+  [[nodiscard]] std::size_t last_frame() const { return frames_.rbegin()->first; }
+  [[nodiscard]] std::size_t frame_allowance() const;
+  [[nodiscard]] std::size_t event_allowance() const;
+  [[nodiscard]] Event fetch(std::size_t index) const;
+  /// The held state nearest to a position, and where it stands.
+  [[nodiscard]] std::pair<std::size_t, const SearchState*> nearest(std::size_t position) const;
+  void walk(SearchState& state, std::size_t from, std::size_t to) const;
 
-  std::vector<std::vector<Event>> chunks_;
+  LogLimits limits_;
+  Source source_;
+  mutable EventStore events_;  // what was dropped comes back when it is read
   NodeIndex index_;
-  std::size_t size_ = 0;
   std::size_t cursor_ = 0;
   SearchState state_;
   SearchState head_;
-  std::map<std::size_t, SearchState> frames_;  // by position
-  std::size_t frame_interval_ = std::size_t{1} << 17;
-  std::size_t frame_budget_ = kDefaultFrameBudget;
-  std::size_t frame_bytes_ = 0;
+  std::map<std::size_t, KeyFrame> frames_;  // by position
+  std::size_t frame_interval_;
 };
 
 }  // namespace replan

@@ -41,6 +41,7 @@ class Recorder {
 
   /// The pseudo-code line that the following events belong to.
   void line(int number) { line_ = static_cast<std::uint8_t>(number); }
+  [[nodiscard]] int current_line() const { return line_; }
   /// A line that changes nothing by itself, worth a step of its own.
   void pass(int number, NodeId node) {
     line(number);
@@ -58,8 +59,12 @@ class Recorder {
   void note(EventKind kind, NodeId node, std::uint64_t payload = 0) { push(kind, node, payload); }
 
   [[nodiscard]] const std::vector<Event>& buffer() const { return buffer_; }
-  /// Hands over what was recorded since the last call.
-  [[nodiscard]] std::vector<Event> take() { return std::exchange(buffer_, {}); }
+  /// Hands over what was recorded since the last call, and goes on in the memory of `next`, which it empties:
+  /// memory that was written to before costs much less than fresh one.
+  [[nodiscard]] std::vector<Event> take(std::vector<Event> next = {}) {
+    next.clear();
+    return std::exchange(buffer_, std::move(next));
+  }
   void clear() { buffer_.clear(); }
 
  private:

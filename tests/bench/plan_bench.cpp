@@ -1,13 +1,10 @@
-// Plans of every registered planner on the DLD* Lite paper's kinds of world, what recording them costs, and
-// how fast a recording is sought through.
+// Plans of every registered planner on the DLD* Lite paper's kinds of world, and what recording them costs.
 #include <string>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
-#include "core/base/random.hpp"
 #include "core/plan/registry.hpp"
-#include "core/trace/timeline.hpp"
 #include "tests/bench/worlds.hpp"
 
 namespace replan {
@@ -38,32 +35,6 @@ void first_plans(benchmark::State& state, const PlannerInfo& info, const Worlds&
   state.counters["expansions/s"] =
       benchmark::Counter(static_cast<double>(expansions), benchmark::Counter::kIsRate);
 }
-
-/// Seeks to random places of a long run.
-void timeline_seek(benchmark::State& state) {
-  const auto events = static_cast<std::size_t>(state.range(0));
-  constexpr std::uint32_t kNodes = 1u << 20;
-  Timeline timeline{SearchState(kNodes)};
-  Random random(1);
-  std::vector<Event> batch;
-  // A search touches places near each other; a walk does too.
-  NodeId at = kNodes / 2;
-  for (std::size_t i = 0; i < events; ++i) {
-    at = (at + random.below(7) * 511 + kNodes - 1533) % kNodes;
-    batch.push_back({random.next(), at, static_cast<EventKind>(random.below(kWideFields)), 0, 0});
-    if (batch.size() == 100000 || i + 1 == events) {
-      timeline.append(batch);
-      batch.clear();
-    }
-  }
-  for (auto _ : state) {
-    timeline.seek(static_cast<std::size_t>(random.next() % events));
-    benchmark::DoNotOptimize(timeline.state().g(0));
-  }
-  state.counters["frames"] = static_cast<double>(timeline.key_frames());
-  state.counters["frame_MiB"] = static_cast<double>(timeline.frame_bytes() >> 20);
-}
-BENCHMARK(timeline_seek)->Arg(1000000)->Arg(10000000)->Unit(benchmark::kMicrosecond);
 
 template <class T>
 void register_first_plans(const PlannerInfo& info, const Worlds& worlds, const char* tracer) {

@@ -225,6 +225,19 @@ TEST(UnsavedEdits, AreCountedAsUndoCountsThem) {
   EXPECT_EQ(session.unsaved_edits(), 0u);
 }
 
+TEST(Background, WaitingLetsAJobThatListensEnd) {
+  Background<int> work({false, {}});
+  work.start([](const std::stop_token& stop) {
+    for (int i = 0; i < 20; ++i) {
+      if (stop.stop_requested()) return i;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return 20;
+  });
+  work.wait();
+  EXPECT_EQ(work.take(), 20);
+}
+
 TEST(Background, GivesUpAndGoesOn) {
   Background<int> work({false, {}});
   work.start([](const std::stop_token& stop) {

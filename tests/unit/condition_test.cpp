@@ -238,9 +238,9 @@ TEST(ConditionMeaning, whatAFreshPlanWipesIsNoExpansion) {
   EXPECT_EQ(small.stops("changed(expansions)"), (Positions{3, 5, 10}));
   EXPECT_EQ(small.stops("expansions == 3"), (Positions{10}));
   EXPECT_EQ(small.stops("order(5, 5) == 1"), (Positions{10}));
-  ExpansionCount count;
-  for (std::size_t p = small.log.size() + 1; p-- > 0;)
-    EXPECT_EQ(count.before(small.log, p), (p >= 3) + (p >= 5) + (p >= 10)) << p;
+  ExpansionTeller tell;
+  for (std::size_t i = small.log.size(); i-- > 0;)
+    EXPECT_EQ(tell(small.log, i), i == 2 || i == 4 || i == 9) << i;
 }
 
 TEST(ConditionMeaning, itsValuesAreToldInWords) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/scene/digest.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace replan::test {
@@ -55,6 +56,39 @@ TEST(RunLog, KnowsWhatItsLogHasInCommonWithEarlierOnes) {
     EXPECT_EQ(run.common_with(logs.back().first), kept);
     EXPECT_EQ(run.common_with(run.log_id()), run.timeline().size());
     logs.emplace_back(run.log_id(), events_of(run));
+  }
+}
+
+TEST(RunLog, ADigestThatKeptItsBeginningIsThatOfTheWholeLog) {
+  const auto base = open_ground();
+  replan::Run run(base, 0);
+  run.finish(Target::end());
+  RunDigest kept;
+  kept.read(run);
+  const std::pair<std::int64_t, int> walls[] = {{9, 15}, {3, 10}, {6, 12}, {14, 17}};
+  for (const auto& [clock, x] : walls) {
+    ASSERT_TRUE(run.rebase(with_wall(*base, clock, x), 0));
+    if (clock == 6) kept.read(run);  // once in between, while there is nothing new
+    run.finish(Target::end());
+    kept.read(run);
+    RunDigest fresh;
+    fresh.read(run);
+    const auto same = [](const auto& a, const auto& b) { return a.event == b.event && a.node == b.node; };
+    EXPECT_TRUE(std::equal(kept.map_events().begin(), kept.map_events().end(), fresh.map_events().begin(),
+                           fresh.map_events().end(), same));
+    EXPECT_TRUE(std::equal(kept.touches().begin(), kept.touches().end(), fresh.touches().begin(),
+                           fresh.touches().end(), same));
+    ASSERT_EQ(kept.plans().size(), fresh.plans().size());
+    EXPECT_GT(kept.plans().size(), 1u);
+    for (std::size_t i = 0; i < kept.plans().size(); ++i) {
+      EXPECT_EQ(kept.plans()[i].begin, fresh.plans()[i].begin);
+      EXPECT_EQ(kept.plans()[i].end, fresh.plans()[i].end);
+      EXPECT_EQ(kept.plans()[i].touched, fresh.plans()[i].touched);
+      EXPECT_EQ(kept.plans()[i].last_touch, fresh.plans()[i].last_touch);
+      EXPECT_EQ(kept.plans()[i].cause.blocked, fresh.plans()[i].cause.blocked);
+    }
+    for (std::size_t p = 0; p <= run.timeline().size(); p += 7)
+      ASSERT_EQ(kept.expansions(run, p), fresh.expansions(run, p)) << p;
   }
 }
 

@@ -195,6 +195,23 @@ TEST(SessionBreakpoints, aHuntGoesOnOverUpdatesAndCanBeCancelled) {
   EXPECT_EQ(at.latest().kind, EventKind::arrival);
 }
 
+TEST(SessionBreakpoints, theOtherPanesGoAlong) {
+  Scenario scenario = wall_with_gaps();
+  scenario.planners = {{"dstar-lite", {}}, {"astar", {}}};
+  Session session(scenario);
+  session.settle();
+  ASSERT_TRUE(session.apply(SetLockstep{Lockstep::moves}).ok());
+  ASSERT_TRUE(session.apply(Seek{0}).ok());
+  ASSERT_TRUE(session.apply(AddBreakpoint{"robot == (12, 13)"}).ok());
+  ASSERT_TRUE(session.apply(GoToBreakpoint{1}).ok());
+  session.settle();
+  const auto moves = [&](std::size_t pane) {
+    return session.runs()[pane]->timeline().state().scalar(Scalar::moves);
+  };
+  EXPECT_GT(moves(0), 10u);
+  EXPECT_NEAR(static_cast<double>(moves(0)), static_cast<double>(moves(1)), 1);
+}
+
 TEST(SessionBreakpoints, valuesAreFollowedToTheirChanges) {
   Standing at;
   at.go(Step{StepUnit::mission, 1});

@@ -62,7 +62,7 @@ TEST(Timeline, SeekingReachesTheSameStateFromEverywhere) {
 TEST(Timeline, KeyFramesAreThinnedOutUnderTheirBudgetAndSeeksStayRight) {
   const std::vector<Event> log = random_log(600000, 2);
   Timeline rich{SearchState(kNodes)};
-  Timeline poor(SearchState(kNodes), 1);  // no budget: frames are thrown away as they come
+  Timeline poor(SearchState(kNodes), {.bytes = 1});  // no budget: frames are thrown away as they come
   rich.append(log);
   poor.append(log);
   EXPECT_GT(rich.key_frames(), 3u);
@@ -168,6 +168,36 @@ TEST(PagedArray, CopiesShareUntilOneWrites) {
   EXPECT_EQ(a[4998], 7);
   EXPECT_EQ(b[4999], 1);
   EXPECT_FALSE(b.touched(0));
+}
+
+TEST(PagedArray, CopiesBehaveLikeArraysOfTheirOwnAndLeaveNoPageBehind) {
+  constexpr std::size_t kSize = 3000;
+  Random random(3);
+  const auto meter = std::make_shared<std::atomic<std::size_t>>();
+  {
+    std::vector<PagedArray<std::uint64_t>> paged(5, PagedArray<std::uint64_t>(kSize, 9, meter));
+    std::vector<std::vector<std::uint64_t>> plain(5, std::vector<std::uint64_t>(kSize, 9));
+    for (int i = 0; i < 20000; ++i) {
+      const std::size_t a = random.below(5), b = random.below(5);
+      if (random.chance(0.02)) {  // assigns over shared and unshared pages, and to itself
+        paged[a] = paged[b];
+        plain[a] = plain[b];
+      } else if (random.chance(0.01)) {
+        paged[a] = PagedArray<std::uint64_t>(paged[b]);
+        plain[a] = plain[b];
+      } else {
+        const std::size_t at = random.chance(0.5) ? random.below(100) : random.below(kSize);
+        paged[a].at(at) = plain[a][at] = random.next();
+      }
+      const std::size_t at = random.below(kSize);
+      ASSERT_EQ(paged[b][at], plain[b][at]);
+    }
+    for (std::size_t a = 0; a < paged.size(); ++a)
+      for (std::size_t at = 0; at < kSize; ++at) ASSERT_EQ(paged[a][at], plain[a][at]);
+    EXPECT_GE(meter->load(), paged[0].page_bytes());
+    EXPECT_GT(paged[0].page_bytes(), 0u);
+  }
+  EXPECT_EQ(meter->load(), 0u);
 }
 
 }  // namespace

@@ -200,10 +200,11 @@ void expect_rebuilds(const std::shared_ptr<const Scenario>& scenario) {
   ASSERT_EQ(check.check(head), "") << line;
   ASSERT_EQ(head["events"], run.timeline().size());
   Rebuilt rebuilt(head);
+  std::map<std::string, int> seen;
   std::size_t count = 0;
   for (; std::getline(lines, line); ++count) {
     const Json event = Json::parse(line);
-    if (count < 3000) {
+    if (seen[event["kind"].get<std::string>()]++ < 40) {  // of each kind: the check takes its time
       ASSERT_EQ(check.check(event), "") << line;
     }
     ASSERT_EQ(event["event"], count);
