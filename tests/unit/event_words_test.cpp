@@ -32,9 +32,10 @@ TEST(EventWords, tellWhatEachKindOfEventDid) {
 
 TEST(EventWords, tellAnyPositionOfALog) {
   Timeline log{SearchState(80)};
-  log.append({{raw(3) ^ static_cast<std::uint64_t>(Cost::kInfinityRaw), 5, EventKind::g, 49, 0},
-              {0, 6, EventKind::pop, 44, 0},
-              {raw(3) ^ raw(1), 5, EventKind::g, 49, 0}});
+  log.append(
+      std::vector<Event>{{raw(3) ^ static_cast<std::uint64_t>(Cost::kInfinityRaw), 5, EventKind::g, 49, 0},
+                         {0, 6, EventKind::pop, 44, 0},
+                         {raw(3) ^ raw(1), 5, EventKind::g, 49, 0}});
   const Grid2 lattice({10, 8});
   const Settings settings;
   const LogView view{log, lattice, planners().front(), settings};
