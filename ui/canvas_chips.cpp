@@ -130,6 +130,12 @@ std::string distinction(const Run& run) {
   return text;
 }
 
+/// Why a plan that was found cannot be driven.
+const char* why_wrong(const Run& run) {
+  return run.info().exercise ? ": this planner is broken on purpose. The Debug tab finds out where."
+                             : ": its remote parents were never checked.";
+}
+
 }  // namespace
 
 std::string grouped(std::int64_t number) {
@@ -149,9 +155,9 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
   if (mark == nullptr) return {};
   switch (mark->state) {
     case MissionState::collision:
-      return {"The plan leads through an obstacle: its remote parent was never checked.", true};
+      return {std::string("The plan leads through an obstacle") + why_wrong(run), true};
     case MissionState::loop:
-      return {"The plan leads round in a circle: its remote parents were never checked.", true};
+      return {std::string("The plan leads round in a circle") + why_wrong(run), true};
     case MissionState::endless:
       return {"What moves turned the robot back again and again; it has given up.", true};
     default:
