@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::int64_t kSliceIterations = 20000;
 /// Figures kept; a run that is played through asks for many.
-constexpr std::size_t kMostKept = 4096;
+constexpr std::size_t kMostPlans = 4096;
 
 /// Counts the vertices that a log touches. Its own work before the first pop is the setting up of a fresh
 /// search, which a planner that is not incremental has to undo first.
@@ -92,7 +92,7 @@ void FreshPlans::work(const std::stop_token& stop) {
     lock.lock();
     working_.reset();
     if (stop.stop_requested()) return;
-    if (known_.size() >= kMostKept) known_.erase(known_.begin());
+    if (known_.size() >= kMostPlans) known_.erase(known_.begin());
     known_.emplace(job.key, fresh);
     done_.notify_all();
   }

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMaxDepth = 32;
 constexpr std::size_t kMaxKeys = 256;
 constexpr std::size_t kLongestMessage = 200;
-constexpr std::size_t kColumns = 100;
+constexpr std::size_t kShownText = 100;
 
 /// Where the parser stands: it reads through an iterator that counts lines on the way.
 struct Place {
@@ -249,7 +249,7 @@ std::string JsonNode::shown() const {
   if (value_->is_object()) return "an object";
   if (value_->is_array()) return "a list of " + std::to_string(value_->size());
   const std::string text = value_->dump();
-  return text.size() <= kColumns ? text : text.substr(0, kColumns) + "...";
+  return text.size() <= kShownText ? text : text.substr(0, kShownText) + "...";
 }
 
 }  // namespace replan
