@@ -22,5 +22,10 @@ world=everything-at-once draw everything-at-once.png --theme light --at move:66
 # What the paper's pseudo-code does after a surprise, and what the checked one does.
 world=fault-through-obstacle draw fault.png --theme dark --at-end
 
+# A planner with a mistake in it: its first bad step, by the laws that it is held to.
+world=broken-planner draw broken-planner.png --theme dark --at-end --action show_debug
+# What the last replan touched, with the values before and after.
+draw last-repair.png --theme light --at replan:1 --action show_touched --overlay g,lp,rp,path,trail,sensor,repair
+
 # The whole story as a film, small enough for a page: two planners, the surprise and the repairs.
 draw demo.gif --canvas-only --panes all --size 840x560 --fps 20 --speed 10/s --hold 0.8 --theme dark
