@@ -132,7 +132,7 @@ std::string distinction(const Run& run) {
 
 /// Why a plan that was found cannot be driven.
 const char* why_wrong(const Run& run) {
-  return run.info().exercise ? ": this planner is broken on purpose. The Debug tab finds out where."
+  return run.info().exercise ? ": this planner is broken on purpose."
                              : ": its remote parents were never checked.";
 }
 
