@@ -1,12 +1,12 @@
 // Panes in lockstep over random missions: what each mode promises holds at random places of the leading log,
 // whichever way they are reached and however far the other runs had come.
 #include <cstdio>
-#include <thread>
 
 #include <gtest/gtest.h>
 
 #include "core/session/session.hpp"
 #include "tests/support/missions.hpp"
+#include "tests/support/panes.hpp"
 
 namespace replan::test {
 namespace {
@@ -26,21 +26,6 @@ Scenario random_comparison(Random& random) {
                                     : PlannerChoice{std::string(info.id), random_settings(random, info)});
   }
   return scenario;
-}
-
-/// Until nothing works in the background and all panes stand where they belong.
-void wait(Session& session) {
-  const auto busy = [&] {
-    return std::any_of(session.runs().begin(), session.runs().end(),
-                       [](const auto& run) { return run->busy(); });
-  };
-  do {
-    while (busy()) {
-      session.update(0);
-      std::this_thread::yield();
-    }
-    session.update(0);
-  } while (busy());
 }
 
 void run_to_the_end(Session& session) {
@@ -259,7 +244,7 @@ TEST(LockstepProperty, PanesThatHaveYetToRunStandWhereTheyWouldStandInAFinishedR
       for (int i = 0; i < 15; ++i) {
         const auto unit = static_cast<StepUnit>(random.below(4));
         ASSERT_TRUE(session.apply(Step{unit, random.chance(0.7) ? 1 : -1}).ok());
-        wait(session);
+        settle_panes(session);
         ASSERT_TRUE(whole.apply(Seek{session.run().timeline().cursor()}).ok());
         EXPECT_EQ(cursors(session), cursors(whole));
       }

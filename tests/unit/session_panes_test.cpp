@@ -1,11 +1,11 @@
 // Panes of a session: how they come and go, and what stays of their runs.
 #include <algorithm>
 #include <set>
-#include <thread>
 
 #include <gtest/gtest.h>
 
 #include "core/session/session.hpp"
+#include "tests/support/panes.hpp"
 
 namespace replan {
 namespace {
@@ -20,21 +20,6 @@ Scenario wall_with_gap() {
   scenario.planners = {{"dstar-lite", {}}};
   scenario.robot.sensor_radius = 4;
   return scenario;
-}
-
-/// Until nothing works in the background and all panes stand where they belong.
-void wait(Session& session) {
-  const auto busy = [&] {
-    return std::any_of(session.runs().begin(), session.runs().end(),
-                       [](const auto& run) { return run->busy(); });
-  };
-  do {
-    while (busy()) {
-      session.update(0);
-      std::this_thread::yield();
-    }
-    session.update(0);
-  } while (busy());
 }
 
 std::vector<std::string> planners_of(const Session& session) {
@@ -78,7 +63,7 @@ TEST(SessionPanes, TheRunsThatStayAreKeptAndTheNewOneCatchesUp) {
   const std::size_t cursor = kept->timeline().cursor();
   ASSERT_TRUE(session.apply(SetPanes{2}).ok());
   EXPECT_EQ(session.runs()[0].get(), kept);
-  wait(session);
+  test::settle_panes(session);
   EXPECT_EQ(kept->log_id(), log) << "nothing was cut";
   EXPECT_EQ(kept->timeline().cursor(), cursor);
   const replan::Run& added = *session.runs()[1];
@@ -108,7 +93,7 @@ TEST(SessionPanes, ComeAndGoWithUndoAndRedo) {
   EXPECT_EQ(session.runs().size(), 1u);
   EXPECT_EQ(session.runs()[0].get(), kept);
   ASSERT_TRUE(session.apply(Redo{}).ok());
-  wait(session);
+  test::settle_panes(session);
   ASSERT_EQ(session.runs().size(), 2u);
   EXPECT_EQ(session.runs()[0].get(), kept);
   EXPECT_EQ(kept->mark_at(kept->timeline().cursor())->clock, 3);
@@ -117,12 +102,12 @@ TEST(SessionPanes, ComeAndGoWithUndoAndRedo) {
 TEST(SessionPanes, AnotherPlannerInOnePaneLeavesTheOthersAlone) {
   Session session(wall_with_gap());
   ASSERT_TRUE(session.apply(SetPanes{2}).ok());
-  wait(session);
+  test::settle_panes(session);
   ASSERT_TRUE(session.apply(Step{StepUnit::move, 4}).ok());
   const replan::Run* kept = session.runs()[0].get();
   ASSERT_TRUE(session.apply(ChoosePlanner{1, "astar"}).ok());
   EXPECT_EQ(session.runs()[0].get(), kept);
-  wait(session);
+  test::settle_panes(session);
   const replan::Run& other = *session.runs()[1];
   EXPECT_EQ(other.choice().id, "astar");
   EXPECT_EQ(other.mark_at(other.timeline().cursor())->clock, 4);
@@ -131,7 +116,7 @@ TEST(SessionPanes, AnotherPlannerInOnePaneLeavesTheOthersAlone) {
 TEST(SessionPanes, TheLeadGoesOverWhenItsPaneGoes) {
   Session session(wall_with_gap());
   ASSERT_TRUE(session.apply(SetPanes{2}).ok());
-  wait(session);
+  test::settle_panes(session);
   ASSERT_TRUE(session.apply(Lead{1}).ok());
   EXPECT_EQ(session.run().choice().id, "dld-star-lite");
   ASSERT_TRUE(session.apply(SetPanes{1}).ok());
@@ -143,12 +128,12 @@ TEST(SessionPanes, TheLeadGoesOverWhenItsPaneGoes) {
 TEST(SessionPanes, ToLeadMovesNoPane) {
   Session session(wall_with_gap());
   ASSERT_TRUE(session.apply(SetPanes{2}).ok());
-  wait(session);
+  test::settle_panes(session);
   ASSERT_TRUE(session.apply(Seek{session.run().timeline().size() / 2}).ok());
   const std::size_t first = session.runs()[0]->timeline().cursor(),
                     second = session.runs()[1]->timeline().cursor();
   ASSERT_TRUE(session.apply(Lead{1}).ok());
-  wait(session);
+  test::settle_panes(session);
   EXPECT_EQ(session.runs()[0]->timeline().cursor(), first);
   EXPECT_EQ(session.runs()[1]->timeline().cursor(), second);
 }
@@ -156,11 +141,11 @@ TEST(SessionPanes, ToLeadMovesNoPane) {
 TEST(SessionPanes, AnEditReachesAllPanesAtTheSameStep) {
   Session session(wall_with_gap());
   ASSERT_TRUE(session.apply(SetPanes{4}).ok());
-  wait(session);
+  test::settle_panes(session);
   ASSERT_TRUE(session.apply(Step{StepUnit::move, 2}).ok());
-  wait(session);
+  test::settle_panes(session);
   ASSERT_TRUE(session.apply(PaintCells{{{{8, 6}, true}, {{8, 7}, true}}, 1}).ok());
-  wait(session);
+  test::settle_panes(session);
   for (const auto& run : session.runs()) {
     const Mark* mark = run->mark_at(run->timeline().cursor());
     ASSERT_NE(mark, nullptr);
@@ -175,7 +160,7 @@ TEST(SessionPanes, TheEndTakesAllToTheirEnds) {
     ASSERT_TRUE(session.apply(SetPanes{4}).ok());
     ASSERT_TRUE(session.apply(SetLockstep{by}).ok());
     ASSERT_TRUE(session.apply(RunToEnd{}).ok());
-    wait(session);
+    test::settle_panes(session);
     for (const auto& run : session.runs()) {
       EXPECT_TRUE(run->over()) << run->choice().id;
       EXPECT_EQ(run->timeline().cursor(), run->timeline().size()) << run->choice().id;
