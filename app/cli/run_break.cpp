@@ -36,6 +36,7 @@ struct BreakReport {
   std::string planner;
   std::size_t events = 0;  // that were looked through
   std::optional<Stop> stop;
+  std::vector<std::string> held;  // conditions that hold before the first event: they cannot come true then
 };
 
 Json value_json(const Grid2& lattice, const TermValue& value) {
@@ -80,9 +81,18 @@ Stop stop_of(const Session& session, const Hit& hit) {
   return stop;
 }
 
+std::vector<std::string> held_from_the_beginning(const Session& session) {
+  std::vector<std::string> held;
+  const Breakpoints& breakpoints = session.breakpoints();
+  for (std::size_t i = 0; i < breakpoints.list().size(); ++i)
+    if (Probe(session.run().log_view(), breakpoints.condition(i), 0).value().truth)
+      held.push_back(breakpoints.list()[i].condition);
+  return held;
+}
+
 /// The session does all of it: running the mission on as far as it takes, and asking the checkers.
 Result<BreakReport> find_stop(Scenario world, const std::vector<std::string>& conditions, bool only_plan) {
-  BreakReport report{.planner = world.planners.front().id, .events = 0, .stop = {}};
+  BreakReport report{.planner = world.planners.front().id, .events = 0, .stop = {}, .held = {}};
   world.debug = {};
   Session session(std::move(world));
   bool laws = false, oracle = false;
@@ -104,6 +114,8 @@ Result<BreakReport> find_stop(Scenario world, const std::vector<std::string>& co
   report.events = session.run().timeline().size();
   if (!session.breakpoints().hits().empty())
     report.stop = stop_of(session, session.breakpoints().hits().front());
+  else
+    report.held = held_from_the_beginning(session);
   return report;
 }
 
@@ -121,6 +133,10 @@ std::string table_of(const std::vector<BreakReport>& reports) {
     if (!report.stop) {
       table.add({report.planner, "not reached", "", "", "", "",
                  counted(report.events, "event") + " looked through"});
+      for (const std::string& condition : report.held)
+        details += "\n" + report.planner + ": " + condition +
+                   "\n  holds from the beginning, and a stop is where a condition comes true. Give each event "
+                   "a --break of its own.\n";
       continue;
     }
     const Stop& stop = *report.stop;
@@ -149,6 +165,7 @@ std::string json_of(const std::vector<BreakReport>& reports) {
       for (const Stop::Value& value : stop.values) one["values"][value.name] = value.json;
     } else {
       one["events"] = report.events;
+      one["held_from_the_beginning"] = report.held;
     }
     document["stops"].push_back(std::move(one));
   }

@@ -122,6 +122,16 @@ Result<void> check_tables(const RunArguments& arguments) {
   return {};
 }
 
+/// A stop is no table of figures: it is told in the terminal, or as JSON for a program.
+Result<void> check_stops(const RunArguments& arguments) {
+  std::string_view other = arguments.trace.given() ? "--trace" : "";
+  for (const TableFile& table : table_files(arguments))
+    if (!table.file.empty()) other = table.option;
+  if (other.empty()) return {};
+  return Error{"--break tells only where the runs stop, as a table or with --json: leave out " +
+               std::string(other)};
+}
+
 Result<void> write_tables(const RunArguments& arguments, std::span<const RunReport> reports) {
   for (const TableFile& table : table_files(arguments)) {
     if (table.file.empty() || table.file == "-") continue;
@@ -135,8 +145,10 @@ Result<int> run(const RunArguments& arguments) {
   const auto world = arguments.world.load();
   if (!world) return Error{world.error()};
   if (arguments.check) return check_runs(*world, arguments.json);
-  if (arguments.stops.given())
+  if (arguments.stops.given()) {
+    if (const auto good = check_stops(arguments); !good) return Error{good.error()};
     return arguments.stops.run(*world, !arguments.world.map.empty(), arguments.json);
+  }
   if (const auto good = check_tables(arguments); !good) return Error{good.error()};
   if (const auto good = arguments.trace.check(); !good) return Error{good.error()};
   std::vector<RunReport> reports;
@@ -167,7 +179,7 @@ std::string footer() {
          "      Where does a broken planner go wrong first?\n"
          "  replan run maps/demo.json --trace demo.trace.yaml --trace-map demo.map\n"
          "      The search for the Posthoc visualiser, and the map to lay under it.\n"
-         "  replan run maps/demo.json --break 'g(12, 40) > 30 || event(replan)' --break 'size(U) >= 100'\n"
+         "  replan run maps/demo.json --break 'changed(rhs(12, 40))' --break 'km > 5 && size(U) >= 100'\n"
          "      Where each run comes to that first: event, line of the pseudo-code, values.\n\n"
          "Status, path and the figures of its shape are those of the first plan; times and counters are of "
          "the whole\n"

@@ -17,6 +17,7 @@ struct TraceArguments {
   std::string map;
 
   void declare(CLI::App& command);
+  [[nodiscard]] bool given() const { return !file.empty() || !map.empty(); }
   /// Whether the files can be of the kinds that their names ask for: before anything is run.
   [[nodiscard]] Result<void> check() const;
   /// Runs each of the scenario's planners once more, recording, and writes what was asked for: the whole

@@ -53,6 +53,14 @@ TEST(RunBreak, pointsAtMistakes) {
                    {"--break 'rsh(3, 4) > 1': character 1: unknown name 'rsh'; did you mean 'rhs'?"});
   expect_complaint({"run", kDemo, "--break", "km"}, {"compare it, as in km > 5"});
   expect_complaint({"run", kDemo, "--break", "km > 5", "--csv", "-"}, {"--break", "--json"});
+  expect_complaint({"run", kDemo, "--break", "km > 5", "--trace", "-"}, {"--break", "--trace"});
+}
+
+TEST(RunBreak, saysWhatHoldsFromTheBeginning) {
+  const Outcome outcome = run_program(
+      {"run", kDemo, "--planner", "dstar-lite", "--break", "g(12, 40) > 30 || event(replan)"});
+  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  EXPECT_NE(outcome.out.find("holds from the beginning"), std::string::npos) << outcome.out;
 }
 
 TEST(RunBreak, aMapIsPlannedOnAndNotDriven) {
