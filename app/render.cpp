@@ -36,20 +36,28 @@ Result<void> go_to(Session& session, const RenderRequest& request) {
   return session.apply(Seek{*position});
 }
 
-/// The window's action that a request names, if any.
-Result<std::optional<ui::ActionId>> requested_action(const RenderRequest& request) {
-  if (request.action.empty()) return std::optional<ui::ActionId>();
+Error unknown_action(const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const ui::Action& each : ui::actions()) names.emplace_back(each.name);
+  const std::string_view nearest = nearest_name(name, names);
+  return Error{"the window has no action '" + name + "'" +
+               (nearest.empty() ? "; 'replan list actions' shows them"
+                                : "; did you mean '" + std::string(nearest) + "'?")};
+}
+
+/// The window's actions that a request names.
+Result<std::vector<ui::ActionId>> requested_actions(const RenderRequest& request) {
+  std::vector<ui::ActionId> found;
+  if (request.actions.empty()) return found;
   if (!request.window || is_film(request.output) || file_extension(request.output) == ".svg")
     return Error{
         "an action of the window shows in a picture of the window alone: give a name that ends in .png"};
-  if (const ui::Action* found = ui::find_action(request.action))
-    return std::optional<ui::ActionId>(found->id);
-  std::vector<std::string_view> names;
-  for (const ui::Action& each : ui::actions()) names.emplace_back(each.name);
-  const std::string_view nearest = nearest_name(request.action, names);
-  return Error{
-      "the window has no action '" + request.action + "'" +
-      (nearest.empty() ? "; for example keys, worlds" : "; did you mean '" + std::string(nearest) + "'?")};
+  for (const std::string& name : request.actions) {
+    const ui::Action* action = ui::find_action(name);
+    if (action == nullptr) return unknown_action(name);
+    found.push_back(action->id);
+  }
+  return found;
 }
 
 StudioSettings studio_settings(const RenderRequest& request) {
@@ -59,7 +67,7 @@ StudioSettings studio_settings(const RenderRequest& request) {
           request.window,
           request.panes.value_or(request.window ? 0 : 1),
           1.0 / request.film.fps,
-          std::nullopt};
+          {}};
 }
 
 Result<void> render_film(const RenderRequest& request, Session& session, const ui::ViewState& state) {
@@ -107,8 +115,8 @@ Result<ui::ViewState> requested_view(const RenderRequest& request) {
     if (!parsed) return Error{parsed.error()};
     state.view.overlays = *parsed;
   }
-  if (setup.camera)
-    state.view.camera = {setup.camera->x, setup.camera->y, setup.camera->zoom * request.scale};
+  if (const auto& camera = request.camera ? request.camera : setup.camera)
+    state.view.camera = {camera->x, camera->y, camera->zoom * request.scale};
   const std::string theme = request.theme ? *request.theme : setup.theme.value_or("dark");
   if (theme != "dark" && theme != "light")
     return Error{"there is no theme '" + theme + "'; take 'dark' or 'light'"};
@@ -126,8 +134,8 @@ Result<void> render(const RenderRequest& request) {
   if (!(request.scale >= 0.5 && request.scale <= 4)) return Error{"the scale must lie between 0.5 and 4"};
   const Result<ui::ViewState> state = requested_view(request);
   if (!state) return Error{state.error()};
-  const auto action = requested_action(request);
-  if (!action) return Error{action.error()};
+  auto actions = requested_actions(request);
+  if (!actions) return Error{actions.error()};
   const std::string extension = file_extension(request.output);
   Session session(request.scenario);
   if (is_film(request.output)) return render_film(request, session, *state);
@@ -139,7 +147,7 @@ Result<void> render(const RenderRequest& request) {
   if (extension == ".svg")
     return write_drawing(request.output, session.run(), *state, {request.width, request.height});
   StudioSettings settings = studio_settings(request);
-  settings.action = *action;
+  settings.actions = std::move(*actions);
   auto studio = Studio::open(settings, session, *state);
   if (!studio) return Error{studio.error()};
   return ui::write_png(request.output, (*studio)->shoot(session));

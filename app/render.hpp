@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "core/scene/scene.hpp"
 #include "core/scene/view.hpp"
@@ -34,13 +35,14 @@ struct RenderRequest {
   std::variant<Moment, std::size_t, std::string> at =
       Moment::plan;  ///< or a position in the event log, or as moment_position() reads it; for stills
   std::optional<Cell> pinned;
+  std::optional<ViewSetup::Camera> camera;  ///< else the scenario's, else the whole world
   bool legend = true;
   bool window = false;  ///< the whole window rather than the canvas alone; not for `.svg`
   /// How many planners are shown; nothing: all that there is room for in a window, one on a canvas alone.
   std::optional<std::size_t> panes;
-  /// Of the window, done before a still is drawn: its identifier in ui/shell/actions.def, such as "keys" for
-  /// the page of keys; empty for none. So pictures of dialogs are made.
-  std::string action;
+  /// Of the window, done one after the other before a still is drawn: their identifiers in
+  /// ui/shell/actions.def, such as "keys" for the page of keys. So pictures of dialogs and tabs are made.
+  std::vector<std::string> actions;
   FilmOptions film;
   std::function<void(std::size_t done, std::size_t all)> progress;  ///< called after each frame of a film
 };

@@ -1,6 +1,7 @@
 #include "app/studio.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/world/library.hpp"
 #include "ui/pane_grid.hpp"
@@ -8,6 +9,7 @@
 namespace replan::app {
 namespace {
 
+// What an action opens takes time: a dialog reads its files and draws thumbnails one by one.
 constexpr int kActionFrames = 60;
 
 }  // namespace
@@ -34,15 +36,32 @@ Studio::~Studio() {
 }
 
 ui::Image Studio::shoot(Session& session) {
-  // Two frames: windows that are sized by their content settle in the second.
-  // What an action opens takes some more: a dialog reads its files and draws thumbnails one by one.
-  const int settling = settings_.action ? kActionFrames : 2;
-  const int frames = settings_.window && !settled_ ? settling : 1;
-  for (int i = 0; i < frames; ++i)
-    offscreen_->frame([&] { settings_.window ? draw_window(session) : draw_canvas(session); },
-                      static_cast<float>(settings_.seconds));
-  settled_ = true;
+  draw(session);
+  if (settings_.window && !std::exchange(settled_, true)) {
+    do_actions(session);
+    // Windows that are sized by their content settle in the second frame.
+    draw(session);
+  }
   return offscreen_->picture();
+}
+
+void Studio::draw(Session& session) {
+  offscreen_->frame([&] { settings_.window ? draw_window(session) : draw_canvas(session); },
+                    static_cast<float>(settings_.seconds));
+}
+
+/// Each sees what the one before it has led to: its frame tells the session, and what the session does in the
+/// background is waited for.
+void Studio::do_actions(Session& session) {
+  if (settings_.actions.empty()) return;
+  shell_->settle_in(session, {{}, library_folder(), {}});
+  for (const ui::ActionId action : settings_.actions) {
+    shell_->perform_next(action);
+    draw(session);
+    session.settle();
+    draw(session);
+  }
+  for (int i = 0; i < kActionFrames; ++i) draw(session);
 }
 
 void Studio::draw_window(Session& session) {
@@ -51,10 +70,6 @@ void Studio::draw_window(Session& session) {
     shell_ = std::make_unique<ui::Shell>(stage.renderer());
     shell_->view() = state_;
     shell_->panels().panes = settings_.panes;
-    if (settings_.action) {
-      shell_->settle_in(session, {{}, library_folder(), {}});
-      shell_->perform_next(*settings_.action);
-    }
   }
   shell_->draw(stage.look(), session, settings_.seconds);
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "app/platform/offscreen.hpp"
@@ -15,11 +14,12 @@ namespace replan::app {
 struct StudioSettings {
   int width = 1440;  ///< pixels
   int height = 900;
-  double scale = 1;                         ///< device pixels per design pixel
-  bool window = false;                      ///< the whole window rather than the canvas alone
-  std::size_t panes = 1;                    ///< of the canvas; for a window 0: as many as there is room for
-  double seconds = 1.0 / 30;                ///< from picture to picture
-  std::optional<ui::ActionId> action = {};  ///< of the window, done before the first picture
+  double scale = 1;           ///< device pixels per design pixel
+  bool window = false;        ///< the whole window rather than the canvas alone
+  std::size_t panes = 1;      ///< of the canvas; for a window 0: as many as there is room for
+  double seconds = 1.0 / 30;  ///< from picture to picture
+  std::vector<ui::ActionId> actions =
+      {};  ///< of the window, done one after the other before the first picture
 };
 
 class Studio {
@@ -36,6 +36,8 @@ class Studio {
  private:
   Studio(const StudioSettings& settings, ui::ViewState state)
       : settings_(settings), state_(std::move(state)) {}
+  void draw(Session& session);
+  void do_actions(Session& session);
   void draw_window(Session& session);
   void draw_canvas(const Session& session);
 

@@ -66,8 +66,13 @@ enum class ButtonKind { primary, plain, quiet, danger };
 /// A labelled button; `icon` may be empty. The label is its id; "##" hides what follows it.
 bool button(const Look& look, const char* label, ButtonKind kind = ButtonKind::plain, const char* icon = "");
 
+/// A tab's name, and what its tooltip says.
+struct Tab {
+  const char* name;
+  Hint hint = {};
+};
 /// Flat text tabs with an accent underline; returns whether `current` changed.
-bool tabs(const Look& look, const char* id, std::span<const char* const> names, int& current);
+bool tabs(const Look& look, const char* id, std::span<const Tab> all, int& current);
 
 /// One of a few choices, side by side in a box of the content's width; returns whether `current` changed.
 bool segments(const Look& look, const char* id, std::span<const char* const> names, int& current);
@@ -95,10 +100,10 @@ struct KeyValue {
   ImU32 colour = 0;     ///< of the value; 0: text
   bool strong = false;  ///< semibold
 };
-/// Pairs in `columns` columns, filled row by row. Returns the number of the one under the mouse, -1 for none; it is
-/// the last item, and lit if `live`.
-int key_values(const Look& look, std::span<const KeyValue> pairs, int columns = 2,
-               Align align = Align::left, bool live = false);
+/// Pairs in `columns` columns, filled row by row. Returns the number of the one under the mouse, -1 for none;
+/// it is the last item, and lit if `live`.
+int key_values(const Look& look, std::span<const KeyValue> pairs, int columns = 2, Align align = Align::left,
+               bool live = false);
 
 struct Column {
   const char* name;

@@ -114,7 +114,7 @@ bool button(const Look& look, const char* label, ButtonKind kind, const char* ic
   return area.clicked;
 }
 
-bool tabs(const Look& look, const char* id, std::span<const char* const> names, int& current) {
+bool tabs(const Look& look, const char* id, std::span<const Tab> all, int& current) {
   ImGui::PushID(id);
   const float height = look.px(38);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
@@ -124,17 +124,18 @@ bool tabs(const Look& look, const char* id, std::span<const char* const> names, 
                      look.theme.line);
   const int before = current;
   float words = 0;
-  for (const char* name : names) words += text_width(look.fonts.ui, name);
+  for (const Tab& tab : all) words += text_width(look.fonts.ui, tab.name);
   // As much space between them as there is room for.
   const float room = ImGui::GetContentRegionAvail().x - look.px(16) - words;
   const float gap =
-      std::clamp(std::floor(room / (2 * static_cast<float>(names.size()))), look.px(3), look.px(10));
+      std::clamp(std::floor(room / (2 * static_cast<float>(all.size()))), look.px(3), look.px(10));
   float x = origin.x + look.px(8);
-  for (int i = 0; i < static_cast<int>(names.size()); ++i) {
-    const char* name = names[static_cast<std::size_t>(i)];
+  for (int i = 0; i < static_cast<int>(all.size()); ++i) {
+    const auto& [name, teach] = all[static_cast<std::size_t>(i)];
     ImGui::SetCursorScreenPos({x, origin.y});
     const Pressed area = press(name, {text_width(look.fonts.ui, name) + 2 * gap, height}, true);
     if (area.clicked) current = i;
+    if (*teach.title != '\0') hint(look, teach);
     const ImU32 colour = i == current || area.hovered ? look.theme.text : look.theme.dim;
     draw_text(list, look.fonts.ui, {x + gap, origin.y + look.px(14)}, colour, name);
     if (i == current) list.AddRectFilled({area.min.x, bottom - look.px(2)}, area.max, look.theme.accent);

@@ -14,6 +14,7 @@
 #include "core/world/library.hpp"
 #include "core/world/map_file.hpp"
 #include "core/world/scenario.hpp"
+#include "ui/shell/actions.hpp"
 
 namespace replan::cli {
 namespace {
@@ -161,15 +162,25 @@ Result<Listing> list_terms() {
   return listing;
 }
 
+Result<Listing> list_actions() {
+  Listing listing;
+  Table table({{"id", left}, {"keys", left}, {"label", left}, {"what it does", left}});
+  for (const ui::Action& each : ui::actions()) {
+    table.add({each.name, each.keys, each.label, each.teach});
+    listing.json["actions"].push_back(
+        {{"id", each.name}, {"keys", each.keys}, {"label", each.label}, {"help", each.teach}});
+  }
+  listing.text = table.text();
+  return listing;
+}
+
 struct Kind {
   std::string_view name;
   Result<Listing> (*list)();
 };
-constexpr Kind kKinds[] = {{"planners", list_planners},
-                           {"maps", list_maps},
-                           {"overlays", list_overlays},
-                           {"generators", list_generators},
-                           {"terms", list_terms}};
+constexpr Kind kKinds[] = {{"planners", list_planners}, {"maps", list_maps},
+                           {"overlays", list_overlays}, {"generators", list_generators},
+                           {"terms", list_terms},       {"actions", list_actions}};
 
 Result<int> list(const std::string& what, bool json) {
   std::vector<std::string_view> names;
@@ -182,7 +193,7 @@ Result<int> list(const std::string& what, bool json) {
     return kDone;
   }
   return Error{"cannot list '" + what + "'" +
-               suggestion(what, names, "; give planners, maps, overlays, generators or terms")};
+               suggestion(what, names, "; give planners, maps, overlays, generators, terms or actions")};
 }
 
 std::string footer() {
@@ -203,10 +214,12 @@ Command add_list(CLI::App& program) {
     std::string what;
     bool json = false;
   };
-  CLI::App* app = program.add_subcommand(
-      "list", "Show which planners, maps, overlays or generators there are, and what words mean");
+  CLI::App* app = program.add_subcommand("list",
+                                         "Show which planners, maps, overlays, generators or actions of the "
+                                         "window there are, and what words mean");
   const auto arguments = std::make_shared<Arguments>();
-  app->add_option("WHAT", arguments->what, "planners, maps, overlays, generators or terms")->required();
+  app->add_option("WHAT", arguments->what, "planners, maps, overlays, generators, terms or actions")
+      ->required();
   app->add_flag("--json", arguments->json, "Print the list as JSON");
   app->footer(footer);
   return {app, [arguments] { return list(arguments->what, arguments->json); }};

@@ -24,7 +24,9 @@ struct RenderArguments {
   std::vector<std::string> overlays;
   std::string theme;
   bool canvas_only = false;
-  std::string action;
+  std::vector<std::string> actions;
+  std::string pin;
+  std::string camera;
   std::string panes;
   std::string fps;
   std::string speed;
@@ -69,6 +71,28 @@ Result<void> read_looks(const RenderArguments& arguments, app::RenderRequest& re
     return Error{"--overlay: " + overlays.error() +
                  (overlays.error().ends_with('?') ? "" : "; 'replan list overlays' shows those there are")};
   request.overlays = *overlays;
+  return {};
+}
+
+Result<void> read_place(const RenderArguments& arguments, app::RenderRequest& request) {
+  if (!arguments.pin.empty()) {
+    const auto cell = parse_cell("--pin", arguments.pin);
+    if (!cell) return Error{cell.error()};
+    if (!request.scenario.map.contains(*cell))
+      return Error{"--pin " + arguments.pin + " lies outside the world of " +
+                   std::to_string(request.scenario.map.width) + " x " +
+                   std::to_string(request.scenario.map.height) + " cells"};
+    request.pinned = *cell;
+  }
+  if (arguments.camera.empty()) return {};
+  const std::vector<std::string> parts = split_list(std::vector{arguments.camera});
+  std::vector<double> numbers;
+  for (const std::string& part : parts)
+    if (const auto number = number_from<double>(part)) numbers.push_back(*number);
+  if (parts.size() != 3 || numbers.size() != 3 || !(numbers[2] > 0))
+    return Error{"--camera cannot be '" + arguments.camera +
+                 "': give X,Y,ZOOM, the point in the middle and pixels per cell, for example 12,8.5,48"};
+  request.camera = ViewSetup::Camera{numbers[0], numbers[1], numbers[2]};
   return {};
 }
 
@@ -123,11 +147,12 @@ Result<int> render(const RenderArguments& arguments) {
   request.scenario = std::move(world.value());
   request.output = arguments.out;
   request.window = !arguments.canvas_only;
-  request.action = arguments.action;
+  request.actions = split_list(arguments.actions);
   if (!arguments.size.empty())
     if (const auto size = read_size(arguments.size, request); !size) return Error{size.error()};
   if (const auto moment = read_moment(arguments, request); !moment) return Error{moment.error()};
   if (const auto looks = read_looks(arguments, request); !looks) return Error{looks.error()};
+  if (const auto place = read_place(arguments, request); !place) return Error{place.error()};
   if (const auto panes = read_panes(arguments, request); !panes) return Error{panes.error()};
   if (const auto film = read_film(arguments, request); !film) return Error{film.error()};
   std::optional<ProgressBar> bar;
@@ -191,11 +216,17 @@ Command add_render(CLI::App& program) {
       ->allow_extra_args(false);
   app->add_option("--theme", into.theme, "The colours; else the scenario's, else dark")
       ->type_name("light|dark");
-  app->add_option("--action", into.action,
-                  "Of a picture of the window: do this action of it first, such as keys or worlds, and show "
-                  "the dialog "
-                  "that it opens (names: ui/shell/actions.def)")
-      ->type_name("NAME");
+  app->add_option(
+         "--action", into.actions,
+         "Of a picture of the window: do these actions of it first, one after the other, such as keys, or "
+         "check_laws,show_debug; 'replan list actions' shows them")
+      ->type_name("NAME[,NAME...]")
+      ->allow_extra_args(false);
+  app->add_option("--pin", into.pin, "The cell that is pinned: the Cell tab tells of it")->type_name("X,Y");
+  app->add_option(
+         "--camera", into.camera,
+         "The point in the middle, in cells, and pixels per cell; else the scenario's, else all of the world")
+      ->type_name("X,Y,ZOOM");
   app->add_flag("--canvas-only", into.canvas_only, "The world alone, without the window around it");
   app->add_option("--panes", into.panes,
                   "How many planners are shown side by side; else all in a window, one with --canvas-only")

@@ -134,9 +134,10 @@ std::string table_of(const std::vector<BreakReport>& reports) {
       table.add({report.planner, "not reached", "", "", "", "",
                  counted(report.events, "event") + " looked through"});
       for (const std::string& condition : report.held)
-        details += "\n" + report.planner + ": " + condition +
-                   "\n  holds from the beginning, and a stop is where a condition comes true. Give each event "
-                   "a --break of its own.\n";
+        details +=
+            "\n" + report.planner + ": " + condition +
+            "\n  holds from the beginning, and a stop is where a condition comes true. Give each event "
+            "a --break of its own.\n";
       continue;
     }
     const Stop& stop = *report.stop;

@@ -43,6 +43,38 @@ TEST_F(Render, stillHasTheSizeAskedForAndRepeats) {
   EXPECT_TRUE(whole_file(first) == whole_file(second));
 }
 
+TEST_F(Render, pinCameraAndActionsChangeThePicture) {
+  std::vector<std::string> pictures;
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--action", "show_cell"},
+                                               {"--action", "show_cell", "--pin", "3,1"},
+                                               {"--action", "check_laws,show_debug"},
+                                               {"--action", "check_laws", "--action", "show_figures"},
+                                               {"--camera", "3,1,60"}}) {
+    const std::string file = folder_.file("picture.png");
+    std::vector<std::string> arguments = {"render", scenario_, "-o", file, "--size", "800x600"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run_program(arguments);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    pictures.push_back(whole_file(file));
+  }
+  std::sort(pictures.begin(), pictures.end());
+  EXPECT_EQ(std::adjacent_find(pictures.begin(), pictures.end()), pictures.end());
+}
+
+TEST_F(Render, namesWhatIsWrongWithPinCameraAndAction) {
+  const std::string file = folder_.file("picture.png");
+  const auto complain = [&](const char* option, const char* value, std::vector<std::string> phrases) {
+    expect_complaint({"render", scenario_, "-o", file, option, value}, std::move(phrases));
+  };
+  complain("--pin", "6,1", {"--pin 6,1", "outside", "6 x 3"});
+  complain("--pin", "here", {"--pin", "3,4"});
+  complain("--camera", "3,1", {"--camera", "X,Y,ZOOM"});
+  complain("--camera", "3,1,-5", {"--camera", "pixels per cell"});
+  complain("--action", "show_cel", {"show_cell"});
+  const Outcome list = run_program({"list", "actions"});
+  EXPECT_NE(list.out.find("show_cell"), std::string::npos) << list.out;
+}
+
 TEST_F(Render, windowAndCanvasDiffer) {
   const std::string window = folder_.file("window.png"), canvas = folder_.file("canvas.png");
   EXPECT_EQ(run_program({"render", scenario_, "-o", window, "--size", "800x600"}).code, 0);

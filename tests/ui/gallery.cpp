@@ -151,8 +151,9 @@ void inputs_panel(const Look& look, State& state) {
 
 void side(const Look& look, State& state, ImVec2 pos, float height) {
   area("side", pos, {look.px.side, height}, look.theme.panel, {0, 0}, [&] {
-    constexpr std::array<const char*, 6> names = {"Planner", "Cell", "Open list", "Code", "Figures", "Log"};
-    tabs(look, "tabs", names, state.tab);
+    constexpr std::array<Tab, 6> all = {
+        {{"Planner"}, {"Cell"}, {"Open list"}, {"Code"}, {"Figures"}, {"Log"}}};
+    tabs(look, "tabs", all, state.tab);
     edge(look, Edge::left);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.l, look.px.m));
     ImGui::BeginChild("content", {0, 0}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);

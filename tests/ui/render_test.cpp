@@ -127,16 +127,17 @@ TEST(Render, AnActionOpensItsDialogFirst) {
   request.window = true;
   std::vector<ui::Image> pictures;
   for (const char* action : {"", "keys"}) {
-    request.action = action;
+    request.actions.clear();
+    if (*action != '\0') request.actions.emplace_back(action);
     request.output = folder.file(std::string("with-") + action + ".png");
     const auto drawn = render(request);
     ASSERT_TRUE(drawn.ok()) << drawn.error();
     pictures.push_back(*ui::read_image(request.output));
   }
   EXPECT_NE(pictures[0].rgba, pictures[1].rgba);
-  request.action = "kes";
+  request.actions = {"kes"};
   EXPECT_NE(render(request).error().find("did you mean 'keys'?"), std::string::npos);
-  request.action = "keys";
+  request.actions = {"keys"};
   request.window = false;
   EXPECT_FALSE(render(request).ok()) << "a canvas has no dialogs";
 }

@@ -20,6 +20,10 @@ constexpr Chord shift(int key) {
 constexpr Chord ctrl(int key) {
   return {key, true, false, false};
 }
+/// F1 and so on.
+constexpr Chord fn(int number) {
+  return plain(key::kF1 + number - 1);
+}
 constexpr Chord ctrl_shift(int key) {
   return {key, true, true, false};
 }

@@ -51,8 +51,8 @@ void choose_planner(Frame& frame) {
   const PlannerInfo& info = frame.run().info();
   paragraph(look.fonts.ui, look.theme.dim, info.summary);
   const bool page = button(look, "Idea and limits", ButtonKind::quiet, icon::book);
-  hint(look, action(ActionId::planner_page).hint());
-  if (page) perform(frame, ActionId::planner_page);
+  hint(look, action(ActionId::show_code).hint());
+  if (page) perform(frame, ActionId::show_code);
 }
 
 bool choice_setting(const Look& look, const Parameter& parameter, const Hint& what, double& value) {

@@ -34,22 +34,41 @@ void choose_pane(Frame& frame) {
   ImGui::SetCursorScreenPos({origin.x, origin.y + look.px.control + look.px.m});
 }
 
+struct SideTab {
+  const char* name;
+  ActionId action;  // that shows it
+};
+// By the numbers kPlannerTab and so on.
+constexpr std::array<SideTab, 7> kTabs = {{{"Planner", ActionId::show_planner},
+                                           {"Cell", ActionId::show_cell},
+                                           {"Open list", ActionId::show_open_list},
+                                           {"Code", ActionId::show_code},
+                                           {"Figures", ActionId::show_figures},
+                                           {"Debug", ActionId::show_debug},
+                                           {"Log", ActionId::show_log}}};
+
+void choose_tab(Frame& frame) {
+  std::array<Tab, kTabs.size()> all{};
+  std::transform(kTabs.begin(), kTabs.end(), all.begin(), [](const SideTab& tab) {
+    return Tab{tab.name, action(tab.action).hint()};
+  });
+  tabs(frame.look, "tabs", all, frame.view.tab);
+}
+
 }  // namespace
 
 void draw_side(Frame& frame) {
   const Look& look = frame.look;
-  static constexpr std::array<const char*, 7> kNames = {"Planner", "Cell",  "Open list", "Code",
-                                                        "Figures", "Debug", "Log"};
   // A row of the last frame that stood for a cell; the one under the mouse now says so again.
   std::optional<Cell>& pointed = frame.panels.debugger.pointed;
   if (pointed && frame.view.view.hovered == pointed) frame.view.view.hovered.reset();
   pointed.reset();
-  frame.view.tab = std::clamp(frame.view.tab, 0, static_cast<int>(kNames.size()) - 1);
-  tabs(look, "tabs", kNames, frame.view.tab);
+  frame.view.tab = std::clamp(frame.view.tab, 0, static_cast<int>(kTabs.size()) - 1);
+  choose_tab(frame);
   edge(look, Edge::left);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.l, look.px.m));
   // A child of its own per tab, so that each keeps its scroll position.
-  ImGui::BeginChild(kNames[static_cast<std::size_t>(frame.view.tab)], {0, 0}, false,
+  ImGui::BeginChild(kTabs[static_cast<std::size_t>(frame.view.tab)].name, {0, 0}, false,
                     ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGui::PopStyleVar();
   const bool per_pane = frame.view.tab != kFiguresTab && frame.view.tab != kLogTab;
