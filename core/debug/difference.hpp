@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "core/base/cell.hpp"
+
 namespace replan {
 
 /// What is compared.
@@ -22,8 +24,10 @@ struct Difference {
   Compare what = Compare::expansions;
   std::array<std::size_t, 2> panes{};
   std::array<std::size_t, 2>
-      positions{};    ///< past the two events that differ; the end of a log that has no more
-  std::string words;  ///< "expansion 214: D* Lite takes (31, 18), DLD* Lite takes (32, 19)"
+      positions{};  ///< past the two events that differ; the end of a log that has no more
+  std::array<NodeId, 2> nodes{
+      kNoNode, kNoNode};  ///< where they differ, of expansions and moves; kNoNode where it is no vertex
+  std::string words;      ///< "expansion 214: D* Lite takes (31, 18), DLD* Lite takes (32, 19)"
 };
 
 }  // namespace replan

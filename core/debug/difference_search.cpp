@@ -186,6 +186,7 @@ struct DifferenceSearch::State {
       difference->positions[i] = !item        ? readers[i].position()
                                  : same_place ? item->value_position
                                               : item->position;
+      if (item && (what == Compare::expansions || what == Compare::moves)) difference->nodes[i] = item->node;
     }
     return Outcome::differ;
   }

@@ -294,6 +294,7 @@ constexpr Alias kAliases[] = {
     {"queue", "open-list"},
     {"open list", "open-list"},
     {"in U", "rank"},
+    {"#", "rank"},
     {"over", "overconsistent"},
     {"under", "underconsistent"},
     {"consistency", "state"},

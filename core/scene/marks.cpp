@@ -89,7 +89,8 @@ void add_remote_chain(SceneContext& context, NodeId node) {
 
 void build_arrows(SceneContext& context) {
   const double local = context.has(Overlay::lp) ? context.grown(9, 13) : 0;
-  const double remote = context.has(Overlay::rp) ? context.grown(26, 40) : 0;
+  const bool has_remote = context.run.info().any_angle;  // others write an rp too, and nothing reads it
+  const double remote = context.has(Overlay::rp) && has_remote ? context.grown(26, 40) : 0;
   const double length = std::clamp(0.5, context.world(7), context.world(18));
   const Colour arrow = faded(context.palette.arrow, local),
                ray = faded(context.palette.accent, remote * 0.28);

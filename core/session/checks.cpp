@@ -108,8 +108,7 @@ struct Checks::Pane {
 /// Two runs on their way to where they part.
 struct Checks::Comparison {
   DifferenceSearch search;
-  std::array<std::size_t, 2> panes;
-  std::array<std::uint64_t, 2> log_ids;
+  Compared of;
 };
 
 Checks::Checks() = default;
@@ -180,6 +179,20 @@ void Checks::meet(Runs runs) {
     if (laws_on(run) && !pane.laws) pane.laws = std::make_unique<LawChecker>(run.log_view());
     pane.exact = claims_cheapest(run.info(), run.choice().settings);
   }
+  forget_difference(runs);
+}
+
+/// Of runs that were cut or replaced since they were compared.
+void Checks::forget_difference(Runs runs) {
+  if (!compared_) return;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::size_t pane = compared_->panes[i];
+    if (pane < runs.size() && runs[pane]->log_id() == compared_->log_ids[i]) continue;
+    compared_.reset();
+    difference_.reset();
+    comparison_.clear();
+    return;
+  }
 }
 
 bool Checks::update(Runs runs) {
@@ -216,13 +229,17 @@ void Checks::settle(Runs runs) {
   busy_ = false;
 }
 
-void Checks::compare(Runs runs, const std::array<std::size_t, 2>& panes, Compare what) {
+bool Checks::compare(Runs runs, const std::array<std::size_t, 2>& panes, Compare what) {
   const Run &a = *runs[panes[0]], &b = *runs[panes[1]];
+  const Compared asked{panes, what, {a.log_id(), b.log_id()}};
+  if (compared_ == asked) return false;
+  compared_.reset();
   difference_.reset();
   comparison_.clear();
-  comparison_under_way_ = std::make_unique<Comparison>(
-      Comparison{DifferenceSearch(a.log_view(), b.log_view(), what), panes, {a.log_id(), b.log_id()}});
+  comparison_under_way_ =
+      std::make_unique<Comparison>(Comparison{DifferenceSearch(a.log_view(), b.log_view(), what), asked});
   comparing_ = true;
+  return true;
 }
 
 void Checks::stop_comparing() {
@@ -235,8 +252,8 @@ bool Checks::compare_on(Runs runs) {
   Comparison& comparison = *comparison_under_way_;
   std::array<bool, 2> ended{};
   for (std::size_t i = 0; i < 2; ++i) {
-    const std::size_t pane = comparison.panes[i];
-    if (pane >= runs.size() || runs[pane]->log_id() != comparison.log_ids[i]) {
+    const std::size_t pane = comparison.of.panes[i];
+    if (pane >= runs.size() || runs[pane]->log_id() != comparison.of.log_ids[i]) {
       stop_comparing();  // the world was edited
       return false;
     }
@@ -251,8 +268,9 @@ bool Checks::compare_on(Runs runs) {
     outcome = comparison.search.advance(kEvents, ended);
   if (outcome == DifferenceSearch::Outcome::more || outcome == DifferenceSearch::Outcome::waits) return false;
   difference_ = comparison.search.difference();
-  if (difference_) difference_->panes = comparison.panes;
+  if (difference_) difference_->panes = comparison.of.panes;
   comparison_ = difference_ ? difference_->words : "alike to the end: " + comparison.search.alike();
+  compared_ = comparison.of;
   stop_comparing();
   return true;
 }

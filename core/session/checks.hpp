@@ -35,7 +35,8 @@ class Checks {
   /// The first thousand, by position.
   [[nodiscard]] std::span<const Breach> breaches(std::size_t pane) const;
   [[nodiscard]] std::span<const Disagreement> disagreements(std::size_t pane) const;
-  /// What the last FindDifference came to; nothing if the two were found to be alike, or none was asked for.
+  /// What the last FindDifference came to; nothing if the two were found to be alike, none was asked for, or
+  /// one of the two runs has become another since.
   [[nodiscard]] const std::optional<Difference>& difference() const { return difference_; }
   /// The same as a sentence, "alike to the end" included; empty if none was asked for.
   [[nodiscard]] const std::string& comparison() const { return comparison_; }
@@ -49,6 +50,13 @@ class Checks {
 
   struct Pane;
   struct Comparison;
+  /// What a comparison is of.
+  struct Compared {
+    std::array<std::size_t, 2> panes{};
+    Compare what{};
+    std::array<std::uint64_t, 2> log_ids{};
+    friend bool operator==(const Compared&, const Compared&) = default;
+  };
   using Runs = std::span<const std::unique_ptr<Run>>;
 
   /// Switches both for all panes; what was found before is forgotten where it is switched off.
@@ -57,18 +65,21 @@ class Checks {
   bool update(Runs runs);
   /// Goes on to the end of the logs as they are.
   void settle(Runs runs);
-  void compare(Runs runs, const std::array<std::size_t, 2>& panes, Compare what);
+  /// Begins to compare; what was found before of the same runs stands. False if there is nothing to do.
+  bool compare(Runs runs, const std::array<std::size_t, 2>& panes, Compare what);
   void stop_comparing();
   /// Goes on comparing. True if it has just come to an end.
   bool compare_on(Runs runs);
 
   void meet(Runs runs);
+  void forget_difference(Runs runs);
   [[nodiscard]] bool laws_on(const Run& run) const;
 
   std::vector<Pane> panes_;
   std::unique_ptr<Comparison> comparison_under_way_;
   std::optional<bool> laws_;  // what somebody chose
   bool oracle_ = false;
+  std::optional<Compared> compared_;  // that came to the following
   std::optional<Difference> difference_;
   std::string comparison_;
   bool comparing_ = false;

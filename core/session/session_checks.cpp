@@ -14,8 +14,11 @@ Result<void> Session::run_command(const FindDifference& command) {
   if (command.panes[0] == command.panes[1])
     return Error{"a run does not differ from itself: choose two panes"};
   playback_.direction = 0;
-  for (const std::size_t pane : command.panes) runs_[pane]->go(Target::end());
-  checks_.compare(runs_, command.panes, command.what);
+  if (checks_.compare(runs_, command.panes, command.what)) {
+    for (const std::size_t pane : command.panes) runs_[pane]->go(Target::end());
+  } else {
+    show_difference();
+  }
   return {};
 }
 

@@ -86,7 +86,7 @@ if command -v ffmpeg >/dev/null && command -v ffprobe >/dev/null; then
   for _ in $(seq 300); do kill -0 "$window" 2>/dev/null || break; sleep 0.1; done
   end_program "while it recorded"
   IFS=, read -r width height rate frames <<<"$(film_facts canvas.mp4)"
-  [ "$rate" = 30/1 ] && [ "${frames:-0}" -ge 5 ] || fail "the film of the canvas: $rate frames per second, $frames frames"
+  [ "$rate" = 30/1 ] && [ "${frames:-0}" -ge 2 ] || fail "the film of the canvas: $rate frames per second, $frames frames"
   [ "$width" -ge 400 ] && [ "$width" -lt 1200 ] && [ "$height" -lt 780 ] || fail "the canvas is not $width x $height"
   IFS=, read -r width height rate frames <<<"$(film_facts window.gif)"
   [ "$width" = 1280 ] && [ "${frames:-0}" -ge 2 ] || fail "the film of the window: $width wide, $frames frames"

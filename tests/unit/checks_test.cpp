@@ -151,6 +151,22 @@ TEST(Checks, TakeBothPanesToWhereTheyPart) {
   EXPECT_EQ(session.runs()[2]->timeline().cursor(), found->positions[1]);
   ASSERT_TRUE(session.apply(Seek{0}).ok());
   EXPECT_NE(session.runs()[2]->timeline().cursor(), found->positions[1]);
+  // Asked for again it is known at once.
+  ASSERT_TRUE(session.apply(FindDifference{{0, 2}, Compare::expansions}).ok());
+  EXPECT_FALSE(session.checks().comparing());
+  EXPECT_EQ(session.runs()[0]->timeline().cursor(), found->positions[0]);
+  EXPECT_EQ(session.runs()[2]->timeline().cursor(), found->positions[1]);
+}
+
+TEST(Checks, ForgetADifferenceOfRunsThatAreNoMore) {
+  Session session(with_planners("demo.json", {{"dstar-lite", {}}, {"dld-star-lite", {}}}));
+  ASSERT_TRUE(session.apply(FindDifference{{0, 1}, Compare::expansions}).ok());
+  session.settle();
+  ASSERT_TRUE(session.checks().difference());
+  ASSERT_TRUE(session.apply(SetParameter{1, "heuristic", 1}).ok());
+  session.update(0);
+  EXPECT_FALSE(session.checks().difference());
+  EXPECT_EQ(session.checks().comparison(), "");
 }
 
 TEST(Checks, SayWhenTwoPanesAreAlikeToTheEnd) {

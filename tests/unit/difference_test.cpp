@@ -85,6 +85,14 @@ void expect_as_by_hand(const Pair& pair, Compare what) {
   };
   EXPECT_EQ(found->positions[0], place(left, *pair.a)) << found->words;
   EXPECT_EQ(found->positions[1], place(right, *pair.b)) << found->words;
+  const auto node = [&](const std::vector<Entry>& list) {
+    return i >= list.size() || what == Compare::costs ? "none" : list[i].what;
+  };
+  const auto found_node = [&](std::size_t side) {
+    return found->nodes[side] == kNoNode ? "none" : std::to_string(found->nodes[side]);
+  };
+  EXPECT_EQ(found_node(0), node(left));
+  EXPECT_EQ(found_node(1), node(right));
   EXPECT_NE(found->words.find(what == Compare::costs ? "plan" : std::to_string(i + 1)), std::string::npos)
       << found->words;
 }

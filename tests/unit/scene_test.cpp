@@ -240,6 +240,21 @@ TEST(Scene, ArrowsVanishInSmallCells) {
   EXPECT_GT(arrows(14), 10u);
 }
 
+TEST(Scene, RemoteParentsShowOnlyOfPlannersThatUseThem) {
+  for (const auto& [planner, uses] : {std::pair{"dstar-lite", false}, {"dld-star-lite", true}}) {
+    Scenario scenario = world();
+    scenario.planners = {{planner, {}}};
+    Session session(scenario);
+    session.settle();
+    View view = plain_view();
+    view.overlays.set(Overlay::rp, true);
+    view.camera = {10, 5, 60};
+    const Scene scene = build_scene(session.run(), view, kView, palette());
+    EXPECT_EQ(scene.shows(Sign::rp), uses) << planner;
+    EXPECT_EQ(!shapes_of<Arrow>(scene).empty(), uses) << planner;
+  }
+}
+
 bool same(const Scene& a, const Scene& b) {
   return a.raster.texels == b.raster.texels && a.shapes.size() == b.shapes.size() && a.range == b.range &&
          a.signs == b.signs && scene_svg(a, palette()) == scene_svg(b, palette());

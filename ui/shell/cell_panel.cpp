@@ -128,13 +128,13 @@ void values(Frame& frame, const CellView& view) {
 std::string touched_text(const Touched* mine) {
   if (mine == nullptr) return "did not touch it";
   const auto part = [](const char* name, Cost before, Cost after) {
-    return std::string(name) + " " + cost_text(before, 2) + " → " + cost_text(after, 2);
+    return std::string(name) + " " + cost_text(before) + " → " + cost_text(after);
   };
   const bool g = mine->g_before != mine->g_after, rhs = mine->rhs_before != mine->rhs_after;
-  if (!g && !rhs) return "touched it: its values came out the same";
-  std::string words = "touched it: ";
+  if (!g && !rhs) return "touched it, and its values came out the same";
+  std::string words = "touched it\n";
   if (g) words += part("g", mine->g_before, mine->g_after);
-  if (rhs) words += (g ? ", " : "") + part("rhs", mine->rhs_before, mine->rhs_after);
+  if (rhs) words += (g ? "  " : "") + part("rhs", mine->rhs_before, mine->rhs_after);
   return words;
 }
 
@@ -153,9 +153,10 @@ void touched_line(Frame& frame, const CellView& view) {
   hint(look, {name.c_str(), "", all.c_str()});
   ImGui::SameLine(0, look.px.xs);
   const std::string words = touched_text(mine);
-  text(look.fonts.ui, mine == nullptr ? look.theme.faint : look.theme.warning,
-       elide(look.fonts.ui, words, ImGui::GetContentRegionAvail().x));
-  hint(look, {"", "", words.c_str()});
+  const ImU32 colour = mine == nullptr ? look.theme.faint : look.theme.warning;
+  const std::size_t line = words.find('\n');
+  text(look.fonts.ui, colour, words.substr(0, line));
+  if (line != std::string::npos) text(look.fonts.mono, colour, words.substr(line + 1));
 }
 
 /// The lines about the current one, as in the Code tab.

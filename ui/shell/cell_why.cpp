@@ -80,6 +80,22 @@ void offer_table(Frame& frame, const CellView& view, const std::vector<Offer>& a
   table_row(look, -1, columns, cells);
 }
 
+/// Who wrote the value last; a click goes there.
+void written_line(Frame& frame, const CellView& view) {
+  const Look& look = frame.look;
+  const Timeline& log = view.run.timeline();
+  const EventKind kind = view.lookahead ? EventKind::rhs : EventKind::g;
+  const auto written = log.last_event(view.node, {kind}, log.cursor());
+  if (!written) return;
+  ImGui::Dummy({0, look.px.xs});
+  text(look.fonts.ui, look.theme.dim, "Written by event");
+  ImGui::SameLine(0, look.px.xs);
+  if (link(look, "writer", grouped(*written + 1), look.fonts.mono))
+    frame.commands.push_back(Seek{*written + 1});
+  hint(look, {"", "", "Click to go to where it was written."});
+  paragraph(look.fonts.ui, look.theme.dim, as_sentence(origin_text(frame, *written)) + ".");
+}
+
 }  // namespace
 
 void draw_why(Frame& frame, const CellView& view) {
@@ -90,9 +106,10 @@ void draw_why(Frame& frame, const CellView& view) {
   const std::vector<Offer> all = offers(view);
   if (const std::string_view special = special_case(view, all); !special.empty()) {
     paragraph(look.fonts.ui, look.theme.dim, special);
-    return;
+    return written_line(frame, view);
   }
   offer_table(frame, view, all);
+  written_line(frame, view);
   if (all.front().sum == value) return;
   ImGui::Dummy({0, look.px.xs});
   paragraph(look.fonts.ui, look.theme.warning,

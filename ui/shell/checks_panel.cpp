@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/debug/event_words.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/conditions.hpp"
 #include "ui/shell/format.hpp"
@@ -158,6 +159,27 @@ void difference_choices(Frame& frame) {
   }
 }
 
+/// The cell of each of the two, to point at, and to go there with the Cell tab telling of it.
+void parted_cells(Frame& frame, const Difference& difference) {
+  const Look& look = frame.look;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Run& run = *frame.session.runs()[difference.panes[i]];
+    const NodeId node = difference.nodes[i];
+    const std::string place = node == kNoNode ? "there" : "to " + node_text(run.lattice(), node);
+    ImGui::PushID(static_cast<int>(i));
+    const bool clicked = link(look, "go", ("Go " + place).c_str(), look.fonts.ui);
+    hint(look, {"", "", "Both panes stand where they part; this one leads, and its cell is pinned."});
+    if (node != kNoNode) point_at(frame, run.lattice().position(node));
+    ImGui::SameLine(0, look.px.s);
+    text(look.fonts.ui, look.theme.dim, run.info().name);
+    ImGui::PopID();
+    if (!clicked) continue;
+    frame.commands.push_back(Lead{difference.panes[i]});
+    frame.commands.push_back(FindDifference{difference.panes, difference.what});
+    if (node != kNoNode) show_cell(frame, run.lattice().position(node));
+  }
+}
+
 }  // namespace
 
 void draw_difference(Frame& frame) {
@@ -183,9 +205,7 @@ void draw_difference(Frame& frame) {
     return;
   }
   paragraph(look.fonts.ui, look.theme.text, as_sentence(checks.comparison()));
-  const auto& difference = checks.difference();
-  if (difference && link(look, "go", "Go there", look.fonts.ui))
-    go_to(frame, difference->panes[0], difference->positions[0]);
+  if (const auto& difference = checks.difference()) parted_cells(frame, *difference);
 }
 
 }  // namespace replan::ui

@@ -33,7 +33,7 @@ struct DebuggerState {
   // Debug tab
   std::string breakpoint, watch;  ///< being typed
   std::array<int, 2> compared{0, 1};
-  int compare = 1;     ///< a Compare
+  int compare = 1;  ///< a Compare
 
   bool menu_open = false;       ///< that of ViewState::menu
   std::optional<Cell> pointed;  ///< the cell of the row under the mouse, which the canvas shows as hovered

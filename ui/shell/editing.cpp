@@ -87,7 +87,7 @@ void ActionContext::delete_selected() {
 
 void ActionContext::show_history() {
   show_tab(kLogTab);
-  panels.history = true;
+  panels.log = LogPart::edits;
 }
 
 void ActionContext::copy_world() {

@@ -98,6 +98,19 @@ std::string function_of(const PlannerPage& page, int number) {
   return name;
 }
 
+/// The vertex whose expansion an event belongs to, if it does.
+std::optional<NodeId> taken_before(const Timeline& log, std::size_t event) {
+  constexpr std::size_t kFarthest = 4096;  // an expansion writes far less
+  for (std::size_t i = event + 1; i > 0 && event + 1 - i < kFarthest; --i) {
+    const Event& each = log.event(i - 1);
+    if (each.kind == EventKind::pop) return each.node;
+    if (each.kind == EventKind::plan_begin || each.kind == EventKind::plan_end ||
+        each.kind == EventKind::known || each.kind == EventKind::move)
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string origin_text(Frame& frame, std::size_t event) {
@@ -118,7 +131,10 @@ std::string origin_text(Frame& frame, std::size_t event) {
   if (plan == markers.rend()) return words;
   const std::uint64_t replan = run.timeline().event(plan->event).delta;
   const std::string in = replan == 0 ? "in the first plan" : "in replan " + std::to_string(replan);
-  return words.empty() ? in : words + ", " + in;
+  if (!words.empty()) words += ", ";
+  if (const auto taken = taken_before(run.timeline(), event))
+    words += "when " + node_text(run, *taken) + " was taken from U, ";
+  return words + in;
 }
 
 int current_line(const Run& run) {

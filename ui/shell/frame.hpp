@@ -64,6 +64,23 @@ struct FigureCache {
   PathFigures figures;
 };
 
+/// What the Log tab lists.
+enum class LogPart : std::uint8_t { run, session, edits };
+
+/// What happened in a run, but for the robot's moves.
+class RunStory {
+ public:
+  /// Takes over what the run has come to since.
+  void follow(const Run& run);
+  /// Which of its markers.
+  [[nodiscard]] std::span<const std::size_t> markers() const { return markers_; }
+
+ private:
+  std::uint64_t log_id_ = 0;
+  std::size_t read_ = 0;  // markers of the run
+  std::vector<std::size_t> markers_;
+};
+
 /// What the panels remember between frames; no part of the document.
 struct PanelState {
   float side_width = 372;  ///< of the design; the user drags it
@@ -83,8 +100,10 @@ struct PanelState {
   PixelArea canvas;                          ///< where the canvas was drawn last
   double frame_ms = 0;                       ///< CPU time of a frame, smoothed; 0: not measured
   float tool_height = 0;                     ///< what the tool's choices took in the last frame, in pixels
-  bool history = false;                      ///< the Log tab lists the edits
-  std::string said;                          ///< a sentence for the user, to be shown over the canvas
+  LogPart log = LogPart::run;
+  RunStory story;
+  RowScroll story_rows;
+  std::string said;  ///< a sentence for the user, to be shown over the canvas
   bool said_bad = false;
   std::vector<std::string> recent;   ///< files that were opened last, the latest first
   std::string wished;                ///< the file that a wish is about

@@ -1,7 +1,10 @@
-// The Log tab: what was done and what went wrong, oldest first, and what the platform had to say.
+// The Log tab: what happened in the run; what was done in this session and went wrong; and all edits.
+#include <algorithm>
 #include <array>
+#include <string>
 
 #include "ui/icons.hpp"
+#include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
 
 namespace replan::ui {
@@ -80,18 +83,75 @@ void draw_lines(Frame& frame) {
   }
 }
 
+/// What the robot's clock shows when that event comes.
+std::int64_t clock_at(const Run& run, std::size_t event) {
+  const auto marks = run.marks();
+  const auto after = std::partition_point(marks.begin(), marks.end(),
+                                          [event](const Mark& mark) { return mark.event <= event; });
+  return after == marks.begin() ? 0 : std::prev(after)->clock;
+}
+
+/// One happening; a click goes to behind it. What lies after the playhead stands back.
+void story_row(Frame& frame, std::size_t row, const Marker& marker, std::span<const Column> columns) {
+  const Look& look = frame.look;
+  const Run& run = frame.run();
+  const bool ahead = marker.event >= run.timeline().cursor(),
+             here = marker.event + 1 == run.timeline().cursor();
+  const std::string event = grouped(marker.event + 1), step = grouped(clock_at(run, marker.event)),
+                    words = as_sentence(event_text(run.lattice(), run.timeline().event(marker.event), 0));
+  const std::array<TableCell, 3> cells = {
+      {{event, ahead ? mix(look.theme.panel, look.theme.accent, 0.5f) : look.theme.accent},
+       {step, ahead ? look.theme.faint : look.theme.dim},
+       {words, ahead ? look.theme.faint : look.theme.text}}};
+  if (table_row(look, static_cast<int>(row), columns, cells, here))
+    frame.commands.push_back(Seek{marker.event + 1});
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  hint(look, {words.c_str(), "", "Click to go there."});
+}
+
+/// The leading run's plans, surprises and what became of the robot; its moves are too many to list.
+void draw_story(Frame& frame) {
+  const Look& look = frame.look;
+  RunStory& story = frame.panels.story;
+  story.follow(frame.run());
+  if (story.markers().empty()) {
+    empty_state(look, icon::list, "Nothing has happened yet",
+                "Plans, surprises and what becomes of the robot are listed here as the run goes on.");
+    return;
+  }
+  constexpr std::array<Column, 3> kColumns = {
+      {{"event", 1}, {"step", 0.6f}, {"what happened", 3.2f, Align::left}}};
+  table_header(look, kColumns);
+  const auto [first, last] = begin_rows(look, "story", story.markers().size(), 0, frame.panels.story_rows);
+  for (std::size_t row = first; row < last; ++row)
+    story_row(frame, row, frame.run().markers()[story.markers()[row]], kColumns);
+  end_rows();
+}
+
 }  // namespace
+
+void RunStory::follow(const Run& run) {
+  if (log_id_ != run.log_id()) *this = RunStory();
+  log_id_ = run.log_id();
+  for (; read_ < run.markers().size(); ++read_)
+    if (run.markers()[read_].kind != EventKind::move) markers_.push_back(read_);
+}
 
 void draw_log_panel(Frame& frame) {
   const Look& look = frame.look;
-  static constexpr std::array<const char*, 2> kParts = {"Events", "History"};
-  int part = frame.panels.history ? 1 : 0;
-  if (segments(look, "part", kParts, part)) frame.panels.history = part == 1;
+  static constexpr std::array<const char*, 3> kParts = {"Run", "Session", "Edits"};
+  int part = static_cast<int>(frame.panels.log);
+  if (segments(look, "part", kParts, part)) frame.panels.log = static_cast<LogPart>(part);
   ImGui::Dummy({0, look.px.xs});
-  if (frame.panels.history)
-    draw_history(frame);
-  else
-    draw_lines(frame);
+  switch (frame.panels.log) {
+    case LogPart::run:
+      return draw_story(frame);
+    case LogPart::session:
+      return draw_lines(frame);
+    case LogPart::edits:
+      return draw_history(frame);
+  }
 }
 
 }  // namespace replan::ui

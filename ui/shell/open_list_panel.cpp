@@ -78,7 +78,7 @@ Layout layout_of(const Look& look, const Run& run, const OpenOrder& order) {
   if (whole() > room) layout.decimals = 1;
   if (whole() > room) layout.state = false;
   if (whole() > room) layout.decimals = 0;
-  layout.columns = {{"rank", rank}, {"cell", cell}};
+  layout.columns = {{"#", rank}, {"cell", cell}};
   for (const char* name : lookahead ? std::array{"k1", "k2", "g", "rhs"} : std::array{"f", "h", "g", ""})
     if (name[0] != '\0') layout.columns.push_back({name, cost()});
   if (layout.state) layout.columns.push_back({"state", state});

@@ -41,6 +41,7 @@ void Shell::draw(const Look& look, Session& session, double) {
   Frame frame{look, session, view_, panels_, commands, wish};
   take_keys(frame);
   for (const ActionId id : std::exchange(next_actions_, {})) perform(frame, id);
+  pin_difference(frame);
   draw_parts(frame);
   if (const std::string failure = session.failure(); !failure.empty() && message_.text.empty())
     tell(failure, true);
@@ -79,6 +80,16 @@ void Shell::take_keys(Frame& frame) {
     return;
   }
   for (const ActionId id : pressed_actions(io)) perform(frame, id);
+}
+
+/// The vertex at which two panes were just found to part is pinned, so that the Cell tab explains it.
+void Shell::pin_difference(Frame& frame) {
+  const Checks& checks = frame.session.checks();
+  if (std::exchange(pinned_difference_, checks.comparison()) == checks.comparison()) return;
+  const auto& found = checks.difference();
+  if (!found) return;
+  const NodeId node = found->nodes[frame.session.lead() == found->panes[0] ? 0 : 1];
+  if (node != kNoNode) show_cell(frame, frame.run().lattice().position(node));
 }
 
 void Shell::draw_parts(Frame& frame) {

@@ -125,6 +125,7 @@ class Shell {
   void draw_message(const Look& look, ImVec2 min, ImVec2 max);
   void draw_splitter(Frame& frame, float x, float top, float bottom);
   void take_keys(Frame& frame);
+  void pin_difference(Frame& frame);
   void take_commands(Session& session, std::vector<Command>& commands);
   void take_wish(Session& session, Wish wish);
   void ask_for_capture(bool film, bool window);
@@ -179,6 +180,7 @@ class Shell {
   CaptureRequest asked_;  // while its dialog is open
   std::optional<CaptureRequest> capture_;
   std::vector<ActionId> next_actions_;
+  std::string pinned_difference_;  // its sentence
   bool quitting_ = false;
   bool saving_figures_ = false;  // the file dialog asks for the file of the figures
   bool held_ = false;            // a key that repeats is down

@@ -57,15 +57,21 @@ void draw_series(const Plot& plot, ImDrawList& list, std::span<const WatchPoint>
   }
 }
 
-void draw_frame(const Look& look, const Plot& plot, ImDrawList& list, float bottom) {
+/// The least and the greatest value, to the right of the lines.
+void draw_range(const Look& look, const Plot& plot, ImDrawList& list, float right, float bottom) {
   const ImFont* small = look.fonts.mono_small;
-  list.AddRectFilled({plot.min.x, bottom}, {plot.max.x, bottom + look.px.hair}, look.theme.line);
-  const std::string high = quantity_text(plot.high), low = quantity_text(plot.low);
-  draw_text(list, small, {plot.max.x - text_width(small, high), plot.min.y - look.px(4)}, look.theme.faint,
-            high);
-  if (plot.high > plot.low)
-    draw_text(list, small, {plot.max.x - text_width(small, low), bottom - small->FontSize}, look.theme.faint,
-              low);
+  list.AddRectFilled({plot.min.x, bottom}, {right, bottom + look.px.hair}, look.theme.line);
+  const auto label = [&](double value, float y) {
+    const std::string words = quantity_text(value);
+    draw_text(list, small, {right - text_width(small, words), y}, look.theme.faint, words);
+  };
+  label(plot.high, plot.min.y - look.px(4));
+  if (plot.high > plot.low) label(plot.low, bottom - small->FontSize);
+}
+
+float range_width(const Look& look, double low, double high) {
+  const ImFont* small = look.fonts.mono_small;
+  return std::max(text_width(small, quantity_text(low)), text_width(small, quantity_text(high)));
 }
 
 }  // namespace
@@ -95,7 +101,8 @@ void watch_chart(Frame& frame, std::size_t watch, float height) {
     draw_text(list, look.fonts.small, {origin.x, origin.y + height * 0.4f}, look.theme.faint,
               series.empty() ? "Looking through the log…" : "It has no value in this run.");
   } else {
-    draw_frame(look, plot, list, origin.y + height);
+    plot.max.x -= range_width(look, plot.low, plot.high) + look.px.s;
+    draw_range(look, plot, list, origin.x + width, origin.y + height);
     Plot drawn = plot;
     if (drawn.high == drawn.low) drawn.low -= 1, drawn.high += 1;
     for (std::size_t pane = 0; pane < session.runs().size(); ++pane)

@@ -1,6 +1,8 @@
 // All keys on one page, from the table of actions; what the mouse does; and what the canvas' marks mean.
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <span>
 #include <vector>
 
 #include "ui/canvas_chips.hpp"
@@ -23,12 +25,12 @@ struct Section {
 constexpr std::array<std::pair<Menu, const char*>, 9> kMenus = {{{Menu::planner, "Play and step"},
                                                                  {Menu::debug, "Debug"},
                                                                  {Menu::view, "View"},
-                                                                 {Menu::overlays, "Overlays"},
+                                                                 {Menu::file, "File"},
                                                                  {Menu::edit, "Edit and tools"},
                                                                  {Menu::world, "World"},
-                                                                 {Menu::file, "File"},
                                                                  {Menu::record, "Record"},
-                                                                 {Menu::help, "Help"}}};
+                                                                 {Menu::help, "Help"},
+                                                                 {Menu::overlays, "Overlays"}}};
 
 std::vector<Section> sections() {
   std::vector<Section> all;
@@ -51,7 +53,7 @@ std::vector<Section> sections() {
 }
 
 float line_height(const Look& look) {
-  return look.px(22);
+  return look.px(20);
 }
 float title_height(const Look& look) {
   return look.px(30);
@@ -65,36 +67,58 @@ void draw_line(const Look& look, ImVec2 at, const Line& line, float width) {
             elide(look.fonts.ui, line.words, width - keys - look.px.xs));
 }
 
-/// All lines in columns of about equal height. A section that does not fit goes on in the next column.
+/// How many columns of that height the sections fill, each whole and in their order.
+std::size_t columns_needed(std::span<const float> heights, float height) {
+  std::size_t columns = 1;
+  float used = 0;
+  for (const float each : heights) {
+    if (used > 0 && used + each > height) {
+      ++columns;
+      used = 0;
+    }
+    used += each;
+  }
+  return columns;
+}
+
+/// The least height at which they fill no more than that many columns: it is that of some run of sections.
+float column_height(std::span<const float> heights, std::size_t columns) {
+  float least = std::accumulate(heights.begin(), heights.end(), 0.0f);
+  for (std::size_t first = 0; first < heights.size(); ++first) {
+    float height = 0;
+    for (std::size_t last = first; last < heights.size(); ++last) {
+      height += heights[last];
+      const bool tall_enough = height >= *std::max_element(heights.begin(), heights.end());
+      if (tall_enough && height < least && columns_needed(heights, height) <= columns) least = height;
+    }
+  }
+  return least;
+}
+
+/// All lines in columns of about equal height, no section torn apart.
 void draw_sections(const Look& look, std::size_t columns) {
   const std::vector<Section> all = sections();
   const float gap = look.px(28), line = line_height(look), title = title_height(look);
   const float whole = ImGui::GetContentRegionAvail().x;
   const float width = (whole - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
-  float total = 0;
-  for (const Section& section : all) total += title + line * static_cast<float>(section.lines.size());
-  const float height = total / static_cast<float>(columns) + title;
+  std::vector<float> heights;
+  for (const Section& section : all)
+    heights.push_back(title + line * static_cast<float>(section.lines.size()));
+  const float height = column_height(heights, columns);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   ImVec2 at = origin;
-  float foot = origin.y;
-  const auto make_room = [&](float needed) {
-    if (at.y + needed <= origin.y + height) return;
-    at = {at.x + width + gap, origin.y};
-  };
-  for (const Section& section : all) {
-    make_room(title + 2 * line);
-    if (at.y > origin.y) at.y += look.px.s;
-    draw_text(*ImGui::GetWindowDrawList(), look.fonts.title, at, look.theme.dim, section.title);
-    at.y += title - look.px.s;
-    for (const Line& each : section.lines) {
-      make_room(line);
-      draw_line(look, at, each, width);
-      at.y += line;
-      foot = std::max(foot, at.y);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (at.y > origin.y && at.y + heights[i] > origin.y + height + 1) at = {at.x + width + gap, origin.y};
+    draw_text(*ImGui::GetWindowDrawList(), look.fonts.title, at, look.theme.dim, all[i].title);
+    float y = at.y + title - look.px.s;
+    for (const Line& each : all[i].lines) {
+      draw_line(look, {at.x, y}, each, width);
+      y += line;
     }
+    at.y += heights[i];
   }
   ImGui::SetCursorScreenPos(origin);
-  ImGui::Dummy({whole, foot - origin.y});
+  ImGui::Dummy({whole, height});
 }
 
 /// The marks of the canvas with their names, in rows.
