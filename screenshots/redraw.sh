@@ -27,5 +27,15 @@ world=broken-planner draw broken-planner.png --theme dark --at-end --action show
 # What the last replan touched, with the values before and after.
 draw last-repair.png --theme light --at replan:1 --action show_touched --overlay g,lp,rp,path,trail,sensor,repair
 
+# Why a cell has its rhs, and who wrote it.
+draw why-rhs.png --theme dark --at replan:1 --pin 13,27 --camera 13,26,48 --action show_cell \
+  --overlay g,lp,rp,path,trail,numbers
+# Where two planners part ways.
+draw first-difference.png --theme light --camera 26,42,24 --action first_difference,show_debug
+# Breakpoints, their flags on the timeline, and a chart.
+draw breakpoints.png --theme dark --at replan:1 --pin 20,22 --action break_on_cell,watch_cell,show_debug
+# Four planners side by side, with their figures.
+draw figures.png --theme light --at-end --action four_panes,show_figures
+
 # The whole story as a film, small enough for a page: two planners, the surprise and the repairs.
 draw demo.gif --canvas-only --panes all --size 840x560 --fps 20 --speed 10/s --hold 0.8 --theme dark
