@@ -18,7 +18,7 @@
 // being repaired can for a while: such a link is cut.
 #pragma once
 
-#include "core/trace/trace_file.hpp"
+#include "core/export/trace_file.hpp"
 
 namespace replan {
 

@@ -1,7 +1,7 @@
-#include "core/trace/posthoc.hpp"
+#include "core/export/posthoc.hpp"
 
 #include "core/base/words.hpp"
-#include "core/trace/trace_text.hpp"
+#include "core/export/trace_text.hpp"
 
 namespace replan {
 namespace {

@@ -1,12 +1,12 @@
-#include "core/debug/case_text.hpp"
+#include "core/export/case_text.hpp"
 
 #include <algorithm>
 #include <array>
 #include <tuple>
 
 #include "core/base/words.hpp"
-#include "core/trace/json_lines.hpp"
-#include "core/trace/trace_text.hpp"
+#include "core/export/json_lines.hpp"
+#include "core/export/trace_text.hpp"
 #include "core/world/json_reader.hpp"
 
 namespace replan {
