@@ -13,27 +13,6 @@
 namespace replan::ui {
 namespace {
 
-/// What a scene was built from: equal keys, equal scenes.
-struct SceneKey {
-  std::uint64_t revision = 0, log_id = 0;
-  OverlaySet overlays;
-  Camera camera;
-  std::optional<Cell> hovered, pinned;
-  std::optional<std::size_t> mover, surprise;
-  double scale = 0;
-  Viewport viewport;
-  ImU32 free = 0;
-  friend bool operator==(const SceneKey&, const SceneKey&) = default;
-};
-
-/// A zoom on its way: towards `target`, with `anchor` staying where it is on the screen.
-struct Glide {
-  double target = 0;
-  Point anchor;
-  ImVec2 at;
-  bool active = false;
-};
-
 /// In a world of another size, what was selected is no longer where it was.
 void forget_places(ViewState& state) {
   while (state.editing.escape()) {
@@ -44,6 +23,27 @@ void forget_places(ViewState& state) {
 }  // namespace
 
 struct Canvas::Parts {
+  /// What a scene was built from: equal keys, equal scenes.
+  struct SceneKey {
+    std::uint64_t revision = 0, log_id = 0;
+    OverlaySet overlays;
+    Camera camera;
+    std::optional<Cell> hovered, pinned;
+    std::optional<std::size_t> mover, surprise;
+    double scale = 0;
+    Viewport viewport;
+    ImU32 free = 0;
+    friend bool operator==(const SceneKey&, const SceneKey&) = default;
+  };
+
+  /// A zoom on its way: towards `target`, with `anchor` staying where it is on the screen.
+  struct Glide {
+    double target = 0;
+    Point anchor;
+    ImVec2 at;
+    bool active = false;
+  };
+
   explicit Parts(ImGuiRenderer& its_renderer) : renderer(its_renderer) {}
 
   void prepare(const Look& look, const Session& session, const Run& run, const ViewState& state,

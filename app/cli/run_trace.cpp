@@ -6,8 +6,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/output.hpp"
+#include "core/export/posthoc.hpp"
 #include "core/session/trace_export.hpp"
-#include "core/trace/posthoc.hpp"
 #include "core/world/map_file.hpp"
 
 namespace replan::cli {

@@ -6,7 +6,7 @@
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
-#include "core/debug/case_text.hpp"
+#include "core/export/case_text.hpp"
 #include "core/session/film_plan.hpp"
 
 namespace replan::cli {

@@ -7,17 +7,18 @@
 namespace replan {
 namespace {
 
-enum Bit : std::uint8_t { kParent = 1, kSpread = 2, kKey = 4 };
-
-constexpr const char* kStartLaw = "g(start) is 0";
-constexpr const char* kParentLaw =
-    "g(s) is its parent's g and the move, or more while the parent's g has yet to spread";
-constexpr const char* kSpreadLaw =
-    "a vertex that was taken from the list has offered its g to all neighbours";
-constexpr const char* kKeyLaw = "a key in the list is g + h";
-constexpr const char* kWayLaw = "parents lead from the goal to the start, by moves along which g falls";
-
 class BestFirstLaws final : public LawBook {
+  enum Bit : std::uint8_t { kParent = 1, kSpread = 2, kKey = 4 };
+
+  static constexpr const char* kStartLaw = "g(start) is 0";
+  static constexpr const char* kParentLaw =
+      "g(s) is its parent's g and the move, or more while the parent's g has yet to spread";
+  static constexpr const char* kSpreadLaw =
+      "a vertex that was taken from the list has offered its g to all neighbours";
+  static constexpr const char* kKeyLaw = "a key in the list is g + h";
+  static constexpr const char* kWayLaw =
+      "parents lead from the goal to the start, by moves along which g falls";
+
  public:
   explicit BestFirstLaws(LawValues& values) : LawBook(values), start_(values.start()), goal_(values.goal()) {}
 

@@ -5,12 +5,12 @@
 #include "core/base/words.hpp"
 #include "core/debug/event_words.hpp"
 #include "core/plan/planner.hpp"
+#include "core/trace/expansions.hpp"
 
 namespace replan {
-namespace {
 
 /// What is compared, one after the other: an event, an expansion, a plan or a move.
-struct Item {
+struct ComparedItem {
   EventKind kind{};
   NodeId node = kNoNode;
   std::uint64_t value = 0;
@@ -18,9 +18,15 @@ struct Item {
   std::size_t value_position = 0;  ///< past the one that gives the value
 
   [[nodiscard]] Event event() const { return {.delta = value, .node = node, .kind = kind}; }
-  [[nodiscard]] bool same_place(const Item& other) const { return kind == other.kind && node == other.node; }
-  friend bool operator==(const Item& a, const Item& b) { return a.same_place(b) && a.value == b.value; }
+  [[nodiscard]] bool same_place(const ComparedItem& other) const {
+    return kind == other.kind && node == other.node;
+  }
+  friend bool operator==(const ComparedItem& a, const ComparedItem& b) {
+    return a.same_place(b) && a.value == b.value;
+  }
 };
+
+namespace {
 
 /// The kinds that both planners write. Lines are left out: pseudo-codes are numbered each in its own way.
 KindSet shared_kinds(const PlannerInfo& a, const PlannerInfo& b) {
@@ -36,10 +42,12 @@ KindSet shared_kinds(const PlannerInfo& a, const PlannerInfo& b) {
   return kinds;
 }
 
+}  // namespace
+
 /// Reads one log and hands out what is compared.
-class Reader {
+class ComparedLog {
  public:
-  Reader(const LogView& view, Compare what, KindSet kinds)
+  ComparedLog(const LogView& view, Compare what, KindSet kinds)
       : log_(&view.log),
         frame_(view.lattice.size()),
         info_(&view.info),
@@ -50,7 +58,7 @@ class Reader {
   [[nodiscard]] const PlannerInfo& info() const { return *info_; }
   [[nodiscard]] bool at_end() const { return read_ == log_->size(); }
   [[nodiscard]] std::size_t position() const { return read_; }
-  [[nodiscard]] const std::optional<Item>& item() const { return item_; }
+  [[nodiscard]] const std::optional<ComparedItem>& item() const { return item_; }
   void drop() { item_.reset(); }
 
   /// Reads one event; item() is there when it completes one.
@@ -74,9 +82,9 @@ class Reader {
   /// The log has ended: what is half read is all there is.
   void finish() { item_ = std::exchange(expansion_, std::nullopt); }
 
-  [[nodiscard]] std::string describe(const Item& item) const;
+  [[nodiscard]] std::string describe(const ComparedItem& item) const;
   /// What an expansion makes of the vertex.
-  [[nodiscard]] std::string describe_value(const Item& item) const {
+  [[nodiscard]] std::string describe_value(const ComparedItem& item) const {
     return "gives " + node_text(frame_, item.node) +
            " g = " + cost_text({static_cast<std::int64_t>(item.value)});
   }
@@ -93,13 +101,11 @@ class Reader {
 
   // The g that a vertex gets is written after it was taken, if at all; the next step says that it stays.
   void read_expansion(const Event& event) {
-    if (event.kind == EventKind::pop || event.kind == EventKind::plan_end) {
-      item_ = std::exchange(expansion_, std::nullopt);
-      popped_ = event.kind == EventKind::pop;
-    } else if (event.kind == EventKind::visit && popped_) {
-      popped_ = false;
+    if (counter_.take(event)) {
       const auto value = static_cast<std::uint64_t>(state_.g(event.node).raw);
       expansion_ = {event.kind, event.node, value, read_, read_};
+    } else if (event.kind == EventKind::pop || event.kind == EventKind::plan_end) {
+      item_ = std::exchange(expansion_, std::nullopt);
     } else if (event.kind == EventKind::g && expansion_ && event.node == expansion_->node) {
       expansion_->value = static_cast<std::uint64_t>(state_.g(event.node).raw);
       expansion_->value_position = read_;
@@ -120,11 +126,11 @@ class Reader {
   SearchState state_;
   std::size_t read_ = 0;
   bool set_up_ = false;  // the first vertex was taken
-  bool popped_ = false;  // in this step, and not yet expanded
-  std::optional<Item> expansion_, item_;
+  ExpansionCounter counter_;
+  std::optional<ComparedItem> expansion_, item_;
 };
 
-std::string Reader::describe(const Item& item) const {
+std::string ComparedLog::describe(const ComparedItem& item) const {
   switch (what_) {
     case Compare::events:
       return event_text(frame_, item.event(), state_.value(item.kind, item.node));
@@ -139,19 +145,17 @@ std::string Reader::describe(const Item& item) const {
   return {};
 }
 
-}  // namespace
-
 struct DifferenceSearch::State {
   Compare what;
-  std::array<Reader, 2> readers;
+  std::array<ComparedLog, 2> readers;
   std::array<bool, 2> done{};
   std::size_t count = 0;  // items that were alike
   std::optional<Difference> difference;
 
   State(const LogView& a, const LogView& b, Compare which)
       : what(which),
-        readers{Reader(a, which, shared_kinds(a.info, b.info)),
-                Reader(b, which, shared_kinds(a.info, b.info))} {}
+        readers{ComparedLog(a, which, shared_kinds(a.info, b.info)),
+                ComparedLog(b, which, shared_kinds(a.info, b.info))} {}
 
   /// Reads side `i` on to its next item. False if it has to wait for more of the log, or `events` are used
   /// up.
@@ -176,7 +180,7 @@ struct DifferenceSearch::State {
     if (!a && !b) return Outcome::alike;
     if (a && b && *a == *b) {
       ++count;
-      for (Reader& reader : readers) reader.drop();
+      for (ComparedLog& reader : readers) reader.drop();
       return Outcome::more;
     }
     const bool same_place = a && b && a->same_place(*b);

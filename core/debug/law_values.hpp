@@ -38,8 +38,6 @@ struct LawVertex {
 
 /// The estimate that a planner of these settings makes: `zero` if it has no setting for it.
 Heuristic heuristic_of(const PlannerInfo& info, const Settings& settings);
-/// The penalty rules of such a planner.
-ClearanceRules clearance_rules_of(const Settings& settings);
 
 class LawValues {
  public:

@@ -15,19 +15,22 @@
 namespace replan {
 namespace {
 
-enum Bit : std::uint8_t { kRhs = 1, kParent = 2, kQueue = 4, kKey = 8, kDist = 16 };
-
-constexpr const char* kRhsLaw = "rhs(s) is the least c + g + dist of its successors";
-constexpr const char* kGoalLaw = "rhs(goal) is 0";
-constexpr const char* kParentLaw = "lp(s) is the successor that offers the least, of equal ones the first";
-constexpr const char* kQueueLaw = "s is in U exactly if g(s) and rhs(s) differ";
-constexpr const char* kKeyLaw = "a key is CalculateKey(s) when it is written, and never above it while in U";
-constexpr const char* kDistLaw = "dist(s) is the penalty of the known map";
-constexpr const char* kWayLaw = "local parents lead from the start to the goal, by moves along which g falls";
-constexpr const char* kPathLaw = "a path crosses no obstacle that the robot knows";
-constexpr const char* kCircleLaw = "a path leads to the goal and not round in a circle";
-
 class LookaheadLaws final : public LawBook {
+  enum Bit : std::uint8_t { kRhs = 1, kParent = 2, kQueue = 4, kKey = 8, kDist = 16 };
+
+  static constexpr const char* kRhsLaw = "rhs(s) is the least c + g + dist of its successors";
+  static constexpr const char* kGoalLaw = "rhs(goal) is 0";
+  static constexpr const char* kParentLaw =
+      "lp(s) is the successor that offers the least, of equal ones the first";
+  static constexpr const char* kQueueLaw = "s is in U exactly if g(s) and rhs(s) differ";
+  static constexpr const char* kKeyLaw =
+      "a key is CalculateKey(s) when it is written, and never above it while in U";
+  static constexpr const char* kDistLaw = "dist(s) is the penalty of the known map";
+  static constexpr const char* kWayLaw =
+      "local parents lead from the start to the goal, by moves along which g falls";
+  static constexpr const char* kPathLaw = "a path crosses no obstacle that the robot knows";
+  static constexpr const char* kCircleLaw = "a path leads to the goal and not round in a circle";
+
  public:
   LookaheadLaws(const LogView& view, LawValues& values)
       : LawBook(values),

@@ -9,6 +9,7 @@
 
 #include "core/debug/event_words.hpp"
 #include "core/debug/law_values.hpp"
+#include "core/plan/common_parameters.hpp"
 #include "core/plan/planner.hpp"
 
 namespace replan {
@@ -31,7 +32,7 @@ PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t positi
     const std::size_t count = std::min<std::size_t>(SearchState::kPage, question.known.size() - first);
     std::copy_n(page, count, question.known.begin() + first);
   }
-  if (view.info.clearance) question.clearance = clearance_rules_of(view.settings);
+  if (view.info.clearance) question.clearance = parameters::clearance_rules_of(view.settings);
   question.start = state.node(Scalar::start);
   question.goal = state.node(Scalar::goal);
   const auto status = static_cast<PlanStatus>(view.log.event(position - 1).delta);

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/debug/condition.hpp"
-#include "core/debug/expansions.hpp"
 #include "core/debug/log_view.hpp"
+#include "core/trace/expansions.hpp"
 
 namespace replan {
 

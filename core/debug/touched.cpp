@@ -19,7 +19,8 @@ void TouchedList::start(const LogView& view) {
   list_.clear();
   places_ = PagedArray<std::uint32_t>(view.lattice.node_count());
   before_ = now_ = view.log.state_at(begin_);
-  counts_ = view.info.incremental && !has_new_goal(view.log, begin_);
+  repairs_ = view.info.incremental && !has_new_goal(view.log, begin_);
+  counter_ = {};
   read_ = begin_;
 }
 
@@ -33,17 +34,15 @@ void TouchedList::follow(const LogView& view, std::uint64_t log_id, std::size_t 
 }
 
 void TouchedList::take(const Event& event, std::size_t index) {
+  const bool expansion = counter_.take(event);
   switch (event.kind) {
-    case EventKind::pop:
-      counts_ = true;
-      break;
     case EventKind::visit:
-      if (counts_) ++touched(event.node, index).expanded;
+      if (expansion) ++touched(event.node, index).expanded;
       break;
     case EventKind::g:
     case EventKind::rhs:
       now_.apply(event);  // what is wiped before the search is no work of its own, but part of the value
-      if (!counts_) break;
+      if (!repairs_ && !counter_.expands()) break;
       touched(event.node, index).g_after = now_.g(event.node);
       touched(event.node, index).rhs_after = now_.rhs(event.node);
       break;

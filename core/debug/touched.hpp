@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/debug/log_view.hpp"
+#include "core/trace/expansions.hpp"
 #include "core/trace/paged.hpp"
 
 namespace replan {
@@ -38,7 +39,8 @@ class TouchedList {
 
   std::uint64_t log_id_ = 0;
   std::size_t begin_ = 0, read_ = 0;
-  bool counts_ = false;       // writes are the search's own, and no wiping before it
+  bool repairs_ = false;      // it goes on with what is there, and wipes nothing before it searches
+  ExpansionCounter counter_;  // of this plan
   SearchState before_, now_;  // at the plan's beginning, and as far as it was read
   std::vector<Touched> list_;
   PagedArray<std::uint32_t> places_;  // index in list_ + 1

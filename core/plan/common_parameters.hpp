@@ -78,4 +78,11 @@ inline const Parameter kBorder{
     .type = ParameterType::toggle,
     .help = "Whether coming near the edge of the map costs as much as coming near an obstacle."};
 
+/// The rules of the clearance penalty that these parameters ask for.
+inline ClearanceRules clearance_rules_of(const Settings& settings) {
+  return {.range = settings.get(kRange),
+          .transform = static_cast<Transform>(static_cast<int>(settings.get(kTransform))),
+          .border_is_obstacle = settings.get(kBorder) != 0};
+}
+
 }  // namespace replan::parameters

@@ -98,9 +98,7 @@ class DStarLite final : public Planner<L> {
         static_cast<Heuristic>(kHeuristicByChoice[static_cast<std::size_t>(settings.get(kHeuristic))]);
     sight_rule_ = static_cast<SightRule>(settings.get(kSight));
     checked_ = settings.get(kRemoteParents) == 0;
-    clearance_rules_ = {.range = settings.get(kRange),
-                        .transform = static_cast<Transform>(settings.get(kTransform)),
-                        .border_is_obstacle = settings.get(kBorder) != 0};
+    clearance_rules_ = clearance_rules_of(settings);
     if constexpr (T::kEnabled) visits_.resize(nodes_.size());
     if (switches_.clearance) marked_.resize(nodes_.size());
   }

@@ -18,10 +18,7 @@ void RunDigest::read(const Run& run) {
     log_id_ = run.log_id();
   }
   for (; read_ < log.size(); ++read_) {
-    if (read_ % kStride == 0) {
-      expansions_.push_back(expanded_);
-      popped_at_.push_back(popped_);
-    }
+    if (read_ % kStride == 0) counters_.push_back(counter_);
     take(log.event(read_), read_);
   }
 }
@@ -29,10 +26,9 @@ void RunDigest::read(const Run& run) {
 // A log is cut between two decisions of the robot, so that no plan is under way at `position`.
 void RunDigest::forget_from(const Run& run, std::size_t position) {
   if (position >= read_) return;
-  expanded_ = expansions(run, position);
+  counter_ = counter_at(run, position);
   read_ = position;
-  expansions_.resize((position + kStride - 1) / kStride);
-  popped_at_.resize(expansions_.size());
+  counters_.resize((position + kStride - 1) / kStride);
   const auto later = [position](const MapEvent& event) { return event.event >= position; };
   map_events_.erase(std::find_if(map_events_.begin(), map_events_.end(), later), map_events_.end());
   plans_.erase(plans_.begin() + static_cast<std::ptrdiff_t>(plans_before(position)), plans_.end());
@@ -43,6 +39,7 @@ void RunDigest::forget_from(const Run& run, std::size_t position) {
 // A planner that starts every replan afresh wipes its values on the record before its first pop, and so does
 // any other when the goal has moved; that is no work of the search and touches nothing.
 void RunDigest::take(const Event& event, std::size_t index) {
+  const bool expansion = counter_.take(event);
   switch (event.kind) {
     case EventKind::known:
     case EventKind::truth:
@@ -65,23 +62,17 @@ void RunDigest::take(const Event& event, std::size_t index) {
                         .first_touch = touches_.size(),
                         .last_touch = touches_.size(),
                         .cause = std::exchange(cause_, {})});
-      popped_ = false;
       ++stamp_;
       break;
     case EventKind::plan_end:
       if (!plans_.empty()) plans_.back().end = index + 1;
       break;
-    case EventKind::pop:
-      popped_ = true;
-      break;
     case EventKind::visit:
-      if (!popped_) break;
-      ++expanded_;
-      touch(event.node, index);
+      if (expansion) touch(event.node, index);
       break;
     case EventKind::g:
     case EventKind::rhs:
-      if (popped_ || (incremental_ && !starts_afresh())) touch(event.node, index);
+      if (counter_.expands() || (incremental_ && !starts_afresh())) touch(event.node, index);
       break;
     default:
       break;
@@ -113,22 +104,12 @@ std::span<const Touch> RunDigest::touches_before(const PlanSpan& plan, std::size
   return all.first(static_cast<std::size_t>(after - all.begin()));
 }
 
-std::int64_t RunDigest::expansions(const Run& run, std::size_t position) const {
+ExpansionCounter RunDigest::counter_at(const Run& run, std::size_t position) const {
   position = std::min(position, read_);
-  if (position == read_) return expanded_;
-  const std::size_t stride = position / kStride;
-  std::int64_t count = expansions_[stride];
-  bool popped = popped_at_[stride];
-  for (std::size_t i = stride * kStride; i < position; ++i) {
-    const EventKind kind = run.timeline().event(i).kind;
-    if (kind == EventKind::plan_begin)
-      popped = false;
-    else if (kind == EventKind::pop)
-      popped = true;
-    else if (kind == EventKind::visit && popped)
-      ++count;
-  }
-  return count;
+  if (position == read_) return counter_;
+  ExpansionCounter counter = counters_[position / kStride];
+  for (std::size_t i = position / kStride * kStride; i < position; ++i) counter.take(run.timeline().event(i));
+  return counter;
 }
 
 }  // namespace replan

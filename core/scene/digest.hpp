@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/session/run.hpp"
+#include "core/trace/expansions.hpp"
 
 namespace replan {
 
@@ -51,11 +52,15 @@ class RunDigest {
   [[nodiscard]] std::size_t plans_before(std::size_t position) const;
   /// The touches of a plan that happened before the position.
   [[nodiscard]] std::span<const Touch> touches_before(const PlanSpan& plan, std::size_t position) const;
-  [[nodiscard]] std::int64_t expansions(const Run& run, std::size_t position) const;
+  /// Expansions among the first `position` events.
+  [[nodiscard]] std::int64_t expansions(const Run& run, std::size_t position) const {
+    return counter_at(run, position).count();
+  }
 
  private:
   static constexpr std::size_t kStride = 1024;
 
+  [[nodiscard]] ExpansionCounter counter_at(const Run& run, std::size_t position) const;
   void forget_from(const Run& run, std::size_t position);
   void take(const Event& event, std::size_t index);
   void touch(NodeId node, std::size_t index);
@@ -64,11 +69,9 @@ class RunDigest {
   std::uint64_t log_id_ = 0;
   bool incremental_ = true;
   std::size_t read_ = 0;
-  bool popped_ = false;  // in the current plan
-  ReplanCause cause_;    // what has happened since the last plan began
-  std::int64_t expanded_ = 0;
-  std::vector<std::int64_t> expansions_;  // before each kStride-th event
-  std::vector<bool> popped_at_;           // and whether popped_ held there
+  ReplanCause cause_;  // what has happened since the last plan began
+  ExpansionCounter counter_;
+  std::vector<ExpansionCounter> counters_;  // before each kStride-th event
   std::vector<MapEvent> map_events_;
   std::vector<PlanSpan> plans_;
   std::vector<Touch> touches_;

@@ -1,8 +1,8 @@
 #include "core/session/breakpoints.hpp"
 
 #include <algorithm>
-#include <chrono>
 
+#include "core/base/deadline.hpp"
 #include "core/session/lockstep.hpp"
 #include "core/session/run.hpp"
 
@@ -114,12 +114,8 @@ bool Breakpoints::look(const Run& run, const CheckedLog& checked, double millise
   follow_checkers(checked);
   if (!wants_any()) return false;
   const std::size_t end = can_look_to(checked, run.timeline().size()), known = hits_.size();
-  const auto begin = std::chrono::steady_clock::now();
-  const auto in_time = [&] {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count() <
-           milliseconds;
-  };
-  while (looked_ < end && hits_.size() < kMostHits && in_time()) {
+  const Deadline deadline(milliseconds);
+  while (looked_ < end && hits_.size() < kMostHits && !deadline.passed()) {
     if (!search_) search_.emplace(search(run, checked, looked_));
     looked_ = std::min(end, looked_ + search_->slice());
     search_->forwards(looked_, checked.verdicts(), hits_);

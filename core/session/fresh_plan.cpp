@@ -33,9 +33,7 @@ class TouchCount {
 
 FreshPlan plan_from_scratch(const PlannerChoice& choice, Grid2::Coordinates size, const SearchState& state,
                             const std::stop_token& stop) {
-  std::vector<std::uint8_t> known(state.node_count());
-  for (NodeId node = 0; node < known.size(); ++node) known[node] = state.known_blocked(node) ? 1 : 0;
-  const Grid2 lattice(size, std::move(known), move_rules(choice.settings));
+  const Grid2 lattice(size, state.known_map(), move_rules(choice.settings));
   Recorder recorder;
   const auto planner = make_planner(*find_planner(choice.id), lattice, choice.settings, recorder);
   TouchCount touched(lattice.node_count());

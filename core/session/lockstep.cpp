@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/session/expansions.hpp"
+#include "core/trace/expansions.hpp"
 
 namespace replan {
 namespace {

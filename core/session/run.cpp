@@ -17,24 +17,6 @@ constexpr std::size_t kMostReady = 8;
 constexpr std::chrono::milliseconds kPumpTime{4};
 constexpr std::size_t kPartEvents = 16384;
 
-bool is_marker(EventKind kind) {
-  switch (kind) {
-    case EventKind::plan_begin:
-    case EventKind::plan_end:
-    case EventKind::move:
-    case EventKind::surprise:
-    case EventKind::collision:
-    case EventKind::waiting:
-    case EventKind::arrival:
-    case EventKind::gave_up:
-    case EventKind::new_goal:
-    case EventKind::put_down:
-      return true;
-    default:
-      return false;
-  }
-}
-
 SearchState initial_state(const Scenario& scenario) {
   return SearchState(initial_knowledge(scenario), initial_truth(scenario));
 }
@@ -229,12 +211,11 @@ void Run::take_over_part() {
 
 void Run::note_events(std::span<const Event> events) {
   std::size_t position = timeline_.size();
-  if (!counter_) counter_.emplace(timeline_, position);
   for (const Event& event : events) {
     const std::size_t bucket = position / kCurveChunk;
     if (bucket >= curve_.size()) curve_.resize(bucket + 1);
-    if (counter_->take(event)) ++curve_[bucket];
-    if (is_marker(event.kind)) markers_.push_back({position, event.kind});
+    if (counter_.take(event)) ++curve_[bucket];
+    if (kMarkers.has(event.kind)) markers_.push_back({position, event.kind});
     ++position;
   }
 }

@@ -14,15 +14,19 @@
 #include <vector>
 
 #include "core/debug/log_view.hpp"
-#include "core/session/expansions.hpp"
 #include "core/session/reexecution.hpp"
 #include "core/sim/mission.hpp"
+#include "core/trace/expansions.hpp"
 #include "core/trace/timeline.hpp"
 #include "core/world/scenario.hpp"
 
 namespace replan {
 
-/// An event that a timeline shows and that steps stop at.
+/// Events that a timeline shows and that steps stop at.
+inline constexpr KindSet kMarkers{
+    EventKind::plan_begin, EventKind::plan_end, EventKind::move,    EventKind::surprise, EventKind::collision,
+    EventKind::waiting,    EventKind::arrival,  EventKind::gave_up, EventKind::new_goal, EventKind::put_down};
+/// One of them.
 struct Marker {
   std::size_t event;  ///< index in the log
   EventKind kind;
@@ -156,7 +160,7 @@ class Run {
   RunLimits limits_;
   std::unique_ptr<Reexecution> reexecution_;  // made when it is first needed
   std::optional<Handover> handover_;
-  std::optional<ExpansionCounter> counter_;  // at the end of the log
+  ExpansionCounter counter_;  // at the end of the log
 
   // The thread's own while working_, the owner's while not.
   Recorder recorder_;

@@ -105,11 +105,9 @@ void Run::cut(std::size_t mark_count) {
   timeline_.truncate(size);
   while (!markers_.empty() && markers_.back().event >= size) markers_.pop_back();
   curve_.resize(size / kCurveChunk);
-  std::uint32_t expansions = 0;
-  counter_.emplace(timeline_, curve_.size() * kCurveChunk);
-  for (std::size_t i = curve_.size() * kCurveChunk; i < size; ++i)
-    expansions += counter_->take(timeline_.event(i)) ? 1 : 0;
-  curve_.push_back(expansions);
+  counter_ = ExpansionCounter(timeline_, curve_.size() * kCurveChunk);
+  for (std::size_t i = curve_.size() * kCurveChunk; i < size; ++i) counter_.take(timeline_.event(i));
+  curve_.push_back(static_cast<std::uint32_t>(counter_.count()));
   recorded_ = size;
   mission_->restore(marks_.back(), timeline_.head());
 }

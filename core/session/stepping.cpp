@@ -8,11 +8,7 @@ namespace {
 /// Whether position p (0 < p < size) is a stop: the event there begins a line, or an iteration.
 bool is_stop(const Timeline& log, std::size_t p, StepUnit unit) {
   const Event& here = log.event(p);
-  const bool begins_iteration =
-      here.kind == EventKind::pop || here.kind == EventKind::plan_begin || here.kind == EventKind::plan_end ||
-      here.kind == EventKind::move || here.kind == EventKind::surprise || here.kind == EventKind::collision ||
-      here.kind == EventKind::waiting || here.kind == EventKind::arrival || here.kind == EventKind::gave_up ||
-      here.kind == EventKind::new_goal || here.kind == EventKind::put_down;
+  const bool begins_iteration = here.kind == EventKind::pop || kMarkers.has(here.kind);
   if (unit == StepUnit::expansion || begins_iteration) return begins_iteration;
   return here.line != log.event(p - 1).line;
 }

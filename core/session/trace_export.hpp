@@ -1,8 +1,8 @@
 // A run of a session as the source of a trace.
 #pragma once
 
+#include "core/export/trace_file.hpp"
 #include "core/session/run.hpp"
-#include "core/trace/trace_file.hpp"
 
 namespace replan {
 

@@ -1,10 +1,10 @@
 #include "core/session/watches.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
+#include "core/base/deadline.hpp"
 #include "core/session/lockstep.hpp"
 #include "core/session/run.hpp"
 #include "core/world/scenario.hpp"
@@ -180,7 +180,7 @@ bool Watches::look(const Run& run, Pane& pane, std::size_t watch, std::size_t en
 bool Watches::look(Runs runs, double milliseconds) {
   constexpr std::size_t kSlice = 16384;
   meet(runs);
-  const auto begin = std::chrono::steady_clock::now();
+  const Deadline deadline(milliseconds);
   bool changed = false;
   for (bool more = true; more;) {
     more = false;
@@ -189,9 +189,7 @@ bool Watches::look(Runs runs, double milliseconds) {
         if (!read_[watch]) continue;
         const std::size_t size = runs[i]->timeline().size(), looked = panes_[i].tracks[watch].looked;
         if (looked == size && panes_[i].tracks[watch].probe) continue;
-        if (std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count() >=
-            milliseconds)
-          return changed;
+        if (deadline.passed()) return changed;
         changed |= look(*runs[i], panes_[i], watch, std::min(size, looked + kSlice));
         more = true;
       }

@@ -29,6 +29,12 @@ std::uint64_t SearchState::value(EventKind kind, NodeId node) const {
   return kind == EventKind::scalar ? scalars_[node] : 0;
 }
 
+std::vector<std::uint8_t> SearchState::known_map() const {
+  std::vector<std::uint8_t> known(node_count());
+  for (NodeId n = 0; n < known.size(); ++n) known[n] = known_blocked(n) ? 1 : 0;
+  return known;
+}
+
 bool SearchState::touched(EventKind kind, NodeId node) const {
   const auto index = static_cast<std::size_t>(kind);
   if (index < kWideFields) return wide_[index].touched(node);

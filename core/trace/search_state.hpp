@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/base/cost.hpp"
 #include "core/trace/event.hpp"
@@ -56,6 +57,8 @@ class SearchState {
     return static_cast<std::uint32_t>(wide(EventKind::visit, n) >> 32);
   }
   [[nodiscard]] bool known_blocked(NodeId n) const { return narrow_[0][n] != 0; }
+  /// The robot's map; 1 = obstacle.
+  [[nodiscard]] std::vector<std::uint8_t> known_map() const;
   [[nodiscard]] bool truly_blocked(NodeId n) const { return narrow_[1][n] != 0; }
   /// Whether a wall stands there, whatever moves over it, and whether something that moves is there.
   [[nodiscard]] bool wall(NodeId n) const { return (narrow_[1][n] & 1) != 0; }

@@ -22,6 +22,9 @@ inline constexpr std::uint8_t kObstacle = 1;
 /// An obstacle that nobody has mapped: the robot takes the cell for free until it senses it.
 inline constexpr std::uint8_t kUnmapped = 2;
 
+/// What files may say of a map's resolution and origin.
+inline constexpr double kMinResolution = 1e-6, kMaxResolution = 1e6, kMaxOrigin = 1e9;
+
 /// A rectangle of cells, row-major.
 struct GridMap {
   int width = 0;

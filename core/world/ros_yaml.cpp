@@ -15,8 +15,6 @@ namespace {
 
 constexpr std::string_view kKeys[] = {"image",           "resolution",  "origin", "negate",
                                       "occupied_thresh", "free_thresh", "mode"};
-// As in a scenario, so that a ROS map fits into one.
-constexpr double kMinResolution = 1e-6, kMaxResolution = 1e6, kMaxOrigin = 1e9;
 
 /// Reads the document's keys. The first error is kept; what follows is harmless.
 class RosYamlReader {

@@ -25,8 +25,6 @@ constexpr double kMaxPatience = 86'400;                // seconds
 constexpr std::size_t kMaxWay = 1000;                  // corners
 constexpr double kMaxCamera = 1e9;                     // cells
 constexpr double kMinZoom = 0.001, kMaxZoom = 10'000;  // pixels per cell
-constexpr double kMinResolution = 1e-6, kMaxResolution = 1e6;
-constexpr double kMaxOrigin = 1e9;
 
 /// Reads one scenario. Errors are kept in the JsonReader; each step after the first is harmless.
 class ScenarioReader {

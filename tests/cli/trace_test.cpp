@@ -1,7 +1,7 @@
 // 'replan run --trace' and 'replan list terms'.
 #include <sstream>
 
-#include "core/debug/case_text.hpp"
+#include "core/export/case_text.hpp"
 #include "core/plan/glossary.hpp"
 #include "tests/cli/child.hpp"
 #include "tests/support/posthoc_check.hpp"

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/file.hpp"
-#include "core/debug/case_text.hpp"
+#include "core/export/case_text.hpp"
 #include "tests/support/posthoc_check.hpp"
 #include "tests/ui/shell_fixture.hpp"
 

@@ -1,5 +1,5 @@
 // A moment as text: what it shows, and the way back to it.
-#include "core/debug/case_text.hpp"
+#include "core/export/case_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 
 #include "core/base/file.hpp"
 #include "core/base/random.hpp"
-#include "core/trace/json_lines.hpp"
-#include "core/trace/posthoc.hpp"
-#include "core/trace/trace_text.hpp"
+#include "core/export/json_lines.hpp"
+#include "core/export/posthoc.hpp"
+#include "core/export/trace_text.hpp"
 #include "core/world/scenario.hpp"
 #include "tests/support/posthoc_check.hpp"
 #include "tests/support/schema_check.hpp"

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "core/base/words.hpp"
-#include "core/debug/case_text.hpp"
+#include "core/export/case_text.hpp"
 #include "core/world/ascii_map.hpp"
 #include "ui/canvas_tools.hpp"
 #include "ui/shell/actions.hpp"

@@ -27,10 +27,7 @@ const PathFigures& figures_of(PanelState& panels, const Run& run, std::size_t pa
   if (panels.figures.size() <= pane) panels.figures.resize(pane + 1);
   FigureCache& cache = panels.figures[pane];
   if (cache.route == mark.route || map_changed_since(run, mark)) return cache.figures;
-  const SearchState& state = run.timeline().state();
-  std::vector<std::uint8_t> known(state.node_count());
-  for (NodeId n = 0; n < known.size(); ++n) known[n] = state.known_blocked(n) ? 1 : 0;
-  const Grid2 lattice(run.lattice().size(), std::move(known), run.lattice().rules());
+  const Grid2 lattice(run.lattice().size(), run.timeline().state().known_map(), run.lattice().rules());
   cache = {mark.route, path_figures(lattice, mark.route->path.nodes)};
   return cache.figures;
 }
@@ -56,7 +53,7 @@ void draw_value(const Look& look, float right, float y, const std::string& text,
 }
 
 /// How the columns lie: with one or two panes beside the row's name, with more below it.
-struct Layout {
+struct FiguresLayout {
   float left, width, name;  // name: the share of the names; 0 if they stand above
   std::size_t panes;
   [[nodiscard]] float ratio_width(const Look& look) const { return panes == 2 ? look.px(48) : 0; }
@@ -66,13 +63,13 @@ struct Layout {
   }
 };
 
-Layout layout_of(const Look& look, std::size_t panes) {
+FiguresLayout figures_layout(const Look& look, std::size_t panes) {
   const float width = ImGui::GetContentRegionAvail().x;
   return {ImGui::GetCursorScreenPos().x, width, panes <= 2 ? std::min(look.px(140), width * 0.42f) : 0,
           panes};
 }
 
-void draw_names(const Look& look, const Layout& layout, const FiguresTable& table) {
+void draw_names(const Look& look, const FiguresLayout& layout, const FiguresTable& table) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   float before = layout.left + layout.name;
   for (std::size_t i = 0; i < table.names.size(); ++i) {
@@ -85,7 +82,8 @@ void draw_names(const Look& look, const Layout& layout, const FiguresTable& tabl
   ImGui::Dummy({layout.width, look.px.row});
 }
 
-void draw_ratio(const Look& look, const Layout& layout, const FigureRow& row, std::size_t pane, float y) {
+void draw_ratio(const Look& look, const FiguresLayout& layout, const FigureRow& row, std::size_t pane,
+                float y) {
   const auto ratio = row.ratio(pane);
   if (!ratio) return;
   const std::string text = ratio_text(*ratio);
@@ -94,7 +92,7 @@ void draw_ratio(const Look& look, const Layout& layout, const FigureRow& row, st
   draw_text(*ImGui::GetWindowDrawList(), font, {right - text_width(font, text), y}, look.theme.dim, text);
 }
 
-void draw_row(const Look& look, const Layout& layout, const FigureRow& row,
+void draw_row(const Look& look, const FiguresLayout& layout, const FigureRow& row,
               const std::vector<bool>& standing) {
   const bool stacked = layout.name == 0;
   const bool ratios =
@@ -175,7 +173,7 @@ void draw_figures_panel(Frame& frame) {
     return;
   }
   const FiguresTable table = figures_table(figures_now(frame.panels, frame.session));
-  const Layout layout = layout_of(look, standing.size());
+  const FiguresLayout layout = figures_layout(look, standing.size());
   section_title(look, figure_group_title(FigureGroup::path));
   export_menu(frame);
   draw_names(look, layout, table);

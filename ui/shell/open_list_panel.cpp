@@ -43,7 +43,7 @@ StateWord state_word(const Theme& theme, const Run& run, NodeId node) {
 }
 
 /// What a row shows: as much as there is room for, whatever the size of the world and of the list.
-struct Layout {
+struct OpenListLayout {
   std::vector<Column> columns = {};
   int decimals = 2;
   bool lookahead = true;
@@ -56,7 +56,7 @@ std::string widest_cell(const Run& run) {
 
 /// Columns as wide as what stands in them: ranks and cells first, then the state in words, then decimals give
 /// way.
-Layout layout_of(const Look& look, const Run& run, const OpenOrder& order) {
+OpenListLayout open_list_layout(const Look& look, const Run& run, const OpenOrder& order) {
   const bool lookahead = run.info().values == SearchValues::lookahead;
   const float digit = text_width(look.fonts.mono, "0"), padding = look.px(12);
   const float room = ImGui::GetContentRegionAvail().x;
@@ -64,7 +64,7 @@ Layout layout_of(const Look& look, const Run& run, const OpenOrder& order) {
   const auto chars = [digit, padding](std::size_t count) {
     return digit * static_cast<float>(count) + padding;
   };
-  Layout layout;
+  OpenListLayout layout;
   layout.lookahead = layout.state = lookahead;
   const float rank = chars(grouped(order.size()).size()), cell = chars(widest_cell(run).size()),
               state = chars(5);
@@ -85,7 +85,7 @@ Layout layout_of(const Look& look, const Run& run, const OpenOrder& order) {
   return layout;
 }
 
-void open_row(Frame& frame, std::size_t rank, const OpenEntry& entry, const Layout& layout) {
+void open_row(Frame& frame, std::size_t rank, const OpenEntry& entry, const OpenListLayout& layout) {
   const Look& look = frame.look;
   const Run& run = frame.run();
   const SearchState& state = run.timeline().state();
@@ -120,7 +120,7 @@ void open_list(Frame& frame) {
   const bool late = order.position() != run.timeline().cursor();
   paragraph(look.fonts.ui, look.theme.dim,
             late ? count + " at event " + grouped(order.position()) : count + "; the first is taken next");
-  const Layout layout = layout_of(look, run, order);
+  const OpenListLayout layout = open_list_layout(look, run, order);
   table_head(look, layout.columns);
   const RowsInSight sight = begin_rows(look, "open list", order.size(), 0, frame.panels.debugger.order_rows);
   for (std::size_t rank = sight.first; rank < sight.last; ++rank) open_row(frame, rank, order[rank], layout);

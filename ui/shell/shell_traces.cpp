@@ -1,7 +1,7 @@
 // What the shell does with moments and traces: a pasted moment is gone to, a run's log is exported.
 #include "core/base/file.hpp"
-#include "core/debug/case_text.hpp"
-#include "core/trace/posthoc.hpp"
+#include "core/export/case_text.hpp"
+#include "core/export/posthoc.hpp"
 #include "ui/shell/documents.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/shell.hpp"

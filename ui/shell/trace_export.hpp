@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "core/export/trace_file.hpp"
 #include "core/session/session.hpp"
-#include "core/trace/trace_file.hpp"
 
 namespace replan::ui {
 

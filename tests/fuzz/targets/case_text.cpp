@@ -1,4 +1,4 @@
-#include "core/debug/case_text.hpp"
+#include "core/export/case_text.hpp"
 
 #include "tests/fuzz/target.hpp"
 

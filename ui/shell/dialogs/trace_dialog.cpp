@@ -2,7 +2,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include "core/trace/posthoc.hpp"
+#include "core/export/posthoc.hpp"
 #include "ui/shell/dialogs.hpp"
 #include "ui/shell/dialogs/parts.hpp"
 #include "ui/shell/format.hpp"

@@ -13,6 +13,10 @@
 
 namespace replan {
 
+/// How the first line begins, and the two that are for the program.
+inline constexpr std::string_view kCaseTitle = "Replan case 1";
+inline constexpr std::string_view kCaseAt = "at ", kCaseScenario = "scenario ";
+
 /// Which part of a moment is looked at.
 struct CaseFocus {
   std::size_t pane = 0;                  ///< which of the scenario's planners the log is of

@@ -1,7 +1,7 @@
-#include "core/trace/posthoc.hpp"
+#include "core/export/posthoc.hpp"
 
 #include "core/base/words.hpp"
-#include "core/trace/trace_text.hpp"
+#include "core/export/trace_text.hpp"
 
 namespace replan {
 namespace {
@@ -173,8 +173,8 @@ void PosthocTrace::event(std::string& out, std::size_t index, const Event& event
     const std::uint64_t after = state.value(EventKind::g, visited_) ^ (its_g ? event.delta : 0);
     settle(out, state, {static_cast<std::int64_t>(after)});
   }
+  if (expansions_.take(event)) return visit(event, state);
   if (event.kind == EventKind::queue) return queue(out, event, state);
-  if (event.kind == EventKind::visit) return visit(event, state);
   if (event.kind == EventKind::known)
     return place(out, state.known_blocked(event.node) ? "unblock" : "block", event.node);
   if (!event.changes_value()) happening(out, index, event);
@@ -195,7 +195,6 @@ void PosthocTrace::queue(std::string& out, const Event& event, const SearchState
 }
 
 void PosthocTrace::visit(const Event& event, const SearchState& state) {
-  if ((state.value(EventKind::visit, event.node) ^ event.delta) == 0) return;  // a search before is forgotten
   visited_ = event.node;
   visited_as_ = lookahead_ && state.g(event.node) < state.rhs(event.node) ? "updating" : "expanding";
   popped_ = kNoNode;

@@ -1,21 +1,14 @@
-#include "core/debug/case_text.hpp"
-
 #include <algorithm>
-#include <array>
-#include <tuple>
 
 #include "core/base/words.hpp"
-#include "core/trace/json_lines.hpp"
-#include "core/trace/trace_text.hpp"
+#include "core/debug/open_order.hpp"
+#include "core/export/case_text.hpp"
+#include "core/export/json_lines.hpp"
+#include "core/export/trace_text.hpp"
 #include "core/world/json_reader.hpp"
 
 namespace replan {
 namespace {
-
-constexpr std::string_view kTitle = "Replan case 1";
-constexpr std::string_view kScenario = "scenario ", kAt = "at ";
-
-constexpr const char* kNowhere = "/nonexistent";  // a text from elsewhere has no folder for a map file
 
 constexpr int kWholeWorld = 200;                   // cells along a side that are still drawn all
 constexpr int kPartWidth = 100, kPartHeight = 60;  // of a larger world
@@ -80,25 +73,22 @@ std::string last_event(const Source& from) {
   return line;
 }
 
-/// The cells in the open list, the next one first; all of them counted, the first kMostQueued in order.
-std::pair<std::vector<NodeId>, std::size_t> open_list(const Source& from) {
+/// The cells in the open list, the next one first: the first kMostQueued of them.
+std::vector<NodeId> next_queued(const Source& from) {
   const SearchState& state = from.state;
-  std::vector<NodeId> nodes;
+  std::vector<OpenEntry> entries;
   for (NodeId n = 0; n < state.node_count(); ++n) {
     if (n % SearchState::kPage == 0 && !state.touched(EventKind::queue, n))
       n += static_cast<NodeId>(SearchState::kPage) - 1;
     else if (state.queued(n))
-      nodes.push_back(n);
+      entries.push_back(open_entry(state, from.view.info.values, n));
   }
-  const auto key = [&](NodeId n) {
-    const Cost k1 = state.k1(n);
-    return std::tuple(k1.raw, from.lookahead ? state.k2(n).raw : k1.raw - state.g(n).raw, n);
-  };
-  const std::size_t count = nodes.size(), shown = std::min(count, kMostQueued);
-  std::partial_sort(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(shown), nodes.end(),
-                    [&](NodeId a, NodeId b) { return key(a) < key(b); });
-  nodes.resize(shown);
-  return {std::move(nodes), count};
+  const std::size_t shown = std::min(entries.size(), kMostQueued);
+  std::partial_sort(entries.begin(), entries.begin() + static_cast<std::ptrdiff_t>(shown), entries.end());
+  std::vector<NodeId> nodes(shown);
+  std::transform(entries.begin(), entries.begin() + static_cast<std::ptrdiff_t>(shown), nodes.begin(),
+                 [](const OpenEntry& entry) { return entry.node; });
+  return nodes;
 }
 
 std::string run_lines(const Source& from, std::size_t queued) {
@@ -260,71 +250,24 @@ std::string hash_text(std::uint64_t hash) {
   return text;
 }
 
-/// The rest of the first line that begins so, past what mail puts before a line; nothing if there is none.
-std::optional<std::string_view> find_line(std::string_view text, std::string_view beginning) {
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    line.remove_prefix(std::min(line.find_first_not_of(" \t>"), line.size()));
-    if (line.starts_with(beginning)) return line.substr(beginning.size());
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 std::string case_text(const Scenario& scenario, const LogView& view, const CaseFocus& focus) {
   const SearchState& state = view.log.state();
   const Source from{
       scenario, view, focus, state, state.node(Scalar::robot), view.info.values == SearchValues::lookahead};
-  const auto [next, queued] = open_list(from);
+  const std::vector<NodeId> next = next_queued(from);
+  const std::size_t queued = state.queue_size();
   std::string text =
-      std::string(kTitle) + ": pasted into Replan, this text goes to the moment that it shows.\n\n";
+      std::string(kCaseTitle) + ": pasted into Replan, this text goes to the moment that it shows.\n\n";
   text += run_lines(from, queued) + "\n" + world_lines(from) + "\n" + focus_lines(from);
   if (queued > 0) {
     const std::string title = queued == next.size() ? "in order" : "the first " + std::to_string(next.size());
     text += "\n" + labelled("U", title) + table(from, next);
   }
   const Json at = {{"pane", focus.pane}, {"event", view.log.cursor()}, {"state", hash_text(state.hash())}};
-  return text + "\n" + std::string(kAt) + at.dump() + "\n" + std::string(kScenario) +
+  return text + "\n" + std::string(kCaseAt) + at.dump() + "\n" + std::string(kCaseScenario) +
          scenario_line(scenario) + "\n";
-}
-
-bool is_case_text(std::string_view text) {
-  return find_line(text, kTitle).has_value();
-}
-
-Result<CaseMoment> parse_case_text(std::string_view text, const std::string& origin) {
-  const auto at_line = find_line(text, kAt), scenario_line = find_line(text, kScenario);
-  if (!at_line || !scenario_line)
-    return Error{origin + ": the line that begins with '" +
-                 std::string((at_line ? kScenario : kAt).substr(0, (at_line ? kScenario : kAt).size() - 1)) +
-                 "' is missing: copy the text whole, from 'Replan case' to the end of the scenario"};
-  CaseMoment moment;
-  JsonReader reader(origin + ", line 'at'");
-  if (reader.parse(*at_line)) {
-    const JsonNode at = reader.root();
-    at.expect_object({"pane", "event", "state"});
-    if (const auto pane = at.require("pane")) moment.pane = static_cast<std::size_t>(pane->whole(0, 1000));
-    if (const auto event = at.require("event"))
-      moment.event = static_cast<std::size_t>(event->whole(0, std::int64_t{1} << 40));
-    if (const auto state = at.require("state")) {
-      const std::string digits = state->text();
-      const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), moment.state, 16);
-      if (digits.size() != 16 || read.ptr != digits.data() + digits.size())
-        state->fail("must be 16 digits of a hash");
-    }
-  }
-  if (!reader.ok()) return Error{reader.error()};
-  const std::string where = origin + ", line 'scenario'";
-  Result<Scenario> scenario = parse_scenario(std::string(*scenario_line), where, kNowhere);
-  if (!scenario) return Error{scenario.error()};
-  if (!scenario->map_file.empty()) return Error{where + ": it must hold its map itself, not name a file"};
-  moment.scenario = std::move(scenario.value());
-  if (moment.pane >= moment.scenario.planners.size())
-    return Error{origin + ", line 'at': the scenario has no planner number " + std::to_string(moment.pane)};
-  return moment;
 }
 
 }  // namespace replan

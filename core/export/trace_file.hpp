@@ -15,8 +15,8 @@
 namespace replan {
 
 enum class TraceFormat : std::uint8_t {
-  json_lines,    ///< .jsonl: every event with its values (core/trace/json_lines.hpp)
-  posthoc_yaml,  ///< .trace.yaml, .trace.yml: for the Posthoc visualiser (core/trace/posthoc.hpp)
+  json_lines,    ///< .jsonl: every event with its values (core/export/json_lines.hpp)
+  posthoc_yaml,  ///< .trace.yaml, .trace.yml: for the Posthoc visualiser (core/export/posthoc.hpp)
   posthoc_json,  ///< .trace.json: the same, larger and with null for infinity
 };
 

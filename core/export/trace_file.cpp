@@ -1,11 +1,11 @@
-#include "core/trace/trace_file.hpp"
+#include "core/export/trace_file.hpp"
 
 #include <array>
 #include <limits>
 
 #include "core/base/file.hpp"
-#include "core/trace/json_lines.hpp"
-#include "core/trace/posthoc.hpp"
+#include "core/export/json_lines.hpp"
+#include "core/export/posthoc.hpp"
 
 namespace replan {
 namespace {

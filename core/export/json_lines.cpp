@@ -1,8 +1,8 @@
-#include "core/trace/json_lines.hpp"
+#include "core/export/json_lines.hpp"
 
+#include "core/export/trace_text.hpp"
 #include "core/plan/planner.hpp"
 #include "core/sim/mission.hpp"
-#include "core/trace/trace_text.hpp"
 #include "core/world/json_reader.hpp"
 
 namespace replan {

@@ -1,4 +1,4 @@
-#include "core/trace/trace_text.hpp"
+#include "core/export/trace_text.hpp"
 
 #include <array>
 #include <string_view>

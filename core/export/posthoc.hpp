@@ -18,7 +18,8 @@
 // being repaired can for a while: such a link is cut.
 #pragma once
 
-#include "core/trace/trace_file.hpp"
+#include "core/export/trace_file.hpp"
+#include "core/trace/expansions.hpp"
 
 namespace replan {
 
@@ -65,6 +66,7 @@ class PosthocTrace final : public TraceEncoder {
   bool yaml_;
   bool lookahead_;
   bool first_ = true;
+  ExpansionCounter expansions_;
   std::uint64_t pass_ = 1;
   NodeId popped_ = kNoNode;  // taken from the open list last
   bool leaving_ = false;     // its removal is still to come

@@ -3,7 +3,7 @@
 // line.
 #pragma once
 
-#include "core/trace/trace_file.hpp"
+#include "core/export/trace_file.hpp"
 
 namespace replan {
 
