@@ -87,7 +87,7 @@ void draw_lines(Frame& frame) {
 std::int64_t clock_at(const Run& run, std::size_t event) {
   const auto marks = run.marks();
   const auto after = std::partition_point(marks.begin(), marks.end(),
-                                          [event](const Mark& mark) { return mark.event <= event; });
+                                          [event](const replan::Mark& mark) { return mark.event <= event; });
   return after == marks.begin() ? 0 : std::prev(after)->clock;
 }
 
