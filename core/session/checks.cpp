@@ -14,8 +14,8 @@ namespace replan {
 namespace {
 
 /// Of one update, so that the drawing thread keeps its pace, and what is read between two looks at the clock.
-constexpr std::chrono::microseconds kSlice{4000};
-constexpr std::size_t kEvents = 2048;
+constexpr std::chrono::microseconds kSliceTime{4000};
+constexpr std::size_t kSliceEvents = 2048;
 /// Disagreements kept.
 constexpr std::size_t kMostKept = 1000;
 
@@ -210,9 +210,9 @@ bool Checks::update(Runs runs) {
     if (!pane.laws || pane.laws->checked() == runs[i]->timeline().size()) continue;
     changed = true;
     // Each pane has its share, so that all get on.
-    const auto share = kSlice * static_cast<int>(i + 1) / static_cast<int>(runs.size());
+    const auto share = kSliceTime * static_cast<int>(i + 1) / static_cast<int>(runs.size());
     bool more = true;
-    while (more && Clock::now() - begin < share) more = pane.laws->advance(kEvents);
+    while (more && Clock::now() - begin < share) more = pane.laws->advance(kSliceEvents);
     busy_ |= more;
   }
   return changed;
@@ -222,7 +222,7 @@ void Checks::settle(Runs runs) {
   meet(runs);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     Pane& pane = panes_[i];
-    while (pane.laws && pane.laws->advance(kEvents)) {
+    while (pane.laws && pane.laws->advance(kSliceEvents)) {
     }
     if (oracle_) pane.answer_all(*runs[i]);
   }
@@ -264,8 +264,8 @@ bool Checks::compare_on(Runs runs) {
   }
   const Clock::time_point begin = Clock::now();
   auto outcome = DifferenceSearch::Outcome::more;
-  while (outcome == DifferenceSearch::Outcome::more && Clock::now() - begin < kSlice)
-    outcome = comparison.search.advance(kEvents, ended);
+  while (outcome == DifferenceSearch::Outcome::more && Clock::now() - begin < kSliceTime)
+    outcome = comparison.search.advance(kSliceEvents, ended);
   if (outcome == DifferenceSearch::Outcome::more || outcome == DifferenceSearch::Outcome::waits) return false;
   difference_ = comparison.search.difference();
   if (difference_) difference_->panes = comparison.of.panes;

@@ -178,7 +178,7 @@ bool Run::next_batch() {
   if (handover_) return true;
   const std::scoped_lock lock(mutex_);
   if (ready_.empty()) return false;
-  handover_.emplace();
+  handover_ = Handover{};
   handover_->batch = std::move(ready_.front());
   handover_->base = timeline_.size();
   ready_.pop_front();
