@@ -31,7 +31,7 @@ draw last-repair.png --theme light --at replan:1 --action show_touched --overlay
 draw why-rhs.png --theme dark --at replan:1 --pin 13,27 --camera 13,26,48 --action show_cell \
   --overlay g,lp,rp,path,trail,numbers
 # Where two planners part ways.
-draw first-difference.png --theme light --camera 26,42,24 --action first_difference,show_debug
+draw first-difference.png --theme light --camera 28,42,48 --overlay g,lp,numbers --action first_difference,show_debug
 # Breakpoints, their flags on the timeline, and a chart.
 draw breakpoints.png --theme dark --at replan:1 --pin 20,22 --action break_on_cell,watch_cell,show_debug
 # Four planners side by side, with their figures.

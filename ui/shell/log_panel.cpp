@@ -91,6 +91,13 @@ std::int64_t clock_at(const Run& run, std::size_t event) {
   return after == marks.begin() ? 0 : std::prev(after)->clock;
 }
 
+/// As a heading: without a full stop.
+std::string story_words(const Run& run, const Marker& marker) {
+  std::string words = as_sentence(event_text(run.lattice(), run.timeline().event(marker.event), 0));
+  if (words.ends_with('.')) words.pop_back();
+  return words;
+}
+
 /// One happening; a click goes to behind it. What lies after the playhead stands back.
 void story_row(Frame& frame, std::size_t row, const Marker& marker, std::span<const Column> columns) {
   const Look& look = frame.look;
@@ -98,7 +105,7 @@ void story_row(Frame& frame, std::size_t row, const Marker& marker, std::span<co
   const bool ahead = marker.event >= run.timeline().cursor(),
              here = marker.event + 1 == run.timeline().cursor();
   const std::string event = grouped(marker.event + 1), step = grouped(clock_at(run, marker.event)),
-                    words = as_sentence(event_text(run.lattice(), run.timeline().event(marker.event), 0));
+                    words = story_words(run, marker);
   const std::array<TableCell, 3> cells = {
       {{event, ahead ? mix(look.theme.panel, look.theme.accent, 0.5f) : look.theme.accent},
        {step, ahead ? look.theme.faint : look.theme.dim},

@@ -29,15 +29,17 @@ struct Plot {
   }
 };
 
-/// The finite values' least and greatest; false if there are none.
-bool range_of(std::span<const WatchPoint> series, double& low, double& high) {
+/// The least and the greatest finite value of all panes' series, which share the chart; false if there are
+/// none.
+bool range_of(const Session& session, std::size_t watch, double& low, double& high) {
   low = std::numeric_limits<double>::infinity();
   high = -low;
-  for (const WatchPoint& point : series)
-    if (std::isfinite(point.value)) {
-      low = std::min(low, point.value);
-      high = std::max(high, point.value);
-    }
+  for (std::size_t pane = 0; pane < session.runs().size(); ++pane)
+    for (const WatchPoint& point : session.watches().series(pane, watch))
+      if (std::isfinite(point.value)) {
+        low = std::min(low, point.value);
+        high = std::max(high, point.value);
+      }
   return low <= high;
 }
 
@@ -97,7 +99,7 @@ void watch_chart(Frame& frame, std::size_t watch, float height) {
             1,
             std::max<std::size_t>(log.size(), 1)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (!range_of(series, plot.low, plot.high)) {
+  if (!range_of(session, watch, plot.low, plot.high)) {
     draw_text(list, look.fonts.small, {origin.x, origin.y + height * 0.4f}, look.theme.faint,
               series.empty() ? "Looking through the log…" : "It has no value in this run.");
   } else {
