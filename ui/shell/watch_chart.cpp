@@ -71,9 +71,11 @@ void draw_range(const Look& look, const Plot& plot, ImDrawList& list, float righ
   if (plot.high > plot.low) label(plot.low, bottom - small->FontSize);
 }
 
+/// Room for the range: the same for most charts, so that their moments stand one above the other.
 float range_width(const Look& look, double low, double high) {
   const ImFont* small = look.fonts.mono_small;
-  return std::max(text_width(small, quantity_text(low)), text_width(small, quantity_text(high)));
+  return std::max({text_width(small, "0000.000"), text_width(small, quantity_text(low)),
+                   text_width(small, quantity_text(high))});
 }
 
 }  // namespace
