@@ -113,14 +113,14 @@ bool Breakpoints::look(const Run& run, const CheckedLog& checked, double millise
   follow_log(run);
   follow_checkers(checked);
   if (!wants_any()) return false;
-  const std::size_t end = can_look_to(checked, run.timeline().size()), known = hits_.size();
+  const std::size_t end = can_look_to(checked, run.timeline().size()), before = looked_;
   const Deadline deadline(milliseconds);
   while (looked_ < end && hits_.size() < kMostHits && !deadline.passed()) {
     if (!search_) search_.emplace(search(run, checked, looked_));
     looked_ = std::min(end, looked_ + search_->slice());
     search_->forwards(looked_, checked.verdicts(), hits_);
   }
-  return hits_.size() != known;
+  return looked_ != before;
 }
 
 const Hit* Breakpoints::known_after(std::size_t position) const {

@@ -66,8 +66,8 @@ class Breakpoints {
   /// How far a log can be looked through: checkers that are asked for may be behind.
   [[nodiscard]] std::size_t can_look_to(const CheckedLog& checked, std::size_t size) const;
 
-  /// Looks further through the run's log, for at most that many milliseconds. True if something new was
-  /// found.
+  /// Looks further through the run's log, for at most that many milliseconds. True if it got on: there may be
+  /// more to do, and what is shown of it is another.
   bool look(const Run& run, const CheckedLog& checked, double milliseconds);
   /// The first hit after a position, the last one before it, if it is among those that are known.
   [[nodiscard]] const Hit* known_after(std::size_t position) const;

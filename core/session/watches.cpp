@@ -189,7 +189,7 @@ bool Watches::look(Runs runs, double milliseconds) {
         if (!read_[watch]) continue;
         const std::size_t size = runs[i]->timeline().size(), looked = panes_[i].tracks[watch].looked;
         if (looked == size && panes_[i].tracks[watch].probe) continue;
-        if (deadline.passed()) return changed;
+        if (deadline.passed()) return true;
         changed |= look(*runs[i], panes_[i], watch, std::min(size, looked + kSlice));
         more = true;
       }

@@ -70,7 +70,8 @@ class Watches {
   void remove(std::size_t index);
   /// The world has another size now.
   void read_again(WorldSize world);
-  /// Looks further through the logs, for at most that many milliseconds. True if there is more to show.
+  /// Looks further through the logs, for at most that many milliseconds. True if there is more to show or
+  /// to look through.
   bool look(Runs runs, double milliseconds);
   /// Takes over where the cursors stand. True if a value at one of them may be another now.
   bool read_cursors(Runs runs);

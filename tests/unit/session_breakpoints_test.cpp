@@ -91,6 +91,24 @@ TEST(SessionBreakpoints, hitsAreThoseOfAScanAndGrowWithTheLog) {
   EXPECT_EQ(at.session.breakpoints().looked_through(), run.timeline().size());
 }
 
+// A window draws while something changes: a search that finds nothing has to be seen to get on.
+TEST(SessionBreakpoints, lookingThroughALogIsAChangeUntilItsEnd) {
+  Standing at;
+  ASSERT_TRUE(at.session.apply(AddBreakpoint{"km > 1000000"}).ok());
+  const Breakpoints& breakpoints = at.session.breakpoints();
+  ASSERT_LT(breakpoints.looked_through(), at.session.run().timeline().size());
+  while (breakpoints.looked_through() < at.session.run().timeline().size()) {
+    const std::uint64_t revision = at.session.revision();
+    const std::size_t looked = breakpoints.looked_through();
+    at.session.update(0);
+    ASSERT_GT(breakpoints.looked_through(), looked);
+    EXPECT_NE(at.session.revision(), revision);
+  }
+  const std::uint64_t revision = at.session.revision();
+  at.session.update(0);
+  EXPECT_EQ(at.session.revision(), revision);
+}
+
 TEST(SessionBreakpoints, hitsFollowALogThatIsCut) {
   Standing at;
   at.go(AddBreakpoint{"event(plan) || event(replan)"});
