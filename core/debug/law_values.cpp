@@ -25,9 +25,7 @@ ClearanceRules clearance_rules_of(const Settings& settings) {
 LawValues::LawValues(const LogView& view, std::size_t position)
     : heuristic_(heuristic_of(view.info, view.settings)) {
   const SearchState state = view.log.state_at(position);
-  std::vector<std::uint8_t> blocked(state.node_count());
-  for (NodeId node = 0; node < blocked.size(); ++node) blocked[node] = state.known_blocked(node) ? 1 : 0;
-  known_ = Grid2(view.lattice.size(), std::move(blocked), view.lattice.rules());
+  known_ = Grid2(view.lattice.size(), state.known_map(), view.lattice.rules());
   if (view.info.clearance) clearance_.emplace(known_, clearance_rules_of(view.settings));
   pages_.resize((known_.node_count() + kPage - 1) / kPage);
   load(state);

@@ -356,12 +356,9 @@ void Mission<T>::restore(const Checkpoint& checkpoint, const SearchState& state)
   now_ = checkpoint.now;
   now_.fired.resize(surprises_.size());  // the script may have grown since
   before_plan_ = checkpoint.before_plan;
-  std::vector<std::uint8_t> known(truth_.size());
-  for (NodeId node = 0; node < truth_.size(); ++node) {
-    known[node] = state.known_blocked(node) ? 1 : 0;
+  for (NodeId node = 0; node < truth_.size(); ++node)
     truth_[node] = static_cast<std::uint8_t>(state.value(EventKind::truth, node));
-  }
-  known_ = Grid2(known_.size(), std::move(known), known_.rules());
+  known_ = Grid2(known_.size(), state.known_map(), known_.rules());
   planner_ = make_planner(*info_, known_, settings_, tr_);
   planner_->restore(state, checkpoint.planner);
   robot_ = state.node(Scalar::robot);
