@@ -25,13 +25,7 @@ PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t positi
   question.position = position;
   question.size = view.lattice.size();
   question.rules = view.lattice.rules();
-  question.known.resize(state.node_count());
-  for (NodeId first = 0; first < question.known.size(); first += SearchState::kPage) {
-    const std::uint8_t* page = state.map_page(EventKind::known, first);
-    if (page == nullptr) continue;
-    const std::size_t count = std::min<std::size_t>(SearchState::kPage, question.known.size() - first);
-    std::copy_n(page, count, question.known.begin() + first);
-  }
+  question.known = state.known_map();
   if (view.info.clearance) question.clearance = parameters::clearance_rules_of(view.settings);
   question.start = state.node(Scalar::start);
   question.goal = state.node(Scalar::goal);

@@ -31,9 +31,16 @@ class TouchCount {
 
 }  // namespace
 
-FreshPlan plan_from_scratch(const PlannerChoice& choice, Grid2::Coordinates size, const SearchState& state,
-                            const std::stop_token& stop) {
-  const Grid2 lattice(size, state.known_map(), move_rules(choice.settings));
+FreshPlanTask::FreshPlanTask(const Run& run)
+    : choice(run.choice()),
+      size(run.lattice().size()),
+      known(run.timeline().state().known_map()),
+      start(run.timeline().state().node(Scalar::start)),
+      goal(run.timeline().state().node(Scalar::goal)) {}
+
+FreshPlan plan_from_scratch(const FreshPlanTask& task, const std::stop_token& stop) {
+  const PlannerChoice& choice = task.choice;
+  const Grid2 lattice(task.size, task.known, move_rules(choice.settings));
   Recorder recorder;
   const auto planner = make_planner(*find_planner(choice.id), lattice, choice.settings, recorder);
   TouchCount touched(lattice.node_count());
@@ -45,7 +52,7 @@ FreshPlan plan_from_scratch(const PlannerChoice& choice, Grid2::Coordinates size
     return done;
   };
   timed([&] {
-    planner->begin(state.node(Scalar::start), state.node(Scalar::goal));
+    planner->begin(task.start, task.goal);
     return true;
   });
   for (bool done = false; !done && !stop.stop_requested();) {
@@ -68,7 +75,7 @@ std::optional<FreshPlan> FreshPlans::of(const Run& run, std::size_t number, bool
   };
   if (const auto known = answer()) return known;
   const bool under_way = working_ == key || (next_ && next_->key == key);
-  if (!under_way) next_ = Job{key, run.choice(), run.lattice().size(), run.timeline().state()};
+  if (!under_way) next_ = Job{key, FreshPlanTask(run)};
   wake_.notify_all();
   if (wait) done_.wait(lock, [&] { return known_.contains(key); });
   return answer();
@@ -86,7 +93,7 @@ void FreshPlans::work(const std::stop_token& stop) {
     next_.reset();
     working_ = job.key;
     lock.unlock();
-    const FreshPlan fresh = plan_from_scratch(job.choice, job.size, job.state, stop);
+    const FreshPlan fresh = plan_from_scratch(job.task, stop);
     lock.lock();
     working_.reset();
     if (stop.stop_requested()) return;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "core/session/run.hpp"
 
@@ -19,10 +20,20 @@ struct FreshPlan {
   double ms = 0;  ///< wall time, recorded as the run itself
 };
 
-/// Plans from scratch on the map that the robot knows, with the same planner, and counts. The planner must be
-/// in the registry; a stop is heard between slices, what was counted until then is returned.
-FreshPlan plan_from_scratch(const PlannerChoice& choice, Grid2::Coordinates size, const SearchState& state,
-                            const std::stop_token& stop);
+/// What a plan from scratch is made of.
+struct FreshPlanTask {
+  /// The plan of the run's planner at the cursor, on the map that the robot knows there.
+  explicit FreshPlanTask(const Run& run);
+
+  PlannerChoice choice;
+  Grid2::Coordinates size{};
+  std::vector<std::uint8_t> known;  ///< nonzero = obstacle
+  NodeId start = kNoNode, goal = kNoNode;
+};
+
+/// Plans it and counts. The planner must be in the registry; a stop is heard between slices, what was counted
+/// until then is returned.
+FreshPlan plan_from_scratch(const FreshPlanTask& task, const std::stop_token& stop);
 
 /// Such figures for the replans of runs, worked out one at a time in the background and kept.
 class FreshPlans {
@@ -40,9 +51,7 @@ class FreshPlans {
   using Key = std::pair<std::uint64_t, std::size_t>;  // log and number of the plan
   struct Job {
     Key key;
-    PlannerChoice choice;
-    Grid2::Coordinates size{};
-    SearchState state;
+    FreshPlanTask task;
   };
 
   void work(const std::stop_token& stop);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <span>
 
 namespace replan {
 
@@ -10,7 +11,7 @@ std::vector<Event> Reexecution::events(std::size_t position, const KeyFrame& fra
   if (!mission_ || from < begin_ || position > end()) take_up(position, frame);
   while (end() < to) {
     const bool more = mission_->advance(iterations_);
-    const std::vector<Event>& fresh = recorder_.buffer();
+    const std::span<const Event> fresh = recorder_.buffer();
     ahead_.insert(ahead_.end(), fresh.begin(), fresh.end());
     recorder_.clear();
     if (end() <= from) drop(ahead_.size());  // only on the way there

@@ -76,20 +76,20 @@ Run::Batch Run::slice() {
   if (!mission_) mission_ = std::make_unique<Mission<Recorder>>(*scenario_, choice(), recorder_);
   // Several to a key frame, so that one stands wherever the timeline wants one.
   const std::size_t checkpoint_events = std::max<std::size_t>(1, limits_.log.frame_interval / 8);
-  const std::vector<Event>& events = recorder_.buffer();
+  const auto recorded = [this] { return recorder_.buffer().size(); };
   Batch batch;
   std::size_t next_checkpoint = 0;
-  for (int i = 0; i < kSliceDecisions && events.size() < kBatchEvents && !reached(); ++i) {
+  for (int i = 0; i < kSliceDecisions && recorded() < kBatchEvents && !reached(); ++i) {
     if (!mission_->advance(limits_.slice_iterations)) i = kSliceDecisions;
     if (mission_->standing()) {
       batch.marks.push_back(mission_->now());
-      batch.marks.back().event = events.size();
+      batch.marks.back().event = recorded();
     }
-    if (events.size() < next_checkpoint) continue;
+    if (recorded() < next_checkpoint) continue;
     auto checkpoint = std::make_shared<Checkpoint>(mission_->checkpoint());
     checkpoint->line = recorder_.current_line();
-    batch.checkpoints.emplace_back(events.size(), std::move(checkpoint));
-    next_checkpoint = events.size() + checkpoint_events;
+    batch.checkpoints.emplace_back(recorded(), std::move(checkpoint));
+    next_checkpoint = recorded() + checkpoint_events;
   }
   std::vector<Event> next;
   if (const std::scoped_lock lock(mutex_); !spare_.empty()) {

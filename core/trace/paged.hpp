@@ -2,55 +2,98 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "core/trace/block_pool.hpp"
+
 namespace replan {
 
-/// Counts the bytes of all pages of a family of arrays, each page once, whoever shares it.
-using PageMeter = std::shared_ptr<std::atomic<std::size_t>>;
+/// Where a family of arrays of one type keeps its pages.
+template <class T>
+class PagePool {
+ public:
+  /// Values of a page. Few, since a frontier that passes over the pages leaves a clone of each of them in
+  /// every key frame; and so are the pages of a group, for the same reason.
+  static constexpr std::size_t kPage = 16;
+  static constexpr std::size_t kGroup = 16;
+  using Page = std::array<T, kPage>;
+  using Group = std::array<BlockHandle, kGroup>;  // 0 = the page is untouched
 
-/// An array of `size` values that starts out all `initial`. Copying it copies pointers to groups of pages
-/// only; a page is cloned when it is written to while another copy holds it. Untouched pages take no memory.
-/// Assigning a copy that shares most groups costs no more than comparing the pointers. Copies may go to other
-/// threads, one copy to one thread.
+  BlockPool<Page> pages;
+  BlockPool<Group> groups;
+
+  /// Bytes of all pages of the family, each counted once, whoever shares it.
+  [[nodiscard]] std::size_t bytes() const { return pages.bytes() + groups.bytes(); }
+
+  [[nodiscard]] BlockHandle clone_page(BlockHandle page) {
+    const BlockHandle copy = pages.make();
+    pages[copy] = pages[page];
+    release_page(page);
+    return copy;
+  }
+  [[nodiscard]] BlockHandle clone_group(BlockHandle group) {
+    const BlockHandle copy = groups.make();
+    groups[copy] = groups[group];
+    for (const BlockHandle page : groups[copy])
+      if (page != 0) pages.hold(page);
+    release_group(group);
+    return copy;
+  }
+  void release_group(BlockHandle group) {
+    if (!groups.let_go(group)) return;
+    for (const BlockHandle page : groups[group])
+      if (page != 0) release_page(page);
+    groups.give_back(group);
+  }
+
+ private:
+  void release_page(BlockHandle page) {
+    if (pages.let_go(page)) pages.give_back(page);
+  }
+};
+
+/// An array of `size` values that starts out all `initial`. Copying it copies names of groups of pages only;
+/// a page is cloned when it is written to while another copy holds it. Untouched pages take no memory.
+/// Assigning a copy that shares most groups costs no more than comparing the names. An array and all its
+/// copies are for one thread.
 template <class T>
 class PagedArray {
+  using Pool = PagePool<T>;
+  using Page = typename Pool::Page;
+  using Group = typename Pool::Group;
+
  public:
-  /// Values of a page. Small, since a frontier that passes over the pages leaves a clone of each of them in
-  /// every key frame.
-  static constexpr std::size_t kPage = 32;
+  static constexpr std::size_t kPage = Pool::kPage;
 
   PagedArray() = default;
   explicit PagedArray(std::size_t size, T initial = T{},
-                      PageMeter meter = std::make_shared<std::atomic<std::size_t>>())
-      : size_(size),
-        initial_(initial),
-        meter_(std::move(meter)),
-        groups_((size + kPage * kGroup - 1) / (kPage * kGroup)) {}
+                      std::shared_ptr<Pool> pool = std::make_shared<Pool>())
+      : size_(size), initial_(initial), pool_(std::move(pool)), groups_((size + kSpan - 1) / kSpan) {}
   PagedArray(const PagedArray& other)
       : size_(other.size_),
         initial_(other.initial_),
         touched_pages_(other.touched_pages_),
-        meter_(other.meter_),
+        pool_(other.pool_),
         groups_(other.groups_) {
-    for (Group* group : groups_) hold(group);
+    for (const BlockHandle group : groups_)
+      if (group != 0) pool_->groups.hold(group);
   }
   PagedArray(PagedArray&& other) noexcept { swap(other); }
   PagedArray& operator=(const PagedArray& other) {
-    if (meter_ != other.meter_ || groups_.size() != other.groups_.size()) {
+    if (pool_ != other.pool_ || groups_.size() != other.groups_.size()) {
       PagedArray copy(other);
       swap(copy);
       return *this;
     }
     for (std::size_t i = 0; i < groups_.size(); ++i) {
       if (groups_[i] == other.groups_[i]) continue;
-      hold(other.groups_[i]);
-      release(std::exchange(groups_[i], other.groups_[i]));
+      if (other.groups_[i] != 0) pool_->groups.hold(other.groups_[i]);
+      if (groups_[i] != 0) pool_->release_group(groups_[i]);
+      groups_[i] = other.groups_[i];
     }
     size_ = other.size_;
     initial_ = other.initial_;
@@ -62,7 +105,8 @@ class PagedArray {
     return *this;
   }
   ~PagedArray() {
-    for (Group* group : groups_) release(group);
+    for (const BlockHandle group : groups_)
+      if (group != 0) pool_->release_group(group);
   }
 
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -72,100 +116,70 @@ class PagedArray {
     return values != nullptr ? values[index % kPage] : initial_;
   }
   /// A reference to write through, valid until the array is copied.
-  T& at(std::size_t index) {
-    Group*& group = groups_[index / (kPage * kGroup)];
-    if (group == nullptr)
-      group = make<Group>();
-    else if (group->shared())
-      group = clone(group);
-    Page*& page = group->pages[index / kPage % kGroup];
-    if (page == nullptr) {
-      page = make<Page>();
-      page->values.fill(initial_);
+  T& at(std::size_t index) { return own_page(index)[index % kPage]; }
+  /// The same of the whole page that holds `index`.
+  T* own_page(std::size_t index) {
+    BlockHandle& page = own_group(index)[index / kPage % Pool::kGroup];
+    if (page == 0) {
+      page = pool_->pages.make();
+      pool_->pages[page].fill(initial_);
       ++touched_pages_;
-    } else if (page->shared()) {
-      page = clone(page);
+    } else if (pool_->pages.shared(page)) {
+      page = pool_->clone_page(page);
     }
-    return page->values[index % kPage];
+    return pool_->pages[page].data();
+  }
+  /// Has the group, or then the page, of `index` brought into the cache.
+  void fetch_group(std::size_t index) const {
+    if (const BlockHandle group = groups_[index / kSpan]; group != 0) pool_->groups.fetch(group);
+  }
+  void fetch_page(std::size_t index) const {
+    if (const BlockHandle page = page_handle(index); page != 0) pool_->pages.fetch(page);
   }
   /// Pages that exist, shared or not: what a reader that wants to skip untouched stretches asks.
-  [[nodiscard]] bool touched(std::size_t index) const { return page(index) != nullptr; }
+  [[nodiscard]] bool touched(std::size_t index) const { return page_handle(index) != 0; }
   /// The page that holds `index`, kPage values from a multiple of kPage on; nullptr if untouched. Valid until
   /// written to.
   [[nodiscard]] const T* page(std::size_t index) const {
-    const Group* group = groups_[index / (kPage * kGroup)];
-    const Page* held = group != nullptr ? group->pages[index / kPage % kGroup] : nullptr;
-    return held != nullptr ? held->values.data() : nullptr;
+    const BlockHandle page = page_handle(index);
+    return page != 0 ? pool_->pages[page].data() : nullptr;
   }
   /// Bytes of the pages that this copy reaches, shared or not.
-  [[nodiscard]] std::size_t page_bytes() const { return touched_pages_ * sizeof(Page); }
-  /// Bytes of its own: pointers.
-  [[nodiscard]] std::size_t table_bytes() const { return groups_.size() * sizeof(Group*); }
+  [[nodiscard]] std::size_t page_bytes() const { return touched_pages_ * BlockPool<Page>::kBlockBytes; }
+  /// Bytes of its own: names of groups.
+  [[nodiscard]] std::size_t table_bytes() const { return groups_.size() * sizeof(BlockHandle); }
 
  private:
-  static constexpr std::size_t kGroup = 32;
+  static constexpr std::size_t kSpan = Pool::kPage * Pool::kGroup;  // values of a group
 
-  /// Counts who holds it. Whoever finds itself the only holder may write: nobody else can come to hold it.
-  struct Held {
-    std::atomic<std::uint32_t> holders = 1;
-    [[nodiscard]] bool shared() const { return holders.load(std::memory_order_acquire) > 1; }
-    /// True if nobody is left.
-    bool let_go() { return holders.fetch_sub(1, std::memory_order_acq_rel) == 1; }
-  };
-  struct Page : Held {
-    std::array<T, kPage> values;
-  };
-  struct Group : Held {
-    std::array<Page*, kGroup> pages{};
-  };
-
-  template <class Block>
-  Block* make() {
-    auto* block = new Block;
-    meter_->fetch_add(sizeof(Block), std::memory_order_relaxed);
-    return block;
+  [[nodiscard]] BlockHandle page_handle(std::size_t index) const {
+    const BlockHandle group = groups_[index / kSpan];
+    return group != 0 ? pool_->groups[group][index / kPage % Pool::kGroup] : 0;
   }
-  template <class Block>
-  static void hold(Block* block) {
-    if (block != nullptr) block->holders.fetch_add(1, std::memory_order_relaxed);
-  }
-  Page* clone(Page* page) {
-    Page* copy = make<Page>();
-    copy->values = page->values;
-    release(page);
-    return copy;
-  }
-  Group* clone(Group* group) {
-    auto* copy = make<Group>();
-    copy->pages = group->pages;
-    for (Page* page : copy->pages) hold(page);
-    release(group);
-    return copy;
-  }
-  void release(Page* page) {
-    if (page == nullptr || !page->let_go()) return;
-    delete page;
-    meter_->fetch_sub(sizeof(Page), std::memory_order_relaxed);
-  }
-  void release(Group* group) {
-    if (group == nullptr || !group->let_go()) return;
-    for (Page* page : group->pages) release(page);
-    delete group;
-    meter_->fetch_sub(sizeof(Group), std::memory_order_relaxed);
+  /// The group of `index`, held by nobody else.
+  Group& own_group(std::size_t index) {
+    BlockHandle& group = groups_[index / kSpan];
+    if (group == 0) {
+      group = pool_->groups.make();
+      pool_->groups[group].fill(0);
+    } else if (pool_->groups.shared(group)) {
+      group = pool_->clone_group(group);
+    }
+    return pool_->groups[group];
   }
   void swap(PagedArray& other) noexcept {
     std::swap(size_, other.size_);
     std::swap(initial_, other.initial_);
     std::swap(touched_pages_, other.touched_pages_);
-    std::swap(meter_, other.meter_);
+    std::swap(pool_, other.pool_);
     std::swap(groups_, other.groups_);
   }
 
   std::size_t size_ = 0;
   T initial_{};
   std::size_t touched_pages_ = 0;
-  PageMeter meter_;
-  std::vector<Group*> groups_;
+  std::shared_ptr<Pool> pool_;       // of the whole family
+  std::vector<BlockHandle> groups_;  // 0 = untouched
 };
 
 }  // namespace replan

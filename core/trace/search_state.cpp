@@ -4,14 +4,16 @@
 
 namespace replan {
 
-SearchState::SearchState(std::size_t nodes) : meter_(std::make_shared<std::atomic<std::size_t>>()) {
+SearchState::SearchState(std::size_t nodes)
+    : wide_pool_(std::make_shared<PagePool<std::uint64_t>>()),
+      narrow_pool_(std::make_shared<PagePool<std::uint8_t>>()) {
   const auto infinite = static_cast<std::uint64_t>(Cost::kInfinityRaw);
   for (std::size_t kind = 0; kind < kWideFields; ++kind) {
     const auto which = static_cast<EventKind>(kind);
     const bool is_cost = which == EventKind::g || which == EventKind::rhs;
-    wide_[kind] = PagedArray<std::uint64_t>(nodes, is_cost ? infinite : 0, meter_);
+    wide_[kind] = PagedArray<std::uint64_t>(nodes, is_cost ? infinite : 0, wide_pool_);
   }
-  for (auto& field : narrow_) field = PagedArray<std::uint8_t>(nodes, 0, meter_);
+  for (auto& field : narrow_) field = PagedArray<std::uint8_t>(nodes, 0, narrow_pool_);
 }
 
 SearchState::SearchState(std::span<const std::uint8_t> known, std::span<const std::uint8_t> truth)
@@ -22,17 +24,41 @@ SearchState::SearchState(std::span<const std::uint8_t> known, std::span<const st
   }
 }
 
+void SearchState::apply(std::span<const Event> events, PageOrder& order) {
+  for (const Event& event : events)
+    if (static_cast<int>(event.kind) >= kWideFields) apply(event);
+  // So far ahead that what is asked for is there in time: some groups, and some pages, of the order.
+  constexpr std::size_t kGroupsAhead = 64, kPagesAhead = 32;
+  const std::span<const Event> sorted = order.sort(events, node_count());
+  const auto field = [&](std::size_t i) -> auto& {
+    return wide_[static_cast<std::size_t>(sorted[i].kind)];
+  };
+  for (std::size_t i = 0; i < sorted.size();) {
+    if (i + kGroupsAhead < sorted.size()) field(i + kGroupsAhead).fetch_group(sorted[i + kGroupsAhead].node);
+    if (i + kPagesAhead < sorted.size()) field(i + kPagesAhead).fetch_page(sorted[i + kPagesAhead].node);
+    const std::uint64_t page = PageOrder::page_of(sorted[i]);
+    std::uint64_t* values = field(i).own_page(sorted[i].node);
+    for (; i < sorted.size() && PageOrder::page_of(sorted[i]) == page; ++i)
+      write(values[sorted[i].node % kPage], sorted[i]);
+  }
+}
+
+std::vector<std::uint8_t> SearchState::known_map() const {
+  std::vector<std::uint8_t> map(node_count());
+  for (std::size_t first = 0; first < map.size(); first += kPage) {
+    const std::uint8_t* page = narrow_[0].page(first);
+    if (page == nullptr) continue;
+    const std::size_t count = std::min(kPage, map.size() - first);
+    std::copy_n(page, count, map.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+  return map;
+}
+
 std::uint64_t SearchState::value(EventKind kind, NodeId node) const {
   const auto index = static_cast<std::size_t>(kind);
   if (index < kWideFields) return wide_[index][node];
   if (index < kWideFields + kNarrowFields) return narrow_[index - kWideFields][node];
   return kind == EventKind::scalar ? scalars_[node] : 0;
-}
-
-std::vector<std::uint8_t> SearchState::known_map() const {
-  std::vector<std::uint8_t> known(node_count());
-  for (NodeId n = 0; n < known.size(); ++n) known[n] = known_blocked(n) ? 1 : 0;
-  return known;
 }
 
 bool SearchState::touched(EventKind kind, NodeId node) const {
@@ -73,7 +99,7 @@ std::size_t SearchState::page_bytes() const {
 }
 
 std::size_t SearchState::family_bytes() const {
-  return meter_ ? meter_->load(std::memory_order_relaxed) : 0;
+  return wide_pool_ ? wide_pool_->bytes() + narrow_pool_->bytes() : 0;
 }
 
 std::size_t SearchState::table_bytes() const {

@@ -4,17 +4,19 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "core/base/cost.hpp"
 #include "core/trace/event.hpp"
+#include "core/trace/page_order.hpp"
 #include "core/trace/paged.hpp"
 
 namespace replan {
 
 /// Everything that a view shows of a run at one moment, and everything that a planner needs to go on from
-/// there. Copies are cheap (see PagedArray). apply() is its own inverse.
+/// there. Copies are cheap, and for the same thread (see PagedArray). apply() is its own inverse.
 class SearchState {
  public:
   SearchState() = default;
@@ -37,6 +39,10 @@ class SearchState {
       scalars_[event.node] ^= event.delta;
   }
 
+  /// The same over all of a stretch of the log at once, which is much cheaper where they are many: what they
+  /// come to together does not depend on their order, so that each page is written once.
+  void apply(std::span<const Event> events, PageOrder& order);
+
   [[nodiscard]] Cost g(NodeId n) const { return cost(EventKind::g, n); }
   [[nodiscard]] Cost rhs(NodeId n) const { return cost(EventKind::rhs, n); }
   [[nodiscard]] Cost dist(NodeId n) const { return cost(EventKind::dist, n); }
@@ -57,8 +63,6 @@ class SearchState {
     return static_cast<std::uint32_t>(wide(EventKind::visit, n) >> 32);
   }
   [[nodiscard]] bool known_blocked(NodeId n) const { return narrow_[0][n] != 0; }
-  /// The robot's map; 1 = obstacle.
-  [[nodiscard]] std::vector<std::uint8_t> known_map() const;
   [[nodiscard]] bool truly_blocked(NodeId n) const { return narrow_[1][n] != 0; }
   /// Whether a wall stands there, whatever moves over it, and whether something that moves is there.
   [[nodiscard]] bool wall(NodeId n) const { return (narrow_[1][n] & 1) != 0; }
@@ -80,6 +84,8 @@ class SearchState {
   [[nodiscard]] const std::uint8_t* map_page(EventKind kind, NodeId node) const {
     return narrow_[static_cast<std::size_t>(kind) - kWideFields].page(node);
   }
+  /// The robot's map as a whole; nonzero = obstacle.
+  [[nodiscard]] std::vector<std::uint8_t> known_map() const;
   static constexpr std::size_t kPage = PagedArray<std::uint64_t>::kPage;
 
   /// A hash over all values: equal states have equal hashes, whichever way they were reached.
@@ -93,7 +99,9 @@ class SearchState {
 
  private:
   void apply_wide(const Event& event) {
-    std::uint64_t& value = wide_[static_cast<std::size_t>(event.kind)].at(event.node);
+    write(wide_[static_cast<std::size_t>(event.kind)].at(event.node), event);
+  }
+  void write(std::uint64_t& value, const Event& event) {
     if (event.kind == EventKind::queue) {
       if (value != 0) --queued_;
       if (value != event.delta) ++queued_;
@@ -107,7 +115,9 @@ class SearchState {
     return {static_cast<std::int64_t>(wide(kind, n))};
   }
 
-  PageMeter meter_;  // of the pages of all fields
+  // Where the pages of all fields lie, those of copies too.
+  std::shared_ptr<PagePool<std::uint64_t>> wide_pool_;
+  std::shared_ptr<PagePool<std::uint8_t>> narrow_pool_;
   std::array<PagedArray<std::uint64_t>, kWideFields> wide_;
   std::array<PagedArray<std::uint8_t>, kNarrowFields> narrow_;
   std::array<std::uint64_t, static_cast<std::size_t>(Scalar::count)> scalars_{};

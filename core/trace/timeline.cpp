@@ -12,6 +12,9 @@ constexpr std::size_t kFrameShare = 4;
 constexpr std::size_t kLeastFrameBytes = std::size_t{64} << 20;
 constexpr std::size_t kFrameBytesPerEvent = 7;
 
+/// Events from which on it is worth while to sort them by page.
+constexpr std::size_t kSortedEvents = 2048;
+
 std::size_t distance(std::size_t a, std::size_t b) {
   return a > b ? a - b : b - a;
 }
@@ -43,23 +46,25 @@ void Timeline::append(std::span<const Event> events, const std::shared_ptr<const
 
 void Timeline::take(std::span<const Event> events) {
   std::size_t position = size();
-  for (const Event& event : events) {
-    head_.apply(event);
-    index_.add(position++, event.node);
-  }
+  for (const Event& event : events) index_.add(position++, event.node);
+  apply(head_, events);
   events_.append(events);
 }
 
 void Timeline::capture(const std::shared_ptr<const Checkpoint>& checkpoint) {
   frames_.emplace(size(), KeyFrame{head_, checkpoint});
-  while (frame_bytes() > frame_allowance() && frames_.size() > 2) thin_out();
+  while (frame_bytes() > frame_allowance() && frames_.size() > 2) drop_frame();
 }
 
-void Timeline::thin_out() {
-  frame_interval_ *= 2;
-  bool goes = false;
-  for (auto frame = std::next(frames_.begin()); frame != frames_.end(); goes = !goes)
-    frame = goes ? std::next(frame) : frames_.erase(frame);
+/// Drops the frame that is missed least. One at a time, since whoever appends must not wait for long.
+void Timeline::drop_frame() {
+  const auto gap = [](auto frame) { return std::next(frame)->first - std::prev(frame)->first; };
+  auto least = std::next(frames_.begin());
+  for (auto frame = std::next(least); std::next(frame) != frames_.end(); ++frame)
+    if (gap(frame) < gap(least)) least = frame;
+  // Where none leaves a smaller gap, those to come need not stand closer either.
+  if (gap(least) >= 2 * frame_interval_) frame_interval_ *= 2;
+  frames_.erase(least);
 }
 
 std::size_t Timeline::frame_bytes() const {
@@ -119,9 +124,28 @@ std::pair<std::size_t, const SearchState*> Timeline::nearest(std::size_t positio
   return best;
 }
 
+/// The events from `from` on that lie together, up to `to`. Valid until others are read.
+std::span<const Event> Timeline::events(std::size_t from, std::size_t to) const {
+  if (events_.find(from) == nullptr) static_cast<void>(fetch(from));
+  const std::size_t end = (events_.chunk_of(from) + 1) * events_.chunk_events();
+  return {events_.find(from), std::min(to, end) - from};
+}
+
+/// Takes the state over all of them.
+void Timeline::apply(SearchState& state, std::span<const Event> events) const {
+  if (events.size() < kSortedEvents)
+    for (const Event& event : events) state.apply(event);
+  else
+    state.apply(events, order_);
+}
+
 void Timeline::walk(SearchState& state, std::size_t from, std::size_t to) const {
-  while (from < to) state.apply(event(from++));
-  while (from > to) state.apply(event(--from));
+  // Backwards it is the same events, and what they come to together does not depend on their order.
+  for (std::size_t at = std::min(from, to), end = std::max(from, to); at < end;) {
+    const std::span<const Event> stretch = events(at, end);
+    apply(state, stretch);
+    at += stretch.size();
+  }
 }
 
 void Timeline::seek(std::size_t position) {

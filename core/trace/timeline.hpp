@@ -26,7 +26,8 @@ struct LogLimits {
   std::size_t bytes = std::size_t{1} << 30;
   /// Events that are dropped together: a power of two.
   std::size_t chunk_events = std::size_t{1} << 16;
-  /// Events between two key frames at first. It doubles when the frames take too much.
+  /// Events between two key frames at first. When the frames take too much, some go, and others come half as
+  /// often.
   std::size_t frame_interval = std::size_t{1} << 17;
 };
 
@@ -93,19 +94,22 @@ class Timeline {
  private:
   void take(std::span<const Event> events);
   void capture(const std::shared_ptr<const Checkpoint>& checkpoint);
-  void thin_out();
+  void drop_frame();
   [[nodiscard]] std::size_t last_frame() const { return frames_.rbegin()->first; }
   [[nodiscard]] std::size_t frame_allowance() const;
   [[nodiscard]] std::size_t event_allowance() const;
   [[nodiscard]] Event fetch(std::size_t index) const;
   /// The held state nearest to a position, and where it stands.
   [[nodiscard]] std::pair<std::size_t, const SearchState*> nearest(std::size_t position) const;
+  [[nodiscard]] std::span<const Event> events(std::size_t from, std::size_t to) const;
+  void apply(SearchState& state, std::span<const Event> events) const;
   void walk(SearchState& state, std::size_t from, std::size_t to) const;
 
   LogLimits limits_;
   Source source_;
   mutable EventStore events_;  // what was dropped comes back when it is read
   NodeIndex index_;
+  mutable PageOrder order_;  // only memory to work in
   std::size_t cursor_ = 0;
   SearchState state_;
   SearchState head_;

@@ -1,8 +1,10 @@
 // The Tracer concept: whom a planner tells what it does. Either nobody, at no cost, or a Recorder.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -58,21 +60,27 @@ class Recorder {
   }
   void note(EventKind kind, NodeId node, std::uint64_t payload = 0) { push(kind, node, payload); }
 
-  [[nodiscard]] const std::vector<Event>& buffer() const { return buffer_; }
-  /// Hands over what was recorded since the last call, and goes on in the memory of `next`, which it empties:
-  /// memory that was written to before costs much less than fresh one.
+  /// What was recorded since it was last taken. Valid until more is.
+  [[nodiscard]] std::span<const Event> buffer() const { return std::span(buffer_).first(count_); }
+  /// Hands that over, and goes on in the memory of `next`, whatever it holds: memory that was written to
+  /// before costs much less than fresh one.
   [[nodiscard]] std::vector<Event> take(std::vector<Event> next = {}) {
-    next.clear();
+    buffer_.resize(count_);
+    count_ = 0;
     return std::exchange(buffer_, std::move(next));
   }
-  void clear() { buffer_.clear(); }
+  void clear() { count_ = 0; }
 
  private:
   void push(EventKind kind, NodeId node, std::uint64_t delta) {
-    buffer_.push_back({delta, node, kind, line_, 0});
+    // Not push_back(), which is too large to be inlined and has each event pass through memory twice.
+    if (count_ == buffer_.size()) buffer_.resize(std::max(kLeast, 2 * count_));
+    buffer_[count_++] = {delta, node, kind, line_, 0};
   }
 
-  std::vector<Event> buffer_;
+  static constexpr std::size_t kLeast = 256;
+  std::vector<Event> buffer_;  // the first count_ were recorded, the rest is room
+  std::size_t count_ = 0;
   std::uint8_t line_ = 0;
 };
 

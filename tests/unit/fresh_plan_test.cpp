@@ -28,8 +28,7 @@ TEST(FreshPlan, OfTheFirstPlanIsThatPlan) {
   Session session(demo());
   session.settle();
   for (const auto& run : session.runs()) {
-    const FreshPlan fresh =
-        plan_from_scratch(run->choice(), run->lattice().size(), run->timeline().state(), {});
+    const FreshPlan fresh = plan_from_scratch(FreshPlanTask(*run), {});
     SceneMemory memory;
     EXPECT_EQ(fresh.expansions, run->marks().front().figures.counters.expansions) << run->choice().id;
     EXPECT_EQ(fresh.expansions, memory.expansions(*run, run->timeline().size())) << run->choice().id;

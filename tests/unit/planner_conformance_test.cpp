@@ -199,7 +199,7 @@ TEST_P(EveryPlanner, agreesWithTheOracleOnRandomWorldsIn3d) {
 
 /// Work that the log of a whole run shows; a search that starts afresh empties its open list on line 1, which
 /// is not counted as work.
-Counters work_in(const std::vector<Event>& log, std::size_t nodes) {
+Counters work_in(std::span<const Event> log, std::size_t nodes) {
   SearchState state(nodes);
   Counters work;
   for (const Event& event : log) {

@@ -1,6 +1,8 @@
 // The log of a planner tells the truth: played back it gives the planner's values, which keep D* Lite's
 // invariants; played backwards it leads back through the same states; and a search taken up from any of these
 // states goes on as if it had never stopped.
+#include <span>
+
 #include <gtest/gtest.h>
 
 #include "core/trace/search_state.hpp"
@@ -101,7 +103,7 @@ class Player {
     for (std::size_t k = 1; k <= i; ++k) lattice_.apply(script_.steps[k].edits);
   }
   Planner<BoxLattice<D>>& planner() { return *planner_; }
-  [[nodiscard]] const std::vector<Event>& log() const { return recorder_.buffer(); }
+  [[nodiscard]] std::span<const Event> log() const { return recorder_.buffer(); }
   [[nodiscard]] const BoxLattice<D>& lattice() const { return lattice_; }
 
  private:
@@ -276,7 +278,7 @@ struct WorkMeter {
 };
 
 /// `log` from event `at` on is `rest`.
-void expect_same_rest(const std::vector<Event>& log, std::size_t at, const std::vector<Event>& rest) {
+void expect_same_rest(std::span<const Event> log, std::size_t at, std::span<const Event> rest) {
   ASSERT_EQ(log.size() - at, rest.size());
   for (std::size_t k = 0; k < rest.size(); ++k)
     ASSERT_EQ(log[at + k], rest[k]) << "event " << at + k << ", " << k << " after the restart";
@@ -284,7 +286,7 @@ void expect_same_rest(const std::vector<Event>& log, std::size_t at, const std::
 
 /// Takes the search up in the state before event `at` of step `i`, plays to the end and compares the logs.
 template <int D>
-void check_taken_up(const Script<D>& script, const std::vector<Event>& log, const Marks& marks, std::size_t i,
+void check_taken_up(const Script<D>& script, std::span<const Event> log, const Marks& marks, std::size_t i,
                     std::size_t at, const SearchState& state, const WorkMeter& meter) {
   Player<D> player(script);
   player.show_map_of(i);
@@ -303,7 +305,7 @@ void check_restore(const PlannerInfo& info, std::uint64_t seed) {
   Player<D> player(script);
   std::vector<Marks> marks;
   for (std::size_t i = 0; i < script.steps.size(); ++i) marks.push_back(player.play(i));
-  const std::vector<Event> log = player.log();
+  const std::span<const Event> log = player.log();
   SearchState state(player.lattice().node_count());
   WorkMeter meter;
   for (std::size_t at = 0, i = 0; at <= log.size(); ++at) {

@@ -74,6 +74,19 @@ TEST(Timeline, KeyFramesAreThinnedOutUnderTheirBudgetAndSeeksStayRight) {
   }
 }
 
+TEST(Timeline, KeyFramesStandEvenlyAndUnderTheirBudgetHoweverLongTheLogGrows) {
+  const std::vector<Event> log = random_log(400000, 8);
+  const LogLimits limits{.bytes = std::size_t{16} << 20, .frame_interval = 4096};
+  Timeline timeline(SearchState(kNodes), limits);
+  for (std::size_t done = 0; done < log.size(); done += 4096) {
+    timeline.append(std::span(log).subspan(done, std::min<std::size_t>(4096, log.size() - done)));
+    // A quarter, and what the end of the log has written since the last frame.
+    ASSERT_LE(timeline.frame_bytes(), limits.bytes / 3);
+  }
+  // A frame takes half a MiB at most.
+  EXPECT_GE(timeline.key_frames(), 7u);
+}
+
 TEST(Timeline, TruncatingForgetsAndAppendingGoesOn) {
   const std::vector<Event> log = random_log(300000, 3);
   Timeline timeline{SearchState(kNodes)};
@@ -158,6 +171,45 @@ TEST(Timeline, HistoriesOfNodesAreThoseOfALinearScanAlsoAfterCuts) {
   }
 }
 
+TEST(SearchState, OfAStretchAtOnceIsThatOfItsEventsOneByOneInBothDirections) {
+  Random random(9);
+  PageOrder order;
+  for (const std::size_t nodes : {1u, 15u, 700u, 5000u}) {
+    std::vector<Event> log = random_log(20000, nodes);
+    for (Event& event : log)
+      if (event.kind != EventKind::scalar) event.node %= static_cast<NodeId>(nodes);
+    SearchState at_once(nodes), one_by_one(nodes);
+    for (int i = 0; i < 30; ++i) {
+      const std::size_t from = random.below(20000),
+                        count = random.below(static_cast<std::uint32_t>(20001 - from));
+      const std::span<const Event> stretch = std::span(log).subspan(from, count);
+      const SearchState before = at_once;
+      at_once.apply(stretch, order);
+      for (const Event& event : stretch) one_by_one.apply(event);
+      ASSERT_EQ(at_once.hash(), one_by_one.hash());
+      ASSERT_EQ(at_once.queue_size(), one_by_one.queue_size());
+      SearchState back = at_once;
+      back.apply(stretch, order);
+      ASSERT_EQ(back.hash(), before.hash());
+      ASSERT_EQ(back.queue_size(), before.queue_size());
+    }
+  }
+}
+
+TEST(PageOrder, HoldsTheWideEventsPageByPageInTheOrderOfTheLog) {
+  std::vector<Event> log = random_log(5000, 11);
+  for (std::size_t i = 0; i < log.size(); ++i) log[i].delta = i;
+  PageOrder order;
+  const std::span<const Event> sorted = order.sort(log, kNodes);
+  std::map<std::uint64_t, std::vector<std::uint64_t>> pages;
+  for (const Event& event : log)
+    if (static_cast<int>(event.kind) < kWideFields) pages[PageOrder::page_of(event)].push_back(event.delta);
+  std::vector<std::uint64_t> expected, found;
+  for (const auto& [page, places] : pages) expected.insert(expected.end(), places.begin(), places.end());
+  for (const Event& event : sorted) found.push_back(event.delta);
+  EXPECT_EQ(found, expected);
+}
+
 TEST(PagedArray, CopiesShareUntilOneWrites) {
   PagedArray<int> a(5000, 7);
   EXPECT_EQ(a[4999], 7);
@@ -173,9 +225,9 @@ TEST(PagedArray, CopiesShareUntilOneWrites) {
 TEST(PagedArray, CopiesBehaveLikeArraysOfTheirOwnAndLeaveNoPageBehind) {
   constexpr std::size_t kSize = 3000;
   Random random(3);
-  const auto meter = std::make_shared<std::atomic<std::size_t>>();
+  const auto pool = std::make_shared<PagePool<std::uint64_t>>();
   {
-    std::vector<PagedArray<std::uint64_t>> paged(5, PagedArray<std::uint64_t>(kSize, 9, meter));
+    std::vector<PagedArray<std::uint64_t>> paged(5, PagedArray<std::uint64_t>(kSize, 9, pool));
     std::vector<std::vector<std::uint64_t>> plain(5, std::vector<std::uint64_t>(kSize, 9));
     for (int i = 0; i < 20000; ++i) {
       const std::size_t a = random.below(5), b = random.below(5);
@@ -194,10 +246,10 @@ TEST(PagedArray, CopiesBehaveLikeArraysOfTheirOwnAndLeaveNoPageBehind) {
     }
     for (std::size_t a = 0; a < paged.size(); ++a)
       for (std::size_t at = 0; at < kSize; ++at) ASSERT_EQ(paged[a][at], plain[a][at]);
-    EXPECT_GE(meter->load(), paged[0].page_bytes());
+    EXPECT_GE(pool->bytes(), paged[0].page_bytes());
     EXPECT_GT(paged[0].page_bytes(), 0u);
   }
-  EXPECT_EQ(meter->load(), 0u);
+  EXPECT_EQ(pool->bytes(), 0u);
 }
 
 }  // namespace
