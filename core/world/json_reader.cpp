@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/plan/parameters.hpp"
+#include "core/world/text_lines.hpp"
 
 namespace replan {
 namespace {
@@ -154,7 +155,7 @@ void JsonReader::fail(const Json& value, const std::string& what) {
   Finder finder(value);
   const bool found = finder.find(document_, "");
   error_ = origin_ + ":" + std::to_string(found ? lines_[finder.before()] : 1) + ": " +
-           (finder.path().empty() ? "" : finder.path() + ": ") + what;
+           (finder.path().empty() ? "" : one_line(finder.path()) + ": ") + what;
 }
 
 bool JsonNode::expect_object(std::initializer_list<std::string_view> known) const {

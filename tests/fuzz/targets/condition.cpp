@@ -17,7 +17,10 @@ const Timeline& some_log() {
     for (std::uint32_t i = 0; i < 300; ++i) {
       const auto kind = static_cast<EventKind>(i % (static_cast<std::uint32_t>(EventKind::forgotten) + 1));
       const NodeId node = i * 7 % (kind == EventKind::scalar ? static_cast<NodeId>(Scalar::count) : 48);
-      events.push_back({std::uint64_t{i} << (i % 50), node, kind, static_cast<std::uint8_t>(i / 3), 0});
+      // What a cell is takes one bit; a log never holds more of it.
+      const bool bit = kind == EventKind::known || kind == EventKind::truth;
+      events.push_back(
+          {bit ? i % 2 : std::uint64_t{i} << (i % 50), node, kind, static_cast<std::uint8_t>(i / 3), 0});
     }
     made.append(events);
     return made;

@@ -3,12 +3,15 @@
 #include "core/world/generator_list.hpp"
 #include "tests/fuzz/target.hpp"
 
-/// Whether a side could have more than three digits: such maps take too long to make thousands of them.
+/// Whether a side could have more than three digits, written out or as in 5e6: such maps take too long to
+/// make thousands of them.
 static bool large(std::string_view input) {
   for (const std::string_view key : {std::string_view("width="), std::string_view("height=")})
     for (std::size_t at = input.find(key); at != std::string_view::npos; at = input.find(key, at + 1)) {
       const std::string_view value = input.substr(at + key.size());
-      if (value.substr(0, value.find('&')).size() > 3) return true;
+      if (const std::string_view digits = value.substr(0, value.find('&'));
+          digits.size() > 3 || digits.find_first_of("eE") != std::string_view::npos)
+        return true;
     }
   return false;
 }
