@@ -250,7 +250,7 @@ TEST(Scenario, ErrorsNameLinePlaceAndMend) {
   };
   EXPECT_EQ(replaced("\"caption\"", "\"captoin\""), "captoin: unknown key; did you mean 'caption'?");
   // An error is one line, whatever the key is made of.
-  EXPECT_EQ(replaced("\"caption\"", "\"cap\\ntion\""), "cap tion: unknown key; did you mean 'caption'?");
+  EXPECT_EQ(replaced("\"caption\"", "\"cap\\ntion\""), "cap?tion: unknown key; did you mean 'caption'?");
   EXPECT_EQ(replaced("\"sensor_radius\": 4.5", "\"sensor_radius\": -1"),
             "robot.sensor_radius: must be a number from 0 to 10000, not -1");
   EXPECT_EQ(replaced("\"nothing\"", "\"some\""),
