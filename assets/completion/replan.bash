@@ -39,7 +39,7 @@ _replan_options() {
     render)
       echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set -o --output --size --scale" \
         "--at --at-end --at-plan" \
-        "--overlay --theme --action --canvas-only --panes --fps --speed --hold --from --to"
+        "--overlay --theme --action --pin --camera --canvas-only --panes --fps --speed --hold --from --to"
       ;;
     convert) echo "-h --help --start --goal --threshold --invert --unknown --slice --planner --set" ;;
     show) echo "-h --help --map --start --goal --threshold --invert --unknown --planner --set --at --cell" ;;
@@ -70,7 +70,8 @@ _replan() {
     --trace) _replan_files jsonl yaml yml json; return ;;
     --trace-map) _replan_files map; return ;;
     -o | --output) _replan_files png svg gif webp mp4; return ;;
-    --start | --goal | --break | --cell | --action | --size | --scale | --limit | --threshold | --slice | --fps | --hold) return ;;
+    --action) _replan_list "$(_replan_ids actions)"; return ;;
+    --start | --goal | --break | --cell | --pin | --camera | --size | --scale | --limit | --threshold | --slice | --fps | --hold) return ;;
     --panes) COMPREPLY=($(compgen -W "1 2 4 all" -- "$cur")); return ;;
     --speed) COMPREPLY=($(compgen -W "auto expansion move" -- "$cur")); return ;;
     --at | --from | --to) COMPREPLY=($(compgen -W "start plan end replan: move:" -- "$cur")); return ;;
@@ -82,7 +83,7 @@ _replan() {
     run | render | show) _replan_files json ;;
     batch) _replan_files scen 3dscen ;;
     convert) _replan_files json 3dmap $maps ;;
-    list) COMPREPLY=($(compgen -W "planners maps overlays generators terms" -- "$cur")) ;;
+    list) COMPREPLY=($(compgen -W "planners maps overlays generators terms actions" -- "$cur")) ;;
     *)
       _replan_files json $maps
       COMPREPLY+=($(compgen -W "$commands" -- "$cur"))
