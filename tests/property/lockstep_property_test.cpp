@@ -263,8 +263,9 @@ TEST(LockstepProperty, ATwinStandsWhereTheLeaderStands) {
     for (const std::size_t place : places(random, session.run())) {
       const std::size_t stop = next_stop(session.run(), place, StepUnit::expansion);
       ASSERT_TRUE(session.apply(Seek{stop}).ok());
+      // By value: of two temporaries it would give references.
       const auto [low, high] =
-          std::minmax(session.runs()[0]->timeline().cursor(), session.runs()[1]->timeline().cursor());
+          std::minmax({session.runs()[0]->timeline().cursor(), session.runs()[1]->timeline().cursor()});
       for (const std::size_t p : expansions_of(session.run()))
         EXPECT_FALSE(low <= p && p < high) << "one has expanded more";
       const auto marks = session.run().marks();
