@@ -244,7 +244,8 @@ constexpr GlossaryTerm kTerms[] = {
      "all "
      "events from the beginning."},
     {"record", "Record",
-     "The memory that the log and its key frames take: what it costs to be able to go back. Beyond 1 GiB, for "
+     "The memory that the log and its key frames take: what it costs to be able to go back. Beyond 1 GiB, "
+     "for "
      "all panes together, stretches are dropped and planned once more when one goes there."},
     {"code-line", "Pseudo-code line",
      "The line of the published algorithm that the planner is at. Every event knows the line that made it."},

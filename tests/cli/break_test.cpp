@@ -57,8 +57,8 @@ TEST(RunBreak, pointsAtMistakes) {
 }
 
 TEST(RunBreak, saysWhatHoldsFromTheBeginning) {
-  const Outcome outcome = run_program(
-      {"run", kDemo, "--planner", "dstar-lite", "--break", "g(12, 40) > 30 || event(replan)"});
+  const Outcome outcome =
+      run_program({"run", kDemo, "--planner", "dstar-lite", "--break", "g(12, 40) > 30 || event(replan)"});
   EXPECT_EQ(outcome.code, 1) << outcome.err;
   EXPECT_NE(outcome.out.find("holds from the beginning"), std::string::npos) << outcome.out;
 }
