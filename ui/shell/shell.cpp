@@ -9,6 +9,7 @@
 #include "ui/icons.hpp"
 #include "ui/keys.hpp"
 #include "ui/pane_grid.hpp"
+#include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
 
 namespace replan::ui {
@@ -82,10 +83,13 @@ void Shell::take_keys(Frame& frame) {
   for (const ActionId id : pressed_actions(io)) perform(frame, id);
 }
 
-/// The vertex at which two panes were just found to part is pinned, so that the Cell tab explains it.
+/// What a comparison of two panes has just come to is told, whatever tab is open, and the vertex at which
+/// they part is pinned, so that the Cell tab explains it.
 void Shell::pin_difference(Frame& frame) {
   const Checks& checks = frame.session.checks();
   if (std::exchange(pinned_difference_, checks.comparison()) == checks.comparison()) return;
+  if (checks.comparison().empty()) return;
+  tell(as_sentence(checks.comparison()), false);
   const auto& found = checks.difference();
   if (!found) return;
   const NodeId node = found->nodes[frame.session.lead() == found->panes[0] ? 0 : 1];
