@@ -1,5 +1,4 @@
 // The Log tab: what happened in the run; what was done in this session and went wrong; and all edits.
-#include <algorithm>
 #include <array>
 #include <string>
 
@@ -83,14 +82,6 @@ void draw_lines(Frame& frame) {
   }
 }
 
-/// What the robot's clock shows when that event comes.
-std::int64_t clock_at(const Run& run, std::size_t event) {
-  const auto marks = run.marks();
-  const auto after = std::partition_point(marks.begin(), marks.end(),
-                                          [event](const replan::Mark& mark) { return mark.event <= event; });
-  return after == marks.begin() ? 0 : std::prev(after)->clock;
-}
-
 /// As a heading: without a full stop.
 std::string story_words(const Run& run, const Marker& marker) {
   std::string words = as_sentence(event_text(run.lattice(), run.timeline().event(marker.event), 0));
@@ -104,7 +95,9 @@ void story_row(Frame& frame, std::size_t row, const Marker& marker, std::span<co
   const Run& run = frame.run();
   const bool ahead = marker.event >= run.timeline().cursor(),
              here = marker.event + 1 == run.timeline().cursor();
-  const std::string event = grouped(marker.event + 1), step = grouped(clock_at(run, marker.event)),
+  const replan::Mark* mark = run.mark_at(marker.event);
+  const std::string event = grouped(marker.event + 1),
+                    step = grouped(mark == nullptr ? std::int64_t{0} : mark->clock),
                     words = story_words(run, marker);
   const std::array<TableCell, 3> cells = {
       {{event, ahead ? mix(look.theme.panel, look.theme.accent, 0.5f) : look.theme.accent},
