@@ -12,7 +12,7 @@ std::uint64_t next_stroke() {
   return ++last;
 }
 
-Cell clamped(const Grid2& lattice, Cell cell) {
+Cell clamped(const Box& lattice, Cell cell) {
   return {std::clamp(cell.x, 0, lattice.width() - 1), std::clamp(cell.y, 0, lattice.height() - 1)};
 }
 
@@ -277,7 +277,7 @@ void Hand::release_region(const Run& run, ViewState& state) const {
 
 /// Of the spans what lies in the world and would change, each cell once in a stroke.
 void Hand::write(const Run& run, const std::vector<CellSpan>& spans, std::vector<CellChange>& changes) {
-  const Grid2& lattice = run.lattice();
+  const Box& lattice = run.lattice();
   const bool once = action_ != Action::brush;  // these write all cells at once
   for (const CellSpan& span : spans) {
     if (span.y < 0 || span.y >= lattice.height()) continue;

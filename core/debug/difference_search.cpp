@@ -49,7 +49,7 @@ class ComparedLog {
  public:
   ComparedLog(const LogView& view, Compare what, KindSet kinds)
       : log_(&view.log),
-        frame_(view.lattice.size()),
+        frame_(view.lattice),
         info_(&view.info),
         what_(what),
         kinds_(kinds),
@@ -119,7 +119,7 @@ class ComparedLog {
     return static_cast<std::uint64_t>(cost.raw);
   }
   const Timeline* log_;
-  Grid2 frame_;
+  Box frame_;
   const PlannerInfo* info_;
   Compare what_;
   KindSet kinds_;

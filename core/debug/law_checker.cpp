@@ -18,7 +18,7 @@ struct LawChecker::State {
   const Timeline* log;
   const PlannerInfo* info;
   Settings settings;
-  Grid2 frame;  // size and move rules
+  Box frame;
   std::unique_ptr<LawValues> values;
   std::unique_ptr<LawBook> laws;
   std::vector<Hop> hops;  // of the path that is being read out
@@ -30,7 +30,7 @@ struct LawChecker::State {
       : log(&view.log),
         info(&view.info),
         settings(view.settings),
-        frame(view.lattice.size(), view.lattice.rules()) {
+        frame(view.lattice) {
     begin_at(0);
   }
 

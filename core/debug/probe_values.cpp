@@ -187,14 +187,14 @@ bool Probe::changes(const Term& term) {
   return after != before;
 }
 
-std::string value_text(const Grid2& lattice, const Term& term, const TermValue& value) {
+std::string value_text(const Box& lattice, const Term& term, const TermValue& value) {
   if (value.type == ValueType::cell) return node_text(lattice, value.node);
   if (value.type == ValueType::truth) return value.truth ? "true" : "false";
   const bool counts = (is_value(term.op) && !is_cost(term.op)) || term.op == Op::line;
   return decimal_text(value.number, counts ? 0 : 3);
 }
 
-std::string values_text(Probe& probe, const Grid2& lattice) {
+std::string values_text(Probe& probe, const Box& lattice) {
   std::string text;
   for (const Term& term : values_read(probe.condition()))
     text += (text.empty() ? "" : ", ") + term_text(probe.condition(), term) + " is " +

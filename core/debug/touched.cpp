@@ -39,9 +39,12 @@ void TouchedList::take(const Event& event, std::size_t index) {
     case EventKind::visit:
       if (expansion) ++touched(event.node, index).expanded;
       break;
+    case EventKind::epoch:
+      now_.apply(event);  // no work of its own, but part of the values
+      break;
     case EventKind::g:
     case EventKind::rhs:
-      now_.apply(event);  // what is wiped before the search is no work of its own, but part of the value
+      now_.apply(event);
       if (!repairs_ && !counter_.expands()) break;
       touched(event.node, index).g_after = now_.g(event.node);
       touched(event.node, index).rhs_after = now_.rhs(event.node);

@@ -64,8 +64,7 @@ std::string last_event(const Source& from) {
   const std::size_t cursor = from.view.log.cursor();
   if (cursor == 0) return "none yet";
   const Event& event = from.view.log.event(cursor - 1);
-  SearchState before = from.state;
-  before.apply(event);
+  const SearchState before = from.view.log.state_at(cursor - 1);
   const TraceRun run{from.view, {}, {}, {}, {}};
   std::string line;
   JsonLines(run).event(line, cursor - 1, event, before);
@@ -107,7 +106,7 @@ std::string run_lines(const Source& from, std::size_t queued) {
 
 char letter(const Source& from, NodeId node) {
   const SearchState& state = from.state;
-  const Grid2& lattice = from.view.lattice;
+  const Box& lattice = from.view.lattice;
   if (node == from.robot) return 'R';
   const bool known = state.known_blocked(node);
   if (state.moving(node)) return 'M';
@@ -124,7 +123,7 @@ int placed(int middle, int length, int size) {
 }
 
 std::string world_lines(const Source& from) {
-  const Grid2& lattice = from.view.lattice;
+  const Box& lattice = from.view.lattice;
   const int width = lattice.width(), height = lattice.height();
   MapRegion shown{0, 0, width, height};
   std::string title = std::to_string(width) + " x " + std::to_string(height) + " cells";
@@ -218,7 +217,7 @@ std::string focus_lines(const Source& from) {
   const Cell middle = from.middle();
   const MapRegion around = from.focus.region.value_or(
       MapRegion{middle.x - kAround, middle.y - kAround, 2 * kAround + 1, 2 * kAround + 1});
-  const Grid2& lattice = from.view.lattice;
+  const Box& lattice = from.view.lattice;
   std::vector<NodeId> nodes;
   std::size_t left_out = 0;
   for (int y = std::max(0, around.y); y < std::min(lattice.height(), around.y + around.height); ++y)

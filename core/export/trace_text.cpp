@@ -6,12 +6,12 @@
 namespace replan {
 
 std::string_view event_name(EventKind kind) {
-  static constexpr std::array<std::string_view, 26> kNames = {
+  static constexpr std::array<std::string_view, kEventKinds> kNames = {
       "g",        "rhs",     "queue",    "lp",       "rp",        "dist",      "visit",
       "known",    "truth",   "scalar",   "line",     "pop",       "sight",     "plan_begin",
       "plan_end", "move",    "sensed",   "surprise", "unchecked", "collision", "waiting",
-      "arrival",  "gave_up", "new_goal", "put_down", "forgotten"};
-  static_assert(kNames.size() == static_cast<std::size_t>(EventKind::forgotten) + 1);
+      "arrival",  "gave_up", "new_goal", "put_down", "forgotten", "epoch"};
+  static_assert(kNames.size() == static_cast<std::size_t>(kEventKinds));
   return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -45,6 +45,8 @@ class ClearanceField {
   ClearanceField() = default;
   ClearanceField(const BoxLattice<D>& lattice, ClearanceRules rules);
 
+  /// True before it was made of a lattice.
+  [[nodiscard]] bool empty() const { return ranks_.empty(); }
   /// dist(s). Of an obstacle cell: the largest penalty, r + 1.
   [[nodiscard]] Cost penalty(NodeId node) const { return penalties_[ranks_[node]]; }
   /// True if dist(s) != 0.

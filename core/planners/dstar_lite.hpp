@@ -39,6 +39,7 @@
 #include "core/plan/open_list.hpp"
 #include "core/plan/planner.hpp"
 #include "core/plan/registry.hpp"
+#include "core/planners/visits.hpp"
 #include "core/trace/search_state.hpp"
 #include "core/trace/tracer.hpp"
 
@@ -92,21 +93,26 @@ template <Lattice L, Tracer T, class Faults = NoFaults>
 class DStarLite final : public Planner<L> {
  public:
   DStarLite(const L& lattice, const Settings& settings, T& tracer, DStarLiteSwitches switches)
-      : lattice_(lattice), tr_(tracer), nodes_(lattice.node_count()), switches_(switches), faults_(settings) {
+      : lattice_(lattice),
+        tr_(tracer),
+        nodes_(lattice.node_count()),
+        switches_(switches),
+        faults_(settings),
+        visits_(lattice.node_count()) {
     using namespace parameters;
     heuristic_ =
         static_cast<Heuristic>(kHeuristicByChoice[static_cast<std::size_t>(settings.get(kHeuristic))]);
     sight_rule_ = static_cast<SightRule>(settings.get(kSight));
     checked_ = settings.get(kRemoteParents) == 0;
     clearance_rules_ = clearance_rules_of(settings);
-    if constexpr (T::kEnabled) visits_.resize(nodes_.size());
     if (switches_.clearance) marked_.resize(nodes_.size());
   }
 
   void begin(NodeId start, NodeId goal) override {
     tr_.line(6);
-    if constexpr (T::kEnabled) forget_recorded();
+    if (goal_ != kNoNode) tr_.note(EventKind::epoch, start);
     counters_ = {};
+    visits_.begin();
     set_scalar(Scalar::start, start_, start);
     set_scalar(Scalar::last, last_, start);
     set_scalar(Scalar::goal, goal_, goal);
@@ -183,6 +189,7 @@ class DStarLite final : public Planner<L> {
     if (switches_.clearance) clearance_ = ClearanceField<L::kDimensions>(lattice_, clearance_rules_);
     if (switches_.sight)
       sight_map_ = SightMap<L::kDimensions>(lattice_, [this](NodeId c) { return is_bad(c); });
+    visits_.restore(state, counters.expansions);
     for (NodeId n = 0; n < nodes_.size(); ++n) restore_node(state, n);
   }
 
@@ -257,7 +264,7 @@ class DStarLite final : public Planner<L> {
       return true;
     }
     ++counters_.expansions;
-    record_visit(u);
+    visits_.record(tr_, u);
     if (nodes_[u].g > nodes_[u].rhs)
       lower_vertex(u);
     else
@@ -451,10 +458,12 @@ class DStarLite final : public Planner<L> {
   }
 
   void distance_transform() {
-    clearance_ = ClearanceField<L::kDimensions>(lattice_, clearance_rules_);
+    ClearanceField<L::kDimensions> field(lattice_, clearance_rules_);
     if constexpr (T::kEnabled)
       for (NodeId n = 0; n < nodes_.size(); ++n)
-        tr_.change(EventKind::dist, n, Cost::zero(), clearance_.penalty(n));
+        tr_.change(EventKind::dist, n, clearance_.empty() ? Cost::zero() : clearance_.penalty(n),
+                   field.penalty(n));
+    clearance_ = std::move(field);
   }
   [[nodiscard]] Cost dist(NodeId s) const {
     return switches_.clearance ? clearance_.penalty(s) : Cost::zero();
@@ -493,13 +502,6 @@ class DStarLite final : public Planner<L> {
     tr_.change(EventKind::rp, s, std::uint64_t{nodes_[s].rp + 1u}, std::uint64_t{parent + 1u});
     nodes_[s].rp = parent;
   }
-  void record_visit(NodeId s) {
-    if constexpr (T::kEnabled) {
-      const std::uint64_t before = visits_[s];
-      visits_[s] = ((before >> 32) + 1) << 32 | static_cast<std::uint32_t>(counters_.expansions);
-      tr_.change(EventKind::visit, s, before, visits_[s]);
-    }
-  }
 
   // As above for the open list; the log holds k1 + 1 while a node is in it.
   void note_queue(NodeId s, Cost before, Cost after) {
@@ -529,23 +531,6 @@ class DStarLite final : public Planner<L> {
     open_.pop(nodes_);
   }
 
-  /// Before another begin() in one log: the values of the search before go back to their defaults, on the
-  /// record.
-  void forget_recorded() {
-    for (NodeId n = 0; n < nodes_.size(); ++n) {
-      // By node and not in heap order: a search that was taken up may have its heap laid out differently.
-      if (const std::size_t slot = nodes_.get(n); slot != 0)
-        tr_.note(EventKind::queue, n, raw(open_.entries()[slot - 1].key.k1) + 1);
-      tr_.change(EventKind::g, n, nodes_[n].g, Cost::infinity());
-      tr_.change(EventKind::rhs, n, nodes_[n].rhs, Cost::infinity());
-      tr_.change(EventKind::lp, n, std::uint64_t{lp(n) + 1u}, 0);
-      tr_.change(EventKind::rp, n, std::uint64_t{nodes_[n].rp + 1u}, 0);
-      tr_.change(EventKind::visit, n, visits_[n], 0);
-      visits_[n] = 0;
-      if (!clearance_.ranks().empty()) tr_.change(EventKind::dist, n, clearance_.penalty(n), Cost::zero());
-    }
-  }
-
   void restore_node(const SearchState& state, NodeId n) {
     Node& node = nodes_[n];
     node.g = state.g(n);
@@ -556,7 +541,6 @@ class DStarLite final : public Planner<L> {
       for (std::uint32_t rest = lattice_.moves(n); rest != 0; rest &= rest - 1)
         if (const int d = std::countr_zero(rest); lattice_.neighbour(n, d) == parent)
           node.lp = static_cast<std::uint32_t>(d) & 31u;
-    if constexpr (T::kEnabled) visits_[n] = state.value(EventKind::visit, n);
     if (state.queued(n)) open_.push(nodes_, {state.k1(n), state.k2(n)}, n);
   }
 
@@ -576,7 +560,7 @@ class DStarLite final : public Planner<L> {
   Coordinates start_at_{};
   Cost km_ = Cost::zero();
   Counters counters_;
-  std::vector<std::uint64_t> visits_;  // recorded runs only
+  Visits<T> visits_;
   std::vector<NodeId> affected_;
   std::vector<std::uint8_t> marked_;  // 1 while a node is among affected_
 };

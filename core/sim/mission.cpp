@@ -52,13 +52,10 @@ const char* mission_state_name(MissionState state) {
   return "";
 }
 
-std::vector<std::uint8_t> initial_knowledge(const Scenario& scenario) {
-  std::vector<std::uint8_t> known(scenario.map.blocked.size());
-  if (scenario.robot.knowledge == Knowledge::nothing) return known;
-  const bool all = scenario.robot.knowledge == Knowledge::all;
-  std::transform(scenario.map.blocked.begin(), scenario.map.blocked.end(), known.begin(),
-                 [all](std::uint8_t cell) { return cell == kObstacle || (all && cell == kUnmapped); });
-  return known;
+SharedBytes initial_knowledge(const Scenario& scenario) {
+  const SharedBytes& cells = scenario.map.blocked;
+  if (scenario.robot.knowledge == Knowledge::nothing) return SharedBytes(cells.size());
+  return with_unmapped_as(cells, scenario.robot.knowledge == Knowledge::all ? kObstacle : kFree);
 }
 
 template <class T>
@@ -70,9 +67,9 @@ Mission<T>::Mission(const Scenario& scenario, const PlannerChoice& choice, T& tr
       robot_setup_(scenario.robot),
       surprises_(scenario.surprises),
       crowd_(scenario),
-      known_({scenario.map.width, scenario.map.height}, initial_knowledge(scenario),
+      known_({scenario.map.width, scenario.map.height}, initial_knowledge(scenario).plain(),
              move_rules(choice.settings)),
-      truth_(initial_truth(scenario)),
+      truth_(initial_truth(scenario).plain()),
       planner_(make_planner(*info_, known_, settings_, tr_)),
       start_(known_.node(scenario.start)),
       goal_(known_.node(scenario.goal)) {
@@ -345,7 +342,7 @@ void Mission<T>::put_robot(NodeId cell) {
 }
 
 template <class T>
-void Mission<T>::set_surprises(std::vector<Surprise> surprises) {
+void Mission<T>::set_surprises(Surprises surprises) {
   surprises_ = std::move(surprises);
   now_.fired.resize(surprises_.size());
   if (ended() && due_surprise() < surprises_.size()) now_.state = MissionState::driving;
@@ -358,7 +355,7 @@ void Mission<T>::restore(const Checkpoint& checkpoint, const SearchState& state)
   before_plan_ = checkpoint.before_plan;
   for (NodeId node = 0; node < truth_.size(); ++node)
     truth_[node] = static_cast<std::uint8_t>(state.value(EventKind::truth, node));
-  known_ = Grid2(known_.size(), state.known_map(), known_.rules());
+  known_ = Grid2(known_.size(), state.known_map().plain(), known_.rules());
   planner_ = make_planner(*info_, known_, settings_, tr_);
   planner_->restore(state, checkpoint.planner);
   robot_ = state.node(Scalar::robot);

@@ -98,7 +98,7 @@ class Mission {
 
   /// Puts another list of surprises in place; those that have happened must be the same. A mission that had
   /// ended goes on if something is due.
-  void set_surprises(std::vector<Surprise> surprises);
+  void set_surprises(Surprises surprises);
   /// This moment; not before the first advance(). Its `line` is left to the owner of the log.
   [[nodiscard]] Checkpoint checkpoint() const { return {now_, planner_->counters(), before_plan_, 0}; }
   /// Goes to a moment of this scenario's own run, `state` being the log's state there.
@@ -134,7 +134,7 @@ class Mission {
   Settings settings_;
   SightRule sight_rule_ = SightRule::supercover;
   RobotSetup robot_setup_;
-  std::vector<Surprise> surprises_;
+  Surprises surprises_;
   Crowd crowd_;
   Grid2 known_;
   std::vector<std::uint8_t> truth_;  // as EventKind::truth holds it
@@ -146,7 +146,7 @@ class Mission {
 };
 
 /// The map that the robot starts with.
-std::vector<std::uint8_t> initial_knowledge(const Scenario& scenario);
+SharedBytes initial_knowledge(const Scenario& scenario);
 
 extern template class Mission<NoTrace>;
 extern template class Mission<Recorder>;

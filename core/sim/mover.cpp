@@ -111,15 +111,14 @@ void Crowd::step(std::size_t index, std::vector<MoverState>& states, std::span<c
   });
 }
 
-std::vector<std::uint8_t> initial_truth(const Scenario& scenario) {
-  std::vector<std::uint8_t> truth(scenario.map.blocked.size());
-  std::transform(scenario.map.blocked.begin(), scenario.map.blocked.end(), truth.begin(),
-                 [](std::uint8_t cell) { return cell == kFree ? std::uint8_t{0} : kWallBit; });
+SharedBytes initial_truth(const Scenario& scenario) {
+  static_assert(kFree == 0 && kObstacle == kWallBit);
+  SharedBytes truth = with_unmapped_as(scenario.map.blocked, kWallBit);
   for (const MovingObstacle& setup : scenario.movers) {
     if (setup.from > 0) continue;
     const Mover mover(setup);
     mover.each_cell(mover.at(0), scenario.map, [&](Cell cell) {
-      std::uint8_t& at = truth[scenario.map.index(cell)];
+      std::uint8_t& at = truth.edit(scenario.map.index(cell));
       at = static_cast<std::uint8_t>(at + kMoverUnit);
     });
   }

@@ -59,7 +59,7 @@ Json figures_json(std::span<const NamedFigure> figures) {
 }  // namespace
 
 RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice) {
-  const Grid2 lattice({map.width, map.height}, map.blocked, move_rules(choice.settings));
+  const Grid2 lattice({map.width, map.height}, map.blocked.plain(), move_rules(choice.settings));
   NoTrace trace;
   const auto planner = make_planner(*find_planner(choice.id), lattice, choice.settings, trace);
   RunReport report;

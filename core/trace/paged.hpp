@@ -1,6 +1,7 @@
 // A long array in pages that copies share until one of them writes: what makes key frames of a search cheap.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/shared_array.hpp"
 #include "core/trace/block_pool.hpp"
 
 namespace replan {
@@ -56,7 +58,7 @@ class PagePool {
   }
 };
 
-/// An array of `size` values that starts out all `initial`. Copying it copies names of groups of pages only;
+/// An array of `size` values that starts out all `initial`, or as another array. Copying it copies names of groups of pages only;
 /// a page is cloned when it is written to while another copy holds it. Untouched pages take no memory.
 /// Assigning a copy that shares most groups costs no more than comparing the names. An array and all its
 /// copies are for one thread.
@@ -68,15 +70,22 @@ class PagedArray {
 
  public:
   static constexpr std::size_t kPage = Pool::kPage;
+  /// What an array starts out as: its pages are read there until they are written to.
+  using Base = SharedArray<T, std::size_t{1} << 16>;
 
   PagedArray() = default;
   explicit PagedArray(std::size_t size, T initial = T{},
                       std::shared_ptr<Pool> pool = std::make_shared<Pool>())
       : size_(size), initial_(initial), pool_(std::move(pool)), groups_((size + kSpan - 1) / kSpan) {}
+  PagedArray(Base base, std::shared_ptr<Pool> pool)
+      : PagedArray(base.size(), T{}, std::move(pool)) {
+    base_ = std::make_shared<const Base>(std::move(base));
+  }
   PagedArray(const PagedArray& other)
       : size_(other.size_),
         initial_(other.initial_),
         touched_pages_(other.touched_pages_),
+        base_(other.base_),
         pool_(other.pool_),
         groups_(other.groups_) {
     for (const BlockHandle group : groups_)
@@ -84,7 +93,7 @@ class PagedArray {
   }
   PagedArray(PagedArray&& other) noexcept { swap(other); }
   PagedArray& operator=(const PagedArray& other) {
-    if (pool_ != other.pool_ || groups_.size() != other.groups_.size()) {
+    if (pool_ != other.pool_ || base_ != other.base_ || groups_.size() != other.groups_.size()) {
       PagedArray copy(other);
       swap(copy);
       return *this;
@@ -113,7 +122,7 @@ class PagedArray {
   [[nodiscard]] T initial() const { return initial_; }
   [[nodiscard]] T operator[](std::size_t index) const {
     const T* values = page(index);
-    return values != nullptr ? values[index % kPage] : initial_;
+    return values != nullptr ? values[index % kPage] : initial_;  // of one with a base every page exists
   }
   /// A reference to write through, valid until the array is copied.
   T& at(std::size_t index) { return own_page(index)[index % kPage]; }
@@ -122,7 +131,7 @@ class PagedArray {
     BlockHandle& page = own_group(index)[index / kPage % Pool::kGroup];
     if (page == 0) {
       page = pool_->pages.make();
-      pool_->pages[page].fill(initial_);
+      begin_page(pool_->pages[page], index / kPage * kPage);
       ++touched_pages_;
     } else if (pool_->pages.shared(page)) {
       page = pool_->clone_page(page);
@@ -138,11 +147,22 @@ class PagedArray {
   }
   /// Pages that exist, shared or not: what a reader that wants to skip untouched stretches asks.
   [[nodiscard]] bool touched(std::size_t index) const { return page_handle(index) != 0; }
-  /// The page that holds `index`, kPage values from a multiple of kPage on; nullptr if untouched. Valid until
-  /// written to.
+  /// The page that holds `index`, kPage values from a multiple of kPage on, but none behind the array's end;
+  /// nullptr if all of them are the initial one still. Valid until written to.
   [[nodiscard]] const T* page(std::size_t index) const {
-    const BlockHandle page = page_handle(index);
-    return page != 0 ? pool_->pages[page].data() : nullptr;
+    if (const BlockHandle page = page_handle(index); page != 0) return pool_->pages[page].data();
+    return base_ ? base_->stretch(index / kPage * kPage).data() : nullptr;
+  }
+  /// All values; what was never written to is shared with the base.
+  [[nodiscard]] Base values() const {
+    Base values = base_ ? *base_ : Base(size_, initial_);
+    for (std::size_t group = 0; group < groups_.size(); ++group) {
+      if (groups_[group] == 0) continue;
+      for (std::size_t first = group * kSpan; first < std::min(size_, (group + 1) * kSpan); first += kPage)
+        if (touched(first))
+          for (std::size_t i = first; i < std::min(size_, first + kPage); ++i) values[i] = (*this)[i];
+    }
+    return values;
   }
   /// Bytes of the pages that this copy reaches, shared or not.
   [[nodiscard]] std::size_t page_bytes() const { return touched_pages_ * BlockPool<Page>::kBlockBytes; }
@@ -167,7 +187,12 @@ class PagedArray {
     }
     return pool_->groups[group];
   }
+  void begin_page(Page& page, std::size_t first) const {
+    page.fill(initial_);
+    if (base_) std::copy_n(base_->stretch(first).data(), std::min(kPage, size_ - first), page.begin());
+  }
   void swap(PagedArray& other) noexcept {
+    std::swap(base_, other.base_);
     std::swap(size_, other.size_);
     std::swap(initial_, other.initial_);
     std::swap(touched_pages_, other.touched_pages_);
@@ -178,7 +203,8 @@ class PagedArray {
   std::size_t size_ = 0;
   T initial_{};
   std::size_t touched_pages_ = 0;
-  std::shared_ptr<Pool> pool_;       // of the whole family
+  std::shared_ptr<const Base> base_;  // nullptr: all are initial_
+  std::shared_ptr<Pool> pool_;        // of the whole family
   std::vector<BlockHandle> groups_;  // 0 = untouched
 };
 

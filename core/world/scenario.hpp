@@ -77,6 +77,9 @@ struct Surprise {
   friend bool operator==(const Surprise&, const Surprise&) = default;
 };
 
+/// Surprises in the order of their list. Versions of a scenario share them.
+using Surprises = SharedArray<Surprise, 32>;
+
 /// A planner by its registry id, with the settings that differ from its defaults.
 struct PlannerChoice {
   std::string id;
@@ -129,7 +132,7 @@ struct Scenario {
   Cell goal;
   std::vector<PlannerChoice> planners;  ///< at least one
   RobotSetup robot;
-  std::vector<Surprise> surprises;
+  Surprises surprises;
   std::vector<MovingObstacle> movers;
   ViewSetup view;
   DebugSetup debug;

@@ -144,8 +144,8 @@ Result<GridMap> voxel_slice(const VoxelMap& map, int z) {
     return Error{"there is no slice " + std::to_string(z) + ": z goes from 0 to " +
                  std::to_string(map.depth - 1)};
   GridMap slice(map.width, map.height);
-  const auto* from = map.blocked.data() + map.index({0, 0, z});
-  std::copy(from, from + slice.blocked.size(), slice.blocked.begin());
+  const auto from = map.blocked.begin() + static_cast<std::ptrdiff_t>(map.index({0, 0, z}));
+  slice.blocked = std::vector<std::uint8_t>(from, from + static_cast<std::ptrdiff_t>(slice.blocked.size()));
   return slice;
 }
 

@@ -12,7 +12,7 @@ namespace {
 struct LongLog {
   Scenario scenario;
   PlannerChoice choice{"dld-star-lite", {}};
-  std::unique_ptr<Grid2> lattice;
+  Box lattice{kSide, kSide};
   Timeline log;
 
   LongLog() {
@@ -25,14 +25,13 @@ struct LongLog {
     scenario.map.set(scenario.start, false);
     scenario.map.set(scenario.goal, false);
     scenario.robot.knowledge = Knowledge::map;
-    lattice = std::make_unique<Grid2>(Grid2::Coordinates{kSide, kSide}, scenario.map.blocked, MoveRules{});
     log = Timeline(SearchState(initial_knowledge(scenario), initial_truth(scenario)));
     Recorder recorder;
     Mission<Recorder> mission(scenario, choice, recorder);
     while (mission.advance(20000)) log.append(recorder.take());
     log.append(recorder.take());
   }
-  [[nodiscard]] LogView view() const { return {log, *lattice, *find_planner(choice.id), choice.settings}; }
+  [[nodiscard]] LogView view() const { return {log, lattice, *find_planner(choice.id), choice.settings}; }
 };
 
 const LongLog& long_log() {

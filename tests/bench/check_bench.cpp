@@ -53,7 +53,7 @@ double seconds() {
 void checked_plan(benchmark::State& state, const PlannerInfo& info, const Worlds& worlds) {
   const Scenario scenario = with_surprise(worlds, info);
   const Settings settings;
-  const Grid2 lattice({scenario.map.width, scenario.map.height}, move_rules(settings));
+  const Box lattice(scenario.map.width, scenario.map.height);
   double alone = 0, checks = 0;
   std::size_t events = 0, bytes = 0;
   for (auto _ : state) {

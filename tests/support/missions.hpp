@@ -55,8 +55,8 @@ inline Scenario random_scenario(Random& random, const PlannerInfo& info,
   const auto size = random_size<2>(random, {4, 3}, largest);
   scenario.map = GridMap(size[0], size[1]);
   scenario.map.blocked = random_cells<2>(random, size);
-  for (std::uint8_t& cell : scenario.map.blocked)
-    if (cell != 0 && random.chance(0.1)) cell = kUnmapped;
+  for (std::size_t cell = 0; cell < scenario.map.blocked.size(); ++cell)
+    if (scenario.map.blocked[cell] != 0 && random.chance(0.1)) scenario.map.blocked[cell] = kUnmapped;
   scenario.start = random_cell(random, scenario.map);
   scenario.goal = random_cell(random, scenario.map);
   if (random.chance(0.9)) {

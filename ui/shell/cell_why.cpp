@@ -18,7 +18,7 @@ struct Offer {
 
 /// Moves from the cell on the robot's map at the cursor: of a window of 3 x 3 cells under the same rules.
 std::vector<Offer> offers(const CellView& view) {
-  const Grid2& lattice = view.run.lattice();
+  const Box& lattice = view.run.lattice();
   const int left = std::max(view.cell.x - 1, 0), top = std::max(view.cell.y - 1, 0);
   const int right = std::min(view.cell.x + 1, lattice.width() - 1),
             bottom = std::min(view.cell.y + 1, lattice.height() - 1);
@@ -26,7 +26,8 @@ std::vector<Offer> offers(const CellView& view) {
   for (int y = top; y <= bottom; ++y)
     for (int x = left; x <= right; ++x)
       blocked.push_back(view.state.known_blocked(lattice.node(Cell{x, y})) ? 1 : 0);
-  const Grid2 window({right - left + 1, bottom - top + 1}, std::move(blocked), lattice.rules());
+  const Grid2 window({right - left + 1, bottom - top + 1}, std::move(blocked),
+                     move_rules(view.run.choice().settings));
   const NodeId middle = window.node(Cell{view.cell.x - left, view.cell.y - top});
   std::vector<Offer> all;
   for (auto rest = static_cast<std::uint32_t>(window.moves(middle)); rest != 0; rest &= rest - 1) {

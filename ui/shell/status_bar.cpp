@@ -237,7 +237,7 @@ void draw_status_bar(Frame& frame) {
   if (mark != nullptr && mark->state == MissionState::arrived)
     line.pair("travelled", fixed(mark->figures.travelled, 1), term_hint("travelled"));
   else if (mark != nullptr && mark->route->status == PlanStatus::found)
-    line.pair("path", fixed(path_length(run.lattice(), mark->route->path.nodes), 1), term_hint("length"));
+    line.pair("path", fixed(mark->route->along.empty() ? 0 : mark->route->along.back(), 1), term_hint("length"));
   line.pair("|U|", grouped(run.timeline().state().queue_size()), term_hint("open-list"));
   if (run.info().from_goal) line.pair("km", cost_text(run.timeline().state().km(), 2), term_hint("km"));
   const double zoom = frame.panels.zoom / static_cast<double>(look.px.scale);
