@@ -6,8 +6,8 @@
 
 namespace replan {
 
-/// Destroys what it is given, on a thread of its own, soon. Giving a gigabyte back takes a tenth of a second. Things
-/// given one after the other are destroyed in that order, and before the program ends.
+/// Destroys what it is given, on a thread of its own, soon. Giving a gigabyte back takes a tenth of a second.
+/// Things given one after the other are destroyed in that order, and before the program ends.
 void dispose_of(std::shared_ptr<void> thing);
 
 template <class T>

@@ -1,4 +1,5 @@
-// An array that copies share, piece by piece, until one of them writes: what makes versions of a document cheap.
+// An array that copies share, piece by piece, until one of them writes: what makes versions of a document
+// cheap.
 #pragma once
 
 #include <algorithm>
@@ -13,15 +14,15 @@
 
 namespace replan {
 
-/// Values in chunks of `kChunk`, a power of two. Copying copies the names of the chunks; a chunk is cloned when it
-/// is written to while another copy holds it. Copies may be read, written and dropped on different threads, each
-/// of them on one at a time.
+/// Values in chunks of `kChunk`, a power of two. Copying copies the names of the chunks; a chunk is cloned
+/// when it is written to while another copy holds it. Copies may be read, written and dropped on different
+/// threads, each of them on one at a time.
 template <class T, std::size_t kChunk>
 class SharedArray {
   static_assert((kChunk & (kChunk - 1)) == 0);
 
-  /// A chunk that counts who holds it. Not a std::shared_ptr, whose count cannot be asked in a way that orders
-  /// what another thread has read before it let go with what is written afterwards.
+  /// A chunk that counts who holds it. Not a std::shared_ptr, whose count cannot be asked in a way that
+  /// orders what another thread has read before it let go with what is written afterwards.
   struct Chunk {
     std::vector<T> values;
     std::atomic<std::uint32_t> holders{1};
@@ -84,7 +85,9 @@ class SharedArray {
       return static_cast<difference_type>(a.index_) - static_cast<difference_type>(b.index_);
     }
     friend bool operator==(const const_iterator& a, const const_iterator& b) { return a.index_ == b.index_; }
-    friend auto operator<=>(const const_iterator& a, const const_iterator& b) { return a.index_ <=> b.index_; }
+    friend auto operator<=>(const const_iterator& a, const const_iterator& b) {
+      return a.index_ <=> b.index_;
+    }
 
    private:
     const SharedArray* array_ = nullptr;

@@ -67,7 +67,8 @@ void CellHistory::follow(const Timeline& log, std::uint64_t log_id, NodeId node,
 template <class Each>
 void CellHistory::for_forgotten(Each&& each) const {
   for (int kind = 0; kind < kWideFields; ++kind)
-    if (const auto which = static_cast<EventKind>(kind); kinds_.has(which) && kForgotten.has(which)) each(which);
+    if (const auto which = static_cast<EventKind>(kind); kinds_.has(which) && kForgotten.has(which))
+      each(which);
 }
 
 void CellHistory::take_epoch(const Event& epoch, std::size_t index) {

@@ -27,10 +27,7 @@ struct LawChecker::State {
   std::size_t count = 0;
 
   explicit State(const LogView& view)
-      : log(&view.log),
-        info(&view.info),
-        settings(view.settings),
-        frame(view.lattice) {
+      : log(&view.log), info(&view.info), settings(view.settings), frame(view.lattice) {
     begin_at(0);
   }
 

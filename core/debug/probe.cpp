@@ -75,7 +75,8 @@ void Probe::load(std::optional<std::int64_t> expansions_before) {
   if (expansions_before)
     expansions_ = *expansions_before;
   else if (condition_.uses(Op::expansions))
-    for (std::size_t i = 0; i < position_; ++i) expansions_ += log_->event(i).kind == EventKind::visit ? 1 : 0;
+    for (std::size_t i = 0; i < position_; ++i)
+      expansions_ += log_->event(i).kind == EventKind::visit ? 1 : 0;
   read_values();
 }
 

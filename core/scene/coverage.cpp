@@ -91,9 +91,11 @@ void MapCoverage::follow(const Run& run, const RunDigest& digest) {
   }
   const auto events = digest.map_events();
   const auto last = place(events, std::max(position_, log.cursor()));
-  for (auto event = place(events, std::min(position_, log.cursor())); event != last; ++event) recount(run, *event);
+  for (auto event = place(events, std::min(position_, log.cursor())); event != last; ++event)
+    recount(run, *event);
   const auto count = static_cast<std::size_t>(place(events, log.cursor()) - events.begin());
-  if (count < counted_.size()) counted_.erase(counted_.begin() + static_cast<std::ptrdiff_t>(count), counted_.end());
+  if (count < counted_.size())
+    counted_.erase(counted_.begin() + static_cast<std::ptrdiff_t>(count), counted_.end());
   counted_.insert(counted_.end(), events.begin() + static_cast<std::ptrdiff_t>(counted_.size()),
                   events.begin() + static_cast<std::ptrdiff_t>(count));
   position_ = log.cursor();

@@ -17,11 +17,11 @@ struct DocumentChange {
     std::uint8_t before, after;
   };
 
-  std::vector<CellValue> cells;                              ///< of a map of which little changed
-  SharedBytes map_before, map_after;                         ///< of one that became another, else empty
-  std::size_t common = 0;                                    ///< surprises that both lists begin with
-  std::vector<Surprise> surprises_before, surprises_after;   ///< those behind them
-  std::shared_ptr<const Scenario> rest_before, rest_after;   ///< all else; nullptr if it stayed
+  std::vector<CellValue> cells;                             ///< of a map of which little changed
+  SharedBytes map_before, map_after;                        ///< of one that became another, else empty
+  std::size_t common = 0;                                   ///< surprises that both lists begin with
+  std::vector<Surprise> surprises_before, surprises_after;  ///< those behind them
+  std::shared_ptr<const Scenario> rest_before, rest_after;  ///< all else; nullptr if it stayed
 
   [[nodiscard]] bool replaces_map() const { return !map_before.empty() || !map_after.empty(); }
 };

@@ -28,10 +28,10 @@ struct Marker {
   EventKind kind;
 };
 
-/// The timeline of what a mission did that runs in the background. pump() is the one place where events come over. All
-/// members are for the owner's thread, and none but finish() waits for the background: what has to wait until it
-/// has stopped is done by a later pump(). Where the log exceeds its limit, a second mission on the owner's thread
-/// works out what was dropped when it is read.
+/// The timeline of what a mission did that runs in the background. pump() is the one place where events come
+/// over. All members are for the owner's thread, and none but finish() waits for the background: what has to
+/// wait until it has stopped is done by a later pump(). Where the log exceeds its limit, a second mission on
+/// the owner's thread works out what was dropped when it is read.
 class Run {
  public:
   /// `planner` is an index into scenario->planners. Nothing runs before go() or finish().
@@ -64,8 +64,8 @@ class Run {
   [[nodiscard]] std::size_t common_with(std::uint64_t log_id) const;
   /// The last mark at or before a position, or nullptr before the first plan stands.
   [[nodiscard]] const Mark* mark_at(std::size_t position) const;
-  /// Where an edit that is made at the cursor happens: the first decision of the robot at its step there at which all
-  /// that was due before has happened. nullptr before the first plan stands.
+  /// Where an edit that is made at the cursor happens: the first decision of the robot at its step there at
+  /// which all that was due before has happened. nullptr before the first plan stands.
   [[nodiscard]] const Mark* mark_for_edit() const;
   /// Expansions in each of the log's chunks of kCurveChunk events: the curve under the timeline.
   [[nodiscard]] std::span<const std::uint32_t> expansion_curve() const { return curve_; }
@@ -90,8 +90,8 @@ class Run {
 
   /// Puts in a scenario that differs only in surprises from index `common` on. The log is cut where that
   /// first makes a difference, so that what follows is the run of that scenario; where there is no such
-  /// place after the first plan, the run begins afresh. If the background is at work, that happens when it has
-  /// stopped; go() afterwards goes on from there.
+  /// place after the first plan, the run begins afresh. If the background is at work, that happens when it
+  /// has stopped; go() afterwards goes on from there.
   void rebase(std::shared_ptr<const Scenario> scenario, std::size_t common);
   /// Whether such a scenario still waits for the background to stop.
   [[nodiscard]] bool rebasing() const { return rebase_.has_value(); }

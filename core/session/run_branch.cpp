@@ -61,7 +61,8 @@ std::size_t Run::foreseen(const Scenario& scenario) const {
   return marks_.size();
 }
 
-/// Of marks that are there, where a surprise that is added at the end of the list happens; nullptr if not yet.
+/// Of marks that are there, where a surprise that is added at the end of the list happens; nullptr if not
+/// yet.
 const Mark* Run::place_of_surprise(std::span<const Mark> marks, std::int64_t clock) {
   const auto first = std::lower_bound(marks.begin(), marks.end(), clock,
                                       [](const Mark& mark, std::int64_t c) { return mark.clock < c; });
@@ -78,8 +79,8 @@ const Mark* Run::place_of_surprise(std::span<const Mark> marks, std::int64_t clo
   return &*std::partition_point(first, after, lacks_some);
 }
 
-/// How many marks are those of the scenario's own run too, which differs in surprises from number `common` on.
-/// None if it has to begin afresh.
+/// How many marks are those of the scenario's own run too, which differs in surprises from number `common`
+/// on. None if it has to begin afresh.
 std::size_t Run::marks_kept(const Scenario& scenario, std::size_t common) const {
   const auto nothing_happened = [&](const Mark& mark) {
     const auto begin = mark.fired.begin() + static_cast<std::ptrdiff_t>(std::min(common, mark.fired.size()));
@@ -104,8 +105,8 @@ std::span<const Mark> Run::lasting_marks() const {
 const Mark* Run::mark_for_edit() const {
   const auto marks = lasting_marks();
   const std::size_t cursor = timeline_->cursor();
-  const auto after =
-      std::partition_point(marks.begin(), marks.end(), [&](const Mark& mark) { return mark.event <= cursor; });
+  const auto after = std::partition_point(marks.begin(), marks.end(),
+                                          [&](const Mark& mark) { return mark.event <= cursor; });
   return after == marks.begin() ? nullptr : place_of_surprise(marks, std::prev(after)->clock);
 }
 
@@ -139,8 +140,8 @@ bool Run::branch(std::shared_ptr<const Scenario> scenario, std::size_t common) {
   return true;
 }
 
-/// Whether the repair under way at the end of the log is for one of the first `common` surprises: those that are added
-/// behind them come after it.
+/// Whether the repair under way at the end of the log is for one of the first `common` surprises: those that
+/// are added behind them come after it.
 bool Run::repairs_for_surprise(std::size_t common) const {
   const Event event = timeline_->event(marks_.back().event);
   return event.kind == EventKind::surprise && event.delta < common;

@@ -1,4 +1,5 @@
-// The background of a run: the mission on a thread of its own, which takes orders and hands over what it recorded.
+// The background of a run: the mission on a thread of its own, which takes orders and hands over what it
+// recorded.
 #pragma once
 
 #include <atomic>
@@ -63,8 +64,8 @@ class RunWorker {
   void begin_afresh(std::shared_ptr<const Scenario> scenario);
   /// Puts another script in place. Only while at_rest().
   void set_script(std::shared_ptr<const Scenario> scenario);
-  /// Takes the mission back to a mark of the log, whose end has been cut off there. `log` stays alive, and its
-  /// head is lent, until head_returned(). Only while at_rest().
+  /// Takes the mission back to a mark of the log, whose end has been cut off there. `log` stays alive, and
+  /// its head is lent, until head_returned(). Only while at_rest().
   void go_back(const Mark& mark, std::shared_ptr<Timeline> log);
   /// Whether nobody reads a log's head any more that was lent for go_back().
   [[nodiscard]] bool head_returned() const;
@@ -122,10 +123,10 @@ class RunWorker {
   std::condition_variable_any wake_, news_, room_;
   Orders orders_;
   Target target_;
-  bool wanted_ = false;        // go() holds
-  bool at_work_ = false;       // on a batch
-  bool lent_ = false;          // a log's head
-  std::uint64_t begun_ = 0;    // how often it began afresh: what was recorded before is not handed over
+  bool wanted_ = false;      // go() holds
+  bool at_work_ = false;     // on a batch
+  bool lent_ = false;        // a log's head
+  std::uint64_t begun_ = 0;  // how often it began afresh: what was recorded before is not handed over
   std::deque<Batch> ready_;
   std::vector<std::vector<Event>> spare_;  // memory of batches that were taken
   std::string failure_;

@@ -110,8 +110,8 @@ class Session {
     std::uint64_t stroke = 0;
     std::uint64_t serial = 0;  ///< of the document's state after it
     DocumentChange change;
-    std::size_t scripted_before = 0, scripted_after = 0;      // how many surprises were no edits
-    Moment left, undone;  ///< when it was made, and when it was taken back
+    std::size_t scripted_before = 0, scripted_after = 0;  // how many surprises were no edits
+    Moment left, undone;                                  ///< when it was made, and when it was taken back
   };
 
   Result<void> run_command(const std::monostate&) { return {}; }

@@ -45,7 +45,8 @@ void Session::relabel(const std::string& label) {
   undo_.back().label = label;
 }
 
-/// What the script is still going to write before an edit that is added to it happens at the robot's step at a mark.
+/// What the script is still going to write before an edit that is added to it happens at the robot's step at
+/// a mark.
 std::map<NodeId, bool> Session::cells_to_come(const Mark& mark) const {
   std::map<NodeId, bool> cells;
   for (std::size_t i = 0; i < scenario_->surprises.size(); ++i) {
@@ -57,8 +58,8 @@ std::map<NodeId, bool> Session::cells_to_come(const Mark& mark) const {
   return cells;
 }
 
-/// Of `cells` those that differ from the world where the edit will happen, row by row. `mark` is where; nullptr is in
-/// the map.
+/// Of `cells` those that differ from the world where the edit will happen, row by row. `mark` is where;
+/// nullptr is in the map.
 std::vector<CellChange> Session::real_changes(const std::vector<CellChange>& cells, const Mark* mark) {
   Timeline& log = leading().timeline();
   const std::size_t cursor = log.cursor();

@@ -2,8 +2,8 @@
 //
 // An event that changes a value stores before XOR after. Applied to the value it turns before into after and
 // after into before, so one 16-byte record serves both directions, and a state can be walked either way
-// through the log. One kind changes many values at once: an `epoch` forgets a whole search. What was forgotten is
-// not in the log; who walks back over an epoch takes the state before it from the Timeline.
+// through the log. One kind changes many values at once: an `epoch` forgets a whole search. What was
+// forgotten is not in the log; who walks back over an epoch takes the state before it from the Timeline.
 #pragma once
 
 #include <cstdint>

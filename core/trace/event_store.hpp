@@ -28,8 +28,8 @@ class EventStore {
 
   /// The chunk that held the last event must not have been dropped.
   void append(std::span<const Event> events);
-  /// Forgets all events from `size` on. The chunk that becomes the last one must be held. Returns the memory of
-  /// the chunks that went, for whoever has the time to free it.
+  /// Forgets all events from `size` on. The chunk that becomes the last one must be held. Returns the memory
+  /// of the chunks that went, for whoever has the time to free it.
   std::vector<std::vector<Event>> truncate(std::size_t size);
   /// Puts a dropped chunk back: all of its events.
   void put_back(std::size_t chunk, std::span<const Event> events);

@@ -9,8 +9,8 @@
 
 namespace replan {
 
-/// Whether what follows an event of this kind is the search's own work, and not its setting up; nothing if that stays
-/// as it was.
+/// Whether what follows an event of this kind is the search's own work, and not its setting up; nothing if
+/// that stays as it was.
 constexpr std::optional<bool> expands_from(EventKind kind) {
   if (kind == EventKind::pop) return true;
   if (kind == EventKind::plan_begin) return false;

@@ -16,7 +16,8 @@
 namespace replan {
 
 /// Everything that a view shows of a run at one moment, and everything that a planner needs to go on from
-/// there. Copies are cheap, and for the same thread (see PagedArray). apply() is its own inverse, but for epochs.
+/// there. Copies are cheap, and for the same thread (see PagedArray). apply() is its own inverse, but for
+/// epochs.
 class SearchState {
  public:
   SearchState() = default;
@@ -42,7 +43,8 @@ class SearchState {
   }
 
   /// The same over all of a stretch of the log at once, which is much cheaper where they are many: what they
-  /// come to together does not depend on their order, so that each page is written once. None may be an epoch.
+  /// come to together does not depend on their order, so that each page is written once. None may be an
+  /// epoch.
   void apply(std::span<const Event> events, PageOrder& order);
 
   [[nodiscard]] Cost g(NodeId n) const { return cost(EventKind::g, n); }
@@ -91,7 +93,8 @@ class SearchState {
   [[nodiscard]] const std::uint8_t* map_page(EventKind kind, NodeId node) const {
     return narrow_[static_cast<std::size_t>(kind) - kWideFields].page(node);
   }
-  /// The robot's map as a whole; nonzero = obstacle. Shares what it has never changed with the map before the run.
+  /// The robot's map as a whole; nonzero = obstacle. Shares what it has never changed with the map before the
+  /// run.
   [[nodiscard]] SharedBytes known_map() const { return narrow_[0].values(); }
   static constexpr std::size_t kPage = PagedArray<std::uint64_t>::kPage;
 

@@ -47,8 +47,8 @@ void Timeline::append(std::span<const Event> events, const std::shared_ptr<const
   if (source_) events_.shrink(event_allowance(), events_.chunk_of(cursor_));
 }
 
-/// Takes events without an epoch. Frames stand where the run can be taken up; only where that is far off also in
-/// between.
+/// Takes events without an epoch. Frames stand where the run can be taken up; only where that is far off also
+/// in between.
 void Timeline::append_search(std::span<const Event> events) {
   while (size() + events.size() - last_frame() >= 2 * frame_interval_) {
     const std::size_t gap = last_frame() + frame_interval_ - std::min(size(), last_frame() + frame_interval_);

@@ -60,8 +60,8 @@ class Timeline {
   void truncate(std::size_t size);
   /// Lets go of one of them. False if there is none left.
   bool tidy();
-  /// The state at the end of the log, for another thread to read while this one goes on, until the next call or
-  /// take_back(). The other one must not copy it, and the timeline must outlive its reading.
+  /// The state at the end of the log, for another thread to read while this one goes on, until the next call
+  /// or take_back(). The other one must not copy it, and the timeline must outlive its reading.
   const SearchState& lend_head() { return lent_.emplace(head_); }
   void take_back() { lent_.reset(); }
 
@@ -81,8 +81,8 @@ class Timeline {
   /// The state at any position, without moving the cursor.
   [[nodiscard]] SearchState state_at(std::size_t position) const;
   /// The latest event before `before` that is about the node and of one of the kinds, and the first from
-  /// `from` on. `node` is the Scalar for EventKind::scalar. Epochs are about every node, where they forget one of
-  /// the kinds. Fast where the node is rare: only stretches of the log where it occurs are looked at.
+  /// `from` on. `node` is the Scalar for EventKind::scalar. Epochs are about every node, where they forget
+  /// one of the kinds. Fast where the node is rare: only stretches of the log where it occurs are looked at.
   [[nodiscard]] std::optional<std::size_t> last_event(NodeId node, KindSet kinds, std::size_t before) const;
   [[nodiscard]] std::optional<std::size_t> next_event(NodeId node, KindSet kinds, std::size_t from) const;
   /// Whether an event makes a value of the node another one: one that last_event() or next_event() named.

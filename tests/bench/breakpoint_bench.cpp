@@ -10,13 +10,13 @@ namespace {
 
 /// A first plan of DLD* Lite through a large world, and the replans on the way.
 struct LongLog {
+  static constexpr int kSide = 700;
   Scenario scenario;
   PlannerChoice choice{"dld-star-lite", {}};
   Box lattice{kSide, kSide};
   Timeline log;
 
   LongLog() {
-    constexpr int kSide = 700;
     scenario.map = GridMap(kSide, kSide);
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) scenario.map.set({x, y}, (x * 37 + y * 91 + x * y) % 23 < 3);

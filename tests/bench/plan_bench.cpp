@@ -35,7 +35,7 @@ void first_plans(benchmark::State& state, const PlannerInfo& info, const Worlds&
   lattices.reserve(worlds.maps.size());
   for (std::size_t i = 0; i < worlds.maps.size(); ++i) {
     const GridMap& map = worlds.maps[i];
-    lattices.emplace_back(Grid2::Coordinates{map.width, map.height}, map.blocked, move_rules(settings));
+    lattices.emplace_back(Grid2::Coordinates{map.width, map.height}, map.blocked.plain(), move_rules(settings));
     planners.push_back(make_planner(info, lattices[i], settings, tracers[i]));
   }
   for (auto _ : state)

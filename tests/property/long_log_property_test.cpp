@@ -1,9 +1,9 @@
 // A log that exceeds its limit, against the same log in full: wherever one looks, in whatever order, dropped
 // events come back as they were. Also after edits that cut the log, and after undo.
-#include <gtest/gtest.h>
-
 #include <chrono>
 #include <thread>
+
+#include <gtest/gtest.h>
 
 #include "core/session/session.hpp"
 #include "tests/support/missions.hpp"
@@ -252,8 +252,7 @@ void meddle(Session& session, Random& random, const GridMap& map) {
   } else if (what == 7) {
     (void)session.apply(SetGoal{random_cell(random, map), random.below(3)});
   } else if (what == 8) {
-    (void)session.apply(
-        Seek{random.below(static_cast<std::uint32_t>(session.run().timeline().size()) + 1)});
+    (void)session.apply(Seek{random.below(static_cast<std::uint32_t>(session.run().timeline().size()) + 1)});
   } else {
     (void)session.apply(RunToEnd{});
   }
@@ -261,8 +260,8 @@ void meddle(Session& session, Random& random, const GridMap& map) {
   if (random.chance(0.3)) std::this_thread::sleep_for(std::chrono::microseconds(random.below(2000)));
 }
 
-// An edit that does not wait until the background stands still must lead to the same as one that does: to the run of
-// the scenario as it is then.
+// An edit that does not wait until the background stands still must lead to the same as one that does: to the
+// run of the scenario as it is then.
 TEST_P(LongLogs, EditsWhileTheBackgroundIsAtWorkLeadToTheRunOfTheirScenario) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     Random random(seed * 1000 + 700 + planner());

@@ -1,9 +1,10 @@
-// Arrays that copies share: what is written to one copy is seen in no other, and what stays takes no memory twice.
+// Arrays that copies share: what is written to one copy is seen in no other, and what stays takes no memory
+// twice.
 #include "core/base/shared_array.hpp"
 
-#include <gtest/gtest.h>
-
 #include <thread>
+
+#include <gtest/gtest.h>
 
 #include "core/base/random.hpp"
 
@@ -88,8 +89,10 @@ TEST(SharedArray, IsAVectorWhateverItsCopiesDo) {
       }
       default: {
         const Version copy = version;
-        if (versions.size() < 8) versions.push_back(copy);
-        else versions[random.below(8)] = copy;
+        if (versions.size() < 8)
+          versions.push_back(copy);
+        else
+          versions[random.below(8)] = copy;
       }
     }
     for (const Version& each : versions) {

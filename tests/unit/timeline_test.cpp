@@ -113,7 +113,7 @@ TEST(Timeline, TruncatingForgetsAndAppendingGoesOn) {
 std::vector<Event> log_with_epochs(std::size_t size, std::uint64_t seed) {
   std::vector<Event> log = random_log(size, seed);
   Random random(seed + 1);
-  for (std::size_t i = 0; i < log.size(); i += 1 + random.below(random.chance(0.3) ? 50 : 40000))
+  for (std::size_t i = 0; i < log.size(); i += 1 + random.below(random.chance(0.5) ? 50 : 20000))
     log[i] = {0, log[i].node, EventKind::epoch, 1, 0};
   return log;
 }
@@ -139,7 +139,8 @@ TEST(Timeline, GoesBackOverEpochsToWhatTheyForgot) {
     ASSERT_EQ(timeline.state().hash(), each->second) << "at " << each->first;
   }
   for (int i = 0; i < 300; ++i) {
-    const auto& [position, hash] = *std::next(hashes.begin(), random.below(static_cast<std::uint32_t>(hashes.size())));
+    const auto& [position, hash] =
+        *std::next(hashes.begin(), random.below(static_cast<std::uint32_t>(hashes.size())));
     timeline.seek(position);
     ASSERT_EQ(timeline.state().hash(), hash) << "at " << position;
     ASSERT_EQ(timeline.state_at(position).hash(), hash);
@@ -165,11 +166,11 @@ TEST(Timeline, CutsBeforeAndBehindEpochsAndGoesOn) {
 TEST(Timeline, AnEpochIsALastAndNextEventOfEveryNodeThatItForgets) {
   Timeline timeline{SearchState(kNodes)};
   Recorder recorder;
-  recorder.change(EventKind::g, 7, 5, 6);         // 0
-  recorder.change(EventKind::dist, 7, 0, 1);      // 1
-  recorder.note(EventKind::epoch, 3);             // 2
-  recorder.change(EventKind::g, 8, 5, 6);         // 3
-  recorder.note(EventKind::epoch, 3);             // 4
+  recorder.change(EventKind::g, 7, 5, 6);     // 0
+  recorder.change(EventKind::dist, 7, 0, 1);  // 1
+  recorder.note(EventKind::epoch, 3);         // 2
+  recorder.change(EventKind::g, 8, 5, 6);     // 3
+  recorder.note(EventKind::epoch, 3);         // 4
   timeline.append(recorder.take());
   EXPECT_EQ(timeline.last_event(7, {EventKind::g}, 5), 4u);
   EXPECT_FALSE(timeline.changes(4, 7, EventKind::g));  // it was forgotten before
