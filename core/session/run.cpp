@@ -44,8 +44,9 @@ void Run::begin_log() {
   lattice_ = Box(scenario_->map.width, scenario_->map.height);
   if (timeline_) dispose_of(std::move(timeline_));
   if (reexecution_) dispose(std::move(reexecution_));
+  const bool mapped = all_mapped();
   timeline_ = std::make_shared<Timeline>(
-      SearchState(initial_knowledge(*scenario_), initial_truth(*scenario_)), limits_.log);
+      SearchState(initial_knowledge(*scenario_, mapped), initial_truth(*scenario_, mapped)), limits_.log);
   timeline_->set_source(
       [this](std::size_t position, const KeyFrame& frame, std::size_t from, std::size_t to) {
         if (!reexecution_)
@@ -61,6 +62,20 @@ void Run::begin_log() {
   counter_ = {};
   travel_ = 1;
   log_id_ = next_log_id();
+}
+
+/// Whether the map has no unmapped cell. Of a map that was looked through before only what has changed is
+/// looked at.
+bool Run::all_mapped() {
+  const SharedBytes& cells = scenario_->map.blocked;
+  bool mapped = true;
+  const auto look = [&](std::size_t, std::span<const std::uint8_t>, std::span<const std::uint8_t> now) {
+    mapped = mapped && !has_unmapped(now);
+  };
+  if (mapped_.size() != cells.size()) mapped_ = SharedBytes(cells.size());
+  SharedBytes::each_unshared(mapped_, cells, look);
+  mapped_ = mapped ? cells : SharedBytes();
+  return mapped;
 }
 
 void Run::go(Target target) {

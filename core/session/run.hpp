@@ -117,6 +117,7 @@ class Run {
 
   static std::uint64_t next_log_id();
   void begin_log();
+  [[nodiscard]] bool all_mapped();
   [[nodiscard]] bool next_batch();
   void take_over_part();
   void note_events(std::span<const Event> events);
@@ -135,6 +136,7 @@ class Run {
   const PlannerInfo* info_;
   RunLimits limits_;
   Box lattice_;
+  SharedBytes mapped_;                  // cells that were looked through: none of them is kUnmapped
   std::shared_ptr<Timeline> timeline_;  // shared with the worker while that reads a state of it
   bool lends_ = false;
   std::vector<Mark> marks_;

@@ -52,9 +52,10 @@ const char* mission_state_name(MissionState state) {
   return "";
 }
 
-SharedBytes initial_knowledge(const Scenario& scenario) {
+SharedBytes initial_knowledge(const Scenario& scenario, bool all_mapped) {
   const SharedBytes& cells = scenario.map.blocked;
   if (scenario.robot.knowledge == Knowledge::nothing) return SharedBytes(cells.size());
+  if (all_mapped) return cells;
   return with_unmapped_as(cells, scenario.robot.knowledge == Knowledge::all ? kObstacle : kFree);
 }
 

@@ -146,7 +146,7 @@ class Mission {
 };
 
 /// The map that the robot starts with.
-SharedBytes initial_knowledge(const Scenario& scenario);
+SharedBytes initial_knowledge(const Scenario& scenario, bool all_mapped = false);
 
 extern template class Mission<NoTrace>;
 extern template class Mission<Recorder>;

@@ -111,9 +111,9 @@ void Crowd::step(std::size_t index, std::vector<MoverState>& states, std::span<c
   });
 }
 
-SharedBytes initial_truth(const Scenario& scenario) {
+SharedBytes initial_truth(const Scenario& scenario, bool all_mapped) {
   static_assert(kFree == 0 && kObstacle == kWallBit);
-  SharedBytes truth = with_unmapped_as(scenario.map.blocked, kWallBit);
+  SharedBytes truth = all_mapped ? scenario.map.blocked : with_unmapped_as(scenario.map.blocked, kWallBit);
   for (const MovingObstacle& setup : scenario.movers) {
     if (setup.from > 0) continue;
     const Mover mover(setup);

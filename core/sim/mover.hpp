@@ -90,7 +90,7 @@ std::vector<Cell> cells_of_way(const std::vector<Cell>& corners);
 
 /// The world before a run: bit 0 of each cell is a wall of the map, the rest counts the moving obstacles that
 /// cover it.
-SharedBytes initial_truth(const Scenario& scenario);
+SharedBytes initial_truth(const Scenario& scenario, bool all_mapped = false);
 inline constexpr std::uint8_t kWallBit = 1;    ///< of a cell of the true world
 inline constexpr std::uint8_t kMoverUnit = 2;  ///< what a moving obstacle adds to the cells that it covers
 

@@ -13,6 +13,9 @@ constexpr std::size_t kFrameShare = 4;
 constexpr std::size_t kLeastFrameBytes = std::size_t{64} << 20;
 constexpr std::size_t kFrameBytesPerEvent = 7;
 
+/// The part of the limit that is left for what comes and goes: a frame too many, the sorting of events.
+constexpr std::size_t kWorkShare = 16;
+
 /// The part of the distance of two frames from which on one is left before an epoch.
 constexpr std::size_t kEpochShare = 8;
 
@@ -109,7 +112,8 @@ std::size_t Timeline::frame_allowance() const {
 }
 
 std::size_t Timeline::event_allowance() const {
-  return limits_.bytes - std::min(limits_.bytes, frame_bytes() + index_.bytes());
+  const std::size_t others = frame_bytes() + index_.bytes() + limits_.bytes / kWorkShare;
+  return limits_.bytes - std::min(limits_.bytes, others);
 }
 
 Event Timeline::fetch(std::size_t index) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "core/base/cell.hpp"
 #include "core/base/shared_array.hpp"
@@ -51,6 +52,8 @@ struct GridMap {
   friend bool operator==(const GridMap&, const GridMap&) = default;
 };
 
+/// Whether a stretch of cells has kUnmapped in it.
+bool has_unmapped(std::span<const std::uint8_t> cells);
 /// The cells with another value for kUnmapped; chunks without any are shared.
 SharedBytes with_unmapped_as(SharedBytes cells, std::uint8_t value);
 

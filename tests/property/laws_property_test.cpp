@@ -37,10 +37,7 @@ struct Log {
 
 Log drive(Scenario scenario) {
   const PlannerChoice& choice = scenario.planners[0];
-  Log log{scenario,
-          find_planner(choice.id),
-          Box(scenario.map.width, scenario.map.height),
-          {}};
+  Log log{scenario, find_planner(choice.id), Box(scenario.map.width, scenario.map.height), {}};
   Recorder recorder;
   Mission<Recorder> mission(scenario, choice, recorder);
   while (mission.advance(64) && recorder.buffer().size() < kMostEvents) {

@@ -35,10 +35,10 @@ void ask_all(const Scenario& scenario, const PlannerInfo& info, Tally& tally) {
     world.size = {lattice.width(), lattice.height(), 1};
     world.blocked = question.known.plain();
     const bool buried = world.blocked[question.start] != 0;
-    const oracle::Raw right =
-        buried ? oracle::kNever
-               : oracle::costs_to(world, move_rules(choice.settings), expected_penalties(info, choice.settings, world),
-                                  question.goal)[question.start];
+    const oracle::Raw right = buried ? oracle::kNever
+                                     : oracle::costs_to(world, move_rules(choice.settings),
+                                                        expected_penalties(info, choice.settings, world),
+                                                        question.goal)[question.start];
     ASSERT_EQ(right_cost(question).raw, right) << "plan " << plan - 1;
     const auto wrong = judge(question, {right});
     ++tally.plans;
