@@ -6,6 +6,7 @@
 #include "core/plan/common_parameters.hpp"
 #include "ui/shell/cell_view.hpp"
 #include "ui/shell/format.hpp"
+#include "ui/shell/panels.hpp"
 #include "ui/shell/term_hint.hpp"
 
 namespace replan::ui {
