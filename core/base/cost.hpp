@@ -58,6 +58,13 @@ inline Cost euclidean_ceil(std::int64_t squared) {
   return {down.raw + (root * root == static_cast<Wide>(squared) << 60 ? 0 : 1)};
 }
 
+/// How a cost stands to the length of a straight segment, exactly and without a root. Neither is negative.
+inline std::strong_ordering compare_to_segment(Cost cost, std::int64_t squared) {
+  __extension__ using Wide = unsigned __int128;
+  const auto side = static_cast<Wide>(cost.raw);
+  return side * side <=> static_cast<Wide>(squared) << 60;
+}
+
 /// Costs of one step along 1, 2 or 3 axes: 1, sqrt 2, sqrt 3, rounded up. Rounding moves up and lower bounds
 /// down keeps every heuristic of the lattices consistent (see lattice/lattice.hpp).
 inline constexpr Cost kStepCost[4] = {{0}, {1073741824}, {1518500250}, {1859775394}};

@@ -4,6 +4,7 @@
 
 #include "core/base/words.hpp"
 #include "core/debug/event_words.hpp"
+#include "core/plan/common_parameters.hpp"
 #include "core/plan/planner.hpp"
 #include "core/trace/expansions.hpp"
 
@@ -51,11 +52,13 @@ class ComparedLog {
       : log_(&view.log),
         frame_(view.lattice),
         info_(&view.info),
+        along_path_(parameters::checks_along_path(view.settings)),
         what_(what),
         kinds_(kinds),
         state_(view.log.state_at(0)) {}
 
   [[nodiscard]] const PlannerInfo& info() const { return *info_; }
+  [[nodiscard]] bool checks_along_path() const { return along_path_; }
   [[nodiscard]] bool at_end() const { return read_ == log_->size(); }
   [[nodiscard]] std::size_t position() const { return read_; }
   [[nodiscard]] const std::optional<ComparedItem>& item() const { return item_; }
@@ -121,6 +124,7 @@ class ComparedLog {
   const Timeline* log_;
   Box frame_;
   const PlannerInfo* info_;
+  bool along_path_;
   Compare what_;
   KindSet kinds_;
   SearchState state_;
@@ -197,6 +201,10 @@ struct DifferenceSearch::State {
 
   [[nodiscard]] std::string name(std::size_t i) const {
     const std::string own(readers[i].info().name);
+    if (readers[0].info().sight && readers[1].info().sight &&
+        readers[0].checks_along_path() != readers[1].checks_along_path())
+      return own + (readers[i].checks_along_path() ? " (sight checked along the path)"
+                                                   : " (sight checked in the search)");
     return readers[0].info().id == readers[1].info().id ? own + (i == 0 ? " (first)" : " (second)") : own;
   }
   [[nodiscard]] std::string sentence(bool same_place) const {

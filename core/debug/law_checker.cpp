@@ -9,8 +9,11 @@
 namespace replan {
 namespace {
 
-/// The pseudo-code line under which a planner reads out its path: line 6 of Algorithm 1.
-constexpr std::uint8_t kPathLine = 106;
+/// Whether a planner reads out its path under that pseudo-code line: line 6 of Algorithm 1, or all of
+/// Algorithm 3, which checks sight along the path.
+constexpr bool reads_path(std::uint8_t line) {
+  return line == 106 || line > 200;
+}
 
 }  // namespace
 
@@ -47,7 +50,7 @@ struct LawChecker::State {
       values->settle();
       keep(read);
     }
-    if (event.kind == EventKind::sight && event.line == kPathLine && event.delta >> 32 != 0)
+    if (event.kind == EventKind::sight && reads_path(event.line) && event.delta >> 32 != 0)
       hops.push_back({event.node, static_cast<NodeId>(event.delta)});
     values->apply(event);
     ++read;

@@ -156,6 +156,10 @@ class BoxLattice {
   /// Builds all moves anew under other rules.
   void set_rules(MoveRules rules);
 
+  /// Another number after every change of cells or rules, and one that no other map ever had in this process:
+  /// what was made of the lattice is up to date as long as the number is the same.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+
  private:
   static constexpr auto kStepCosts = [] {
     std::array<Cost, kDirections> costs{};
@@ -185,6 +189,7 @@ class BoxLattice {
   std::vector<MoveMask> masks_by_surroundings_;  // 2D only: the moves for each of the 256 surroundings
   std::vector<NodeId> touched_;
   std::vector<MoveChange> changes_;
+  std::uint64_t revision_ = 0;
 };
 
 /// A plane of cells: 8 or 4 neighbours.

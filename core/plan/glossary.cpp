@@ -307,6 +307,7 @@ constexpr Alias kAliases[] = {
     {"range", "clearance-range"},
     {"transform", "distance-transform"},
     {"remote_parents", "rp"},
+    {"sight_checks", "sight-checks"},
     {"start", "s_start"},
     {"last", "s_last"},
     {"robot", "steps"},

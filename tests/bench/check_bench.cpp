@@ -81,7 +81,7 @@ void checked_plan(benchmark::State& state, const PlannerInfo& info, const Worlds
 }  // namespace
 
 void bench::register_checks() {
-  for (const Worlds& worlds : all_worlds())
+  for (const Worlds& worlds : paper_worlds())
     for (const PlannerInfo& info : sound_planners()) {
       const std::string name = "checked_plan/" + worlds.name + "/" + std::string(info.id);
       benchmark::RegisterBenchmark(name.c_str(), [&info, &worlds](benchmark::State& state) {
