@@ -5,6 +5,7 @@
 
 #include "ui/shell/cell_view.hpp"
 #include "ui/shell/format.hpp"
+#include "ui/shell/panels.hpp"
 #include "ui/shell/term_hint.hpp"
 
 namespace replan::ui {
