@@ -14,7 +14,7 @@ constexpr std::uint64_t node_bit(NodeId node) {
 /// Calls `each` for the kinds in a set.
 template <class Each>
 void for_kinds(KindSet kinds, Each each) {
-  for (int kind = 0; kind <= static_cast<int>(EventKind::forgotten); ++kind)
+  for (int kind = 0; kind <= static_cast<int>(EventKind::aim); ++kind)
     if (kinds.has(static_cast<EventKind>(kind))) each(static_cast<EventKind>(kind));
 }
 
@@ -54,7 +54,8 @@ void Probe::collect(const Term& term) {
   reads_breaches_ |= term.happening == Happening::invariant;
   reads_disagreements_ |= term.happening == Happening::oracle;
   if (term.happening == Happening::blocked)
-    collect_slot(EventKind::scalar, static_cast<NodeId>(Scalar::goal));
+    for (const Scalar goal : {Scalar::goal, Scalar::wanted})
+      collect_slot(EventKind::scalar, static_cast<NodeId>(goal));
   if (term.happening == Happening::underconsistent) {
     walked_.add(EventKind::g);
     walked_.add(EventKind::rhs);

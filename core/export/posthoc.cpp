@@ -221,6 +221,7 @@ void PosthocTrace::happening(std::string& out, std::size_t index, const Event& e
     case EventKind::plan_end:
       return plan(out, run_.path_at(index));
     case EventKind::new_goal:
+    case EventKind::aim:
       return place(out, "destination", event.node);
     case EventKind::move:
     case EventKind::put_down:

@@ -45,6 +45,7 @@ enum class EventKind : std::uint8_t {
   new_goal,    ///< the robot has to go to the node from now on
   put_down,    ///< somebody puts the robot down at the node
   forgotten,   ///< the robot no longer counts on an obstacle that moved when it last saw it
+  aim,  ///< the robot makes for the node from now on: the reachable cell nearest to its goal, or the goal
 };
 
 inline constexpr int kWideFields = 7;    ///< EventKind::g .. visit
@@ -56,10 +57,11 @@ enum class Scalar : std::uint8_t {
   km,     ///< raw Cost
   start,  ///< the search's start, node + 1
   last,   ///< s_last, node + 1
-  goal,   ///< node + 1
+  goal,   ///< of the search, node + 1
   robot,  ///< node + 1
   moves,  ///< the robot's clock: steps and waits
   replans,
+  wanted,  ///< where the robot has to go, node + 1; 0: where the search's goal is
   count
 };
 
@@ -79,7 +81,7 @@ class KindSet {
   static constexpr std::uint32_t bit(EventKind kind) { return 1u << static_cast<unsigned>(kind); }
   std::uint32_t bits_ = 0;
 };
-static_assert(static_cast<unsigned>(EventKind::forgotten) < 32);
+static_assert(static_cast<unsigned>(EventKind::aim) < 32);
 
 /// One record of the log.
 struct Event {
