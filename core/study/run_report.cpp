@@ -57,19 +57,6 @@ std::string_view why_without_a_path(const RunReport& report) {
   return "The robot did not arrive: the way to the goal was cut off while it drove.";
 }
 
-std::string_view why_not_arrived(const RunReport& report) {
-  switch (report.robot->ending) {
-    case MissionState::loop:
-      return "The plan leads round in a circle: set remote_parents=checked.";
-    case MissionState::collision:
-      return "The plan leads into an obstacle: set remote_parents=checked.";
-    case MissionState::endless:
-      return "The robot did not arrive: what moves turned it back, or kept it waiting, again and again.";
-    default:
-      return why_without_a_path(report);
-  }
-}
-
 std::string csv_number(const NamedFigure& figure) {
   return plain_number(figure.value.value_or(0)).dump();
 }
@@ -138,14 +125,17 @@ RunReport drive(const Scenario& scenario, const PlannerChoice& choice) {
 
 std::string explanation(const RunReport& report) {
   if (report.succeeded()) return {};
-  if (report.robot && report.robot->ending == MissionState::nearest)
+  const std::string_view ending = report.robot ? mission_state_name(report.robot->ending) : report.status;
+  if (ending == mission_state_name(MissionState::loop))
+    return "The plan leads round in a circle: set remote_parents=checked.";
+  if (ending == mission_state_name(MissionState::collision))
+    return "The plan leads into an obstacle: set remote_parents=checked.";
+  if (ending == mission_state_name(MissionState::endless))
+    return "The robot did not arrive: what moves turned it back, or kept it waiting, again and again.";
+  if (ending == mission_state_name(MissionState::nearest))
     return "The goal cannot be reached: the robot stands on the reachable cell nearest to it, " +
            decimal_text(report.robot->short_of_goal.value_or(0), 3) + " cells away.";
-  if (report.robot) return std::string(why_not_arrived(report));
-  if (report.status == mission_state_name(MissionState::loop))
-    return "The plan leads round in a circle: set remote_parents=checked.";
-  if (report.status == mission_state_name(MissionState::collision))
-    return "The plan leads into an obstacle: set remote_parents=checked.";
+  if (report.robot) return std::string(why_without_a_path(report));
   if (report.status == status_name(PlanStatus::found_nearest) && !report.path.empty())
     return "The goal cannot be reached: the path leads to " + cell_text(report.path.back()) +
            ", the reachable cell nearest to it.";

@@ -14,7 +14,7 @@ namespace replan::test {
 namespace {
 
 constexpr int kWidth = 485, kHeight = 294, kDepth = 616;  // 87.8 million voxels
-constexpr Voxel kStart{242, 147, 5}, kGoal{242, 147, 610}, kGap{242, 290, 308};
+constexpr Voxel kStart{242, 230, 220}, kGoal{242, 230, 400}, kGap{242, 290, 308};
 
 /// The shortest way in an empty box.
 double straight(Voxel a, Voxel b) {
