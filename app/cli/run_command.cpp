@@ -69,18 +69,6 @@ std::string robots_table(std::span<const RunReport> reports) {
   return table.text();
 }
 
-/// What a user should know of a run that did not succeed; empty if it did.
-std::string explanation(const RunReport& report) {
-  if (report.succeeded()) return {};
-  const std::string who = report.planner + ": ";
-  for (const PlanStatus status : {PlanStatus::no_path, PlanStatus::start_blocked, PlanStatus::goal_blocked})
-    if (report.status == status_name(status)) return who + status_sentence(status) + "\n";
-  const std::string_view ending = report.robot ? mission_state_name(report.robot->ending) : report.status;
-  if (ending == "loop") return who + "The plan leads round in a circle: set remote_parents=checked.\n";
-  if (ending == "collision") return who + "The plan leads into an obstacle: set remote_parents=checked.\n";
-  return who + "The robot did not arrive: the way to the goal was cut off while it drove.\n";
-}
-
 std::string summary(const WorldArguments& arguments, const Scenario& world,
                     std::span<const RunReport> reports) {
   std::string text = arguments.source() + ": " + std::to_string(world.map.width) + " x " +
@@ -88,7 +76,9 @@ std::string summary(const WorldArguments& arguments, const Scenario& world,
                      cell_text(world.goal) + "\n\n" + plans_table(reports);
   if (reports.front().robot) text += "\n" + robots_table(reports);
   std::string failures;
-  for (const RunReport& report : reports) failures += explanation(report);
+  for (const RunReport& report : reports)
+    if (const std::string why = explanation(report); !why.empty())
+      failures += report.planner + ": " + why + "\n";
   return text + (failures.empty() ? "" : "\n" + failures);
 }
 
@@ -155,7 +145,8 @@ Result<int> run(const RunArguments& arguments) {
   bool succeeded = true;
   for (const PlannerChoice& choice : world->planners) {
     reports.push_back(arguments.world.map.empty() ? drive(*world, choice)
-                                                  : plan_once(world->map, world->start, world->goal, choice));
+                                                  : plan_once(world->map, world->start, world->goal, choice,
+                                                              world->robot.unreachable_goal));
     succeeded &= reports.back().succeeded();
   }
   if (const auto written = write_tables(arguments, reports); !written) return Error{written.error()};

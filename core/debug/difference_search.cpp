@@ -32,9 +32,9 @@ namespace {
 /// The kinds that both planners write. Lines are left out: pseudo-codes are numbered each in its own way.
 KindSet shared_kinds(const PlannerInfo& a, const PlannerInfo& b) {
   using enum EventKind;
-  KindSet kinds{g,       queue,      lp,       visit,    known,    truth,    scalar,
-                pop,     plan_begin, plan_end, move,     sensed,   surprise, collision,
-                waiting, arrival,    gave_up,  new_goal, put_down, forgotten};
+  KindSet kinds{g,       queue,      lp,       visit,    known,    truth,     scalar,
+                pop,     plan_begin, plan_end, move,     sensed,   surprise,  collision,
+                waiting, arrival,    gave_up,  new_goal, put_down, forgotten, aim};
   const auto both = [&](auto&& has) { return has(a) && has(b); };
   if (both([](const PlannerInfo& info) { return info.values == SearchValues::lookahead; })) kinds.add(rhs);
   if (both([](const PlannerInfo& info) { return info.clearance; })) kinds.add(dist);
@@ -116,7 +116,7 @@ class ComparedLog {
   }
 
   [[nodiscard]] std::uint64_t claimed(const Event& plan_end) const {
-    if (static_cast<PlanStatus>(plan_end.delta) != PlanStatus::found) return 0;
+    if (!has_path(static_cast<PlanStatus>(plan_end.delta))) return 0;
     const Cost cost = info_->values == SearchValues::lookahead ? state_.rhs(state_.node(Scalar::start))
                                                                : state_.g(state_.node(Scalar::goal));
     return static_cast<std::uint64_t>(cost.raw);
@@ -141,7 +141,7 @@ std::string ComparedLog::describe(const ComparedItem& item) const {
     case Compare::expansions:
       return "takes " + node_text(frame_, item.node);
     case Compare::costs:
-      if (static_cast<PlanStatus>(item.node) != PlanStatus::found) return "finds no path";
+      if (!has_path(static_cast<PlanStatus>(item.node))) return "finds no path";
       return "pays " + cost_text({static_cast<std::int64_t>(item.value)});
     case Compare::moves:
       return "goes to " + node_text(frame_, item.node);

@@ -57,6 +57,9 @@ std::string happening_text(const Box& lattice, const Event& event) {
       return "the robot is put down at " + at;
     case EventKind::forgotten:
       return "the robot forgets what it saw moving at " + at;
+    case EventKind::aim:
+      return event.delta != 0 ? "the goal " + at + " can be reached: the robot makes for it again"
+                              : "the goal cannot be reached: the robot makes for " + at;
     case EventKind::epoch:
       return "the planner forgets its search and begins another one";
     default:
@@ -75,7 +78,7 @@ const char* value_name(EventKind kind) {
 
 const char* value_name(Scalar scalar) {
   static constexpr std::array<const char*, static_cast<std::size_t>(Scalar::count)> kNames = {
-      "km", "s_start", "s_last", "s_goal", "the robot", "moves", "replans"};
+      "km", "s_start", "s_last", "s_goal", "the robot", "moves", "replans", "the goal"};
   return scalar < Scalar::count ? kNames[static_cast<std::size_t>(scalar)] : "";
 }
 

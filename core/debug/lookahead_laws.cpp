@@ -62,7 +62,7 @@ class LookaheadLaws final : public LawBook {
   void plan(PlanStatus status, std::span<const Hop> hops) override {
     if (!values_.on_map(values_.start())) return;
     hold_status(status, "rhs", values_.start(), values_.at(values_.start()).rhs);
-    if (status != PlanStatus::found) return;
+    if (!has_path(status)) return;
     const Cost way = follow_local_parents();
     if (sight_) follow_path(hops, way);
   }

@@ -30,7 +30,7 @@ PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t positi
   question.start = state.node(Scalar::start);
   question.goal = state.node(Scalar::goal);
   const auto status = static_cast<PlanStatus>(view.log.event(position - 1).delta);
-  question.claimed = status != PlanStatus::found                   ? Cost::infinity()
+  question.claimed = !has_path(status)                             ? Cost::infinity()
                      : view.info.values == SearchValues::lookahead ? state.rhs(question.start)
                                                                    : state.g(question.goal);
   question.exact = claims_cheapest(view.info, view.settings);

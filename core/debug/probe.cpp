@@ -54,7 +54,8 @@ void Probe::collect(const Term& term) {
   reads_breaches_ |= term.happening == Happening::invariant;
   reads_disagreements_ |= term.happening == Happening::oracle;
   if (term.happening == Happening::blocked)
-    collect_slot(EventKind::scalar, static_cast<NodeId>(Scalar::goal));
+    for (const Scalar goal : {Scalar::goal, Scalar::wanted})
+      collect_slot(EventKind::scalar, static_cast<NodeId>(goal));
   if (term.happening == Happening::underconsistent) {
     walked_.add(EventKind::g);
     walked_.add(EventKind::rhs);
@@ -108,7 +109,8 @@ Probe::Slot* Probe::find_slot(EventKind kind, NodeId node) {
 bool Probe::is_interesting(std::size_t index) const {
   const Event event = log_->event(index);
   if (walked_.has(event.kind) || noted_.has(event.kind)) return true;
-  if (event.kind == EventKind::epoch) return slot_kinds_.meets(kForgotten) || walked_.meets(kForgotten);
+  if (event.kind == EventKind::epoch && (slot_kinds_.meets(kForgotten) || walked_.meets(kForgotten)))
+    return true;
   if (slot_kinds_.has(event.kind) && (slot_nodes_ & node_bit(event.node)) != 0) return true;
   return reads_line_ && event.line != line_before(index);
 }

@@ -3,11 +3,12 @@
 namespace replan {
 namespace {
 
-/// Whether the goal moved between the plan before and this one, which then starts afresh.
+/// Whether the goal moved between the plan before and this one, or the robot makes for another cell: it then
+/// starts afresh.
 bool has_new_goal(const Timeline& log, std::size_t begin) {
   for (std::size_t i = begin; i-- > 0;) {
     const EventKind kind = log.event(i).kind;
-    if (kind == EventKind::new_goal) return true;
+    if (kind == EventKind::new_goal || kind == EventKind::aim) return true;
     if (kind == EventKind::plan_begin) return false;
   }
   return false;

@@ -90,6 +90,25 @@ std::vector<NodeId> next_queued(const Source& from) {
   return nodes;
 }
 
+/// What is the matter with the ends of the plan: the letters of the world cannot show it.
+std::string ends_lines(const Source& from) {
+  const SearchState& state = from.state;
+  const NodeId wanted = state.wanted_goal(), aim = state.node(Scalar::goal);
+  std::string text;
+  const auto say = [&](NodeId node, const char* known, const char* unknown) {
+    if (node >= state.node_count() || !state.truly_blocked(node)) return;
+    text += labelled("", state.known_blocked(node) ? known : unknown);
+  };
+  say(from.robot, "an obstacle stands on the robot's cell and keeps it there",
+      "an obstacle stands on the robot's cell; it may drive out");
+  say(wanted, "an obstacle stands on the goal's cell",
+      "an obstacle stands on the goal's cell, which the robot does not know");
+  if (aim != kNoNode && wanted != aim)
+    text += labelled("", "the goal cannot be reached: it makes for " + cell_of(from, aim) +
+                             ", the reachable cell nearest to it");
+  return text;
+}
+
 std::string run_lines(const Source& from, std::size_t queued) {
   const Timeline& log = from.view.log;
   std::string moment = "event " + std::to_string(log.cursor()) + " of " + std::to_string(log.size());
@@ -99,7 +118,8 @@ std::string run_lines(const Source& from, std::size_t queued) {
   text += labelled("robot", cell_of(from, from.robot) + ", step " +
                                 std::to_string(from.state.scalar(Scalar::moves)) + ", replan " +
                                 std::to_string(from.state.scalar(Scalar::replans)) + "; goal " +
-                                cell_of(from, from.state.node(Scalar::goal)));
+                                cell_of(from, from.state.wanted_goal()));
+  text += ends_lines(from);
   if (from.lookahead) text += labelled("km", number(from.state.km()));
   return text + labelled("U", counted(queued, "cell"));
 }
@@ -107,12 +127,12 @@ std::string run_lines(const Source& from, std::size_t queued) {
 char letter(const Source& from, NodeId node) {
   const SearchState& state = from.state;
   const Box& lattice = from.view.lattice;
-  if (node == from.robot) return 'R';
+  if (node == from.robot) return state.truly_blocked(node) ? 'X' : 'R';
   const bool known = state.known_blocked(node);
   if (state.moving(node)) return 'M';
   if (state.wall(node)) return known ? '@' : '?';
   if (known) return '!';
-  const NodeId goal = state.node(Scalar::goal);
+  const NodeId goal = state.wanted_goal();
   if (node == (goal == kNoNode ? lattice.node(from.scenario.goal) : goal)) return 'G';
   return node == lattice.node(from.scenario.start) ? 'S' : '.';
 }
@@ -137,7 +157,7 @@ std::string world_lines(const Source& from) {
                      labelled("",
                               ". free, @ obstacle, ? one that the robot does not know of, "
                               "! one that is gone without its knowing,") +
-                     labelled("", "M moving, S start, G goal, R robot");
+                     labelled("", "M moving, S start, G goal, R robot, X robot in an obstacle");
   for (int y = shown.y; y < shown.y + shown.height; ++y) {
     for (int x = shown.x; x < shown.x + shown.width; ++x) text += letter(from, lattice.node(Cell{x, y}));
     text += '\n';

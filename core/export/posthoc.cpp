@@ -206,7 +206,8 @@ void PosthocTrace::settle(std::string& out, const SearchState& state, Cost g) {
   cell(out, visited_as_, node, state, {g, state.rhs(node), popped_key_, state.km()});
 }
 
-void PosthocTrace::happening(std::string& out, std::size_t index, const Event& event, const SearchState& state) {
+void PosthocTrace::happening(std::string& out, std::size_t index, const Event& event,
+                             const SearchState& state) {
   switch (event.kind) {
     case EventKind::plan_begin:
       pass_ = event.delta + 1;
@@ -221,6 +222,7 @@ void PosthocTrace::happening(std::string& out, std::size_t index, const Event& e
     case EventKind::plan_end:
       return plan(out, run_.path_at(index));
     case EventKind::new_goal:
+    case EventKind::aim:
       return place(out, "destination", event.node);
     case EventKind::move:
     case EventKind::put_down:

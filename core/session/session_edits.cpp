@@ -1,6 +1,5 @@
 // The session's edits: what changes the document, and how it is taken back and saved.
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -186,7 +185,7 @@ Scenario Session::tidied() const {
       continue;
     }
     const Cell at = surprise.at.near.value_or(folded.start);
-    const bool due = std::hypot(at.x - folded.start.x, at.y - folded.start.y) <= surprise.at.within;
+    const bool due = distance(at, folded.start) <= surprise.at.within;
     if (before_start && due) first_of_all = false;
     kept.push_back(surprise);
   }

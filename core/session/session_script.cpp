@@ -54,7 +54,7 @@ Result<void> Session::run_command(const SetGoal& command) {
   if (under_way()) {
     Surprise surprise;
     surprise.goal = command.cell;
-    if (run().timeline().state().node(Scalar::goal) == run().lattice().node(command.cell)) return {};
+    if (run().timeline().state().wanted_goal() == run().lattice().node(command.cell)) return {};
     return edit_script("move the goal on the way: a fresh plan from where the robot is", command.stroke,
                        std::move(surprise));
   }

@@ -46,7 +46,8 @@ enum class EventKind : std::uint8_t {
   new_goal,    ///< the robot has to go to the node from now on
   put_down,    ///< somebody puts the robot down at the node
   forgotten,   ///< the robot no longer counts on an obstacle that moved when it last saw it
-  epoch,       ///< the planner forgets its search: the kinds in kForgotten go back to what they were at first
+  aim,    ///< the robot makes for the node from now on: the reachable cell nearest to its goal, or the goal
+  epoch,  ///< the planner forgets its search: the kinds in kForgotten go back to what they were at first
 };
 inline constexpr int kEventKinds = static_cast<int>(EventKind::epoch) + 1;
 
@@ -59,10 +60,11 @@ enum class Scalar : std::uint8_t {
   km,     ///< raw Cost
   start,  ///< the search's start, node + 1
   last,   ///< s_last, node + 1
-  goal,   ///< node + 1
+  goal,   ///< of the search, node + 1
   robot,  ///< node + 1
   moves,  ///< the robot's clock: steps and waits
   replans,
+  wanted,  ///< where the robot has to go, node + 1; 0: where the search's goal is
   count
 };
 

@@ -75,6 +75,10 @@ class SearchState {
   [[nodiscard]] Cost km() const { return {static_cast<std::int64_t>(scalar(Scalar::km))}; }
   /// Nodes held by scalars (start, goal, robot ...); kNoNode while unset.
   [[nodiscard]] NodeId node(Scalar which) const { return static_cast<NodeId>(scalar(which)) - 1u; }
+  /// Where the robot has to go: the search's goal, unless that is only the reachable cell nearest to it.
+  [[nodiscard]] NodeId wanted_goal() const {
+    return scalar(Scalar::wanted) != 0 ? node(Scalar::wanted) : node(Scalar::goal);
+  }
 
   /// What a value per node is before anything is written.
   [[nodiscard]] static constexpr std::uint64_t initial_value(EventKind kind) {

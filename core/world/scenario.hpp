@@ -27,6 +27,12 @@ enum class Motion : std::uint8_t {
   smooth,  ///< at a steady speed along the plan: a step takes as long as its way
 };
 
+/// What the robot does where its goal is an obstacle or cannot be reached.
+enum class UnreachableGoal : std::uint8_t {
+  wait,     ///< waits for a way to open
+  nearest,  ///< goes to the reachable cell nearest to the goal, and on to the goal once a way opens
+};
+
 /// The robot and its sensor.
 struct RobotSetup {
   Knowledge knowledge = Knowledge::map;
@@ -35,6 +41,8 @@ struct RobotSetup {
   Motion motion = Motion::steps;
   double speed = 4;      ///< cells per second
   double patience = 60;  ///< seconds that it waits for obstacles to move out of its way before it gives up
+  UnreachableGoal unreachable_goal = UnreachableGoal::wait;
+  bool robot_cell_blocks = false;  ///< an obstacle that comes onto the robot's own cell keeps it there
   friend bool operator==(const RobotSetup&, const RobotSetup&) = default;
 };
 

@@ -30,8 +30,8 @@ class VoxelMapParser {
     if (take_word(header) != "voxel" || !read_numbers(header, sides) || width == 0 || height == 0 ||
         depth == 0)
       return wrong("not a voxel map: the first line must be 'voxel X Y Z', three whole numbers from 1");
-    if (height > kMaxCells / width || depth > kMaxCells / (std::int64_t{width} * height))
-      return wrong("the map is too large: at most " + std::to_string(kMaxCells) + " voxels are read");
+    if (height > kMaxVoxels / width || depth > kMaxVoxels / (std::int64_t{width} * height))
+      return wrong("the map is too large: at most " + std::to_string(kMaxVoxels) + " voxels are read");
     VoxelMap map(width, height, depth);
     while (const auto line = lines_.next()) {
       if (line->empty()) continue;

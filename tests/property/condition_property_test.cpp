@@ -194,10 +194,10 @@ class Plain {
       case Happening::sight_failed:
         return e.kind == EventKind::sight && (e.delta >> 32) == 0;
       case Happening::no_path:
-        return e.kind == EventKind::plan_end && e.delta != static_cast<std::uint64_t>(PlanStatus::found);
+        return e.kind == EventKind::plan_end && !has_path(static_cast<PlanStatus>(e.delta));
       case Happening::blocked:
         return e.kind == EventKind::collision || e.kind == EventKind::gave_up ||
-               (e.kind == EventKind::waiting && e.node != state.node(Scalar::goal));
+               (e.kind == EventKind::waiting && e.node != state.wanted_goal());
       case Happening::surprise:
         return e.kind == EventKind::surprise;
       case Happening::move:

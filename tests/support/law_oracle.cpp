@@ -128,8 +128,8 @@ class Bench {
     const bool free =
         on_map(start) && on_map(goal) && world_.blocked[start] == 0 && world_.blocked[goal] == 0;
     const Raw promised = lookahead ? state_.rhs(start).raw : state_.g(goal).raw;
-    if ((status == PlanStatus::found) != (free && promised < kNever)) return end;
-    if (status != PlanStatus::found) return std::nullopt;
+    if (has_path(status) != (free && promised < kNever)) return end;
+    if (!has_path(status)) return std::nullopt;
     const NodeId other_end = lookahead ? goal : start;
     Raw way = 0;
     for (NodeId s = end; s != other_end; s = state_.lp(s)) {

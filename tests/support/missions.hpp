@@ -33,6 +33,20 @@ inline Surprise random_surprise(Random& random, const GridMap& map) {
   return surprise;
 }
 
+/// Walls that shoot up where the robot is, or close to it.
+inline Surprise random_wall_on_the_robot(Random& random, const GridMap& map) {
+  Surprise surprise;
+  surprise.at.near = random_cell(random, map);
+  surprise.at.within = random.between(0, 2);
+  surprise.announced = random.chance(0.5);
+  const Cell low = *surprise.at.near;
+  const Cell high{std::min(map.width - 1, low.x + random.between(0, 1)),
+                  std::min(map.height - 1, low.y + random.between(0, 1))};
+  for (int y = low.y; y <= high.y; ++y)
+    for (int x = low.x; x <= high.x; ++x) surprise.cells.push_back({{x, y}, true});
+  return surprise;
+}
+
 inline MovingObstacle random_mover(Random& random, const GridMap& map) {
   constexpr double kSpeeds[] = {0.3, 1, 2, 4, 11};
   MovingObstacle mover;
@@ -74,6 +88,10 @@ inline Scenario random_scenario(Random& random, const PlannerInfo& info,
   for (int n = random.between(0, 4); n > 0; --n)
     scenario.movers.push_back(random_mover(random, scenario.map));
   scenario.planners = {{std::string(info.id), random_settings(random, info)}};
+  for (int n = random.between(0, 3); n > 0; --n)
+    scenario.surprises.push_back(random_wall_on_the_robot(random, scenario.map));
+  if (random.chance(0.4)) scenario.robot.unreachable_goal = UnreachableGoal::nearest;
+  scenario.robot.robot_cell_blocks = random.chance(0.2);
   return scenario;
 }
 
