@@ -58,6 +58,23 @@ TEST_F(TraceCommand, writesAFileForEachPlanner) {
   EXPECT_EQ(whole_file(folder_.file("t.jsonl")), "");
 }
 
+TEST_F(TraceCommand, aRunToTheNearestCellKeepsToTheSchemaToo) {
+  const auto world = folder_.with("shut.json", R"({"replan": 1, "map": {"rows": ["....@..", "....@.."]},
+ "start": [0, 0], "goal": [6, 0], "planners": [{"id": "astar"}], "robot": {"unreachable_goal": "nearest"},
+ "surprises": [{"at": {"move": 9}, "remove": {"cells": [[4, 0]]}}]})");
+  const std::string file = folder_.file("shut.jsonl");
+  EXPECT_EQ(run_program({"run", world, "--trace", file}).code, 0) << "the way opens";
+  const json rules = json::parse(whole_file(REPLAN_SOURCE_DIR "/assets/trace.schema.json"));
+  std::istringstream lines(whole_file(file));
+  std::vector<bool> aims;
+  for (std::string line; std::getline(lines, line);) {
+    const json event = json::parse(line);
+    ASSERT_EQ(SchemaCheck(rules).check(event), "") << line;
+    if (event.contains("kind") && event["kind"] == "aim") aims.push_back(event["goal"]);
+  }
+  EXPECT_EQ(aims, (std::vector<bool>{false, true}));
+}
+
 TEST_F(TraceCommand, writesPosthocTracesAndTheMapUnderThem) {
   for (const std::string name : {"t.trace.yaml", "t.trace.json"}) {
     const Outcome outcome = run_program({"run", scenario_, "--planner", "dstar-lite", "--trace",
