@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/world/ends.hpp"
 #include "ui/colormap.hpp"
 #include "ui/icons.hpp"
 #include "ui/replan_card.hpp"
@@ -164,6 +165,10 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
       break;
   }
   if (mark->route->status == PlanStatus::found || mark->route->status == PlanStatus::searching) return {};
+  const bool start = mark->route->status == PlanStatus::start_blocked;
+  if (start || mark->route->status == PlanStatus::goal_blocked)
+    if (std::string unknown = unknown_end_sentence(run.scenario(), start); !unknown.empty())
+      return {std::move(unknown), true};
   return {status_sentence(mark->route->status), true};
 }
 

@@ -11,6 +11,7 @@
 #include "app/cli/run_trace.hpp"
 #include "core/base/file.hpp"
 #include "core/study/figures_table.hpp"
+#include "core/world/ends.hpp"
 
 namespace replan::cli {
 namespace {
@@ -70,9 +71,13 @@ std::string robots_table(std::span<const RunReport> reports) {
 }
 
 /// What a user should know of a run that did not succeed; empty if it did.
-std::string explanation(const RunReport& report) {
+std::string explanation(const Scenario& world, const RunReport& report) {
   if (report.succeeded()) return {};
   const std::string who = report.planner + ": ";
+  const bool start = report.status == status_name(PlanStatus::start_blocked);
+  if (start || report.status == status_name(PlanStatus::goal_blocked))
+    if (const std::string unknown = unknown_end_sentence(world, start); !unknown.empty())
+      return who + unknown + "\n";
   for (const PlanStatus status : {PlanStatus::no_path, PlanStatus::start_blocked, PlanStatus::goal_blocked})
     if (report.status == status_name(status)) return who + status_sentence(status) + "\n";
   const std::string_view ending = report.robot ? mission_state_name(report.robot->ending) : report.status;
@@ -88,7 +93,7 @@ std::string summary(const WorldArguments& arguments, const Scenario& world,
                      cell_text(world.goal) + "\n\n" + plans_table(reports);
   if (reports.front().robot) text += "\n" + robots_table(reports);
   std::string failures;
-  for (const RunReport& report : reports) failures += explanation(report);
+  for (const RunReport& report : reports) failures += explanation(world, report);
   return text + (failures.empty() ? "" : "\n" + failures);
 }
 
@@ -144,6 +149,7 @@ Result<void> write_tables(const RunArguments& arguments, std::span<const RunRepo
 Result<int> run(const RunArguments& arguments) {
   const auto world = arguments.world.load();
   if (!world) return Error{world.error()};
+  tell_notes(world->map_found.notes);
   if (arguments.check) return check_runs(*world, arguments.json);
   if (arguments.stops.given()) {
     if (const auto good = check_stops(arguments); !good) return Error{good.error()};

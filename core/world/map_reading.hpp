@@ -1,6 +1,8 @@
 // How a map file is to be read, and what comes of it: shared by the readers of all formats.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -27,25 +29,44 @@ enum class UnknownCells : std::uint8_t {
   unmapped,  ///< kUnmapped: obstacles that the robot takes for free until it senses them
 };
 
+/// The largest number that MapReading::occupied can be, above and below 0: that of 64 bits.
+inline constexpr double kMaxOccupied = 18446744073709551615.0;
+
 /// The choices that a reader has. The defaults are right for most files.
 struct MapReading {
   ImageMapOptions image;                         ///< for pictures
   UnknownCells unknown = UnknownCells::blocked;  ///< for ROS maps
+  /// For files of numbers: the one that is the obstacle. Nothing: see number_cells.hpp.
+  std::optional<double> occupied = std::nullopt;
   friend bool operator==(const MapReading&, const MapReading&) = default;
+};
+
+/// What was found when a map was read and is not part of it: any two are equal.
+struct MapFindings {
+  /// What stands in the file and could not be kept, and what was taken for granted, a sentence each.
+  std::vector<std::string> notes = {};
+  std::vector<bool> unknown = {};    ///< which cells the file calls unknown; empty: none of them
+  std::vector<double> numbers = {};  ///< where the cells are numbers: those there are, the smallest first
+
+  [[nodiscard]] bool is_unknown(std::size_t cell) const { return cell < unknown.size() && unknown[cell]; }
+  /// Somebody has said what the cell is.
+  void make_known(std::size_t cell) {
+    if (cell < unknown.size()) unknown[cell] = false;
+  }
+  [[nodiscard]] std::size_t count_unknown() const {
+    return static_cast<std::size_t>(std::count(unknown.begin(), unknown.end(), true));
+  }
+  friend bool operator==(const MapFindings&, const MapFindings&) { return true; }
 };
 
 /// What a map file holds.
 struct MapFile {
   GridMap map;
-  std::optional<Cell> start;  ///< where the format has them
-  std::optional<Cell> goal;
-  /// What stands in the file and could not be kept, a sentence each. Not part of the map: two files are equal
-  /// if their maps and ends are.
-  std::vector<std::string> notes = {};
+  std::optional<Cell> start = std::nullopt;  ///< where the format has them
+  std::optional<Cell> goal = std::nullopt;
+  MapFindings found = {};
 
-  friend bool operator==(const MapFile& a, const MapFile& b) {
-    return a.map == b.map && a.start == b.start && a.goal == b.goal;
-  }
+  friend bool operator==(const MapFile&, const MapFile&) = default;
 };
 
 }  // namespace replan

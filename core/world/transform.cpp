@@ -93,9 +93,13 @@ Scenario turned(const Scenario& scenario, Turn turn) {
     if (has_frame(map)) after.map.origin = turned_origin(map, turn);
   }
   const auto move = [&](Cell cell) { return turned(cell, map.width, map.height, turn); };
+  const std::vector<bool>& unknown = scenario.map_found.unknown;
   for (int y = 0; y < map.height; ++y)
-    for (int x = 0; x < map.width; ++x)
-      after.map.blocked[after.map.index(move({x, y}))] = map.blocked[map.index({x, y})];
+    for (int x = 0; x < map.width; ++x) {
+      const std::size_t from = map.index({x, y}), to = after.map.index(move({x, y}));
+      after.map.blocked[to] = map.blocked[from];
+      if (!unknown.empty()) after.map_found.unknown[to] = unknown[from];
+    }
   move_places(after, move);
   for (Surprise& surprise : after.surprises) {
     for (CellChange& change : surprise.cells) change.cell = move(change.cell);
@@ -137,10 +141,14 @@ Result<Resized> resized(const Scenario& scenario, const NewSize& size) {
   after.map.height = size.height;
   after.map.blocked.assign(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height),
                            size.blocked ? kObstacle : kFree);
+  std::vector<bool>& unknown = after.map_found.unknown;
+  if (!unknown.empty()) unknown.assign(after.map.blocked.size(), false);
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x)
-      if (const Cell to{x + by.x, y + by.y}; after.map.contains(to))
+      if (const Cell to{x + by.x, y + by.y}; after.map.contains(to)) {
         after.map.blocked[after.map.index(to)] = map.blocked[map.index({x, y})];
+        if (!unknown.empty()) unknown[after.map.index(to)] = scenario.map_found.is_unknown(map.index({x, y}));
+      }
   if (has_frame(map)) after.map.origin = moved_origin(map, -by.x, map.height - size.height + by.y);
   const auto move = [&](Cell cell) {
     return Cell{std::clamp(cell.x + by.x, 0, size.width - 1), std::clamp(cell.y + by.y, 0, size.height - 1)};

@@ -188,6 +188,13 @@ TEST(Previews, ShowWhatIsInAFileOrWhyNot) {
   EXPECT_EQ(world.planners, (Names{"A*"}));
   EXPECT_EQ(world.thumbnail.goal, (Cell{2, 1}));
   EXPECT_EQ(make_preview(folder.with("m.map", kMap), {}, {}).obstacles, 1u);
+  const std::string numbers = folder.with("n.txt", "0 1 2\n2 1 0\n");
+  const Preview asked = make_preview(numbers, {}, {});
+  EXPECT_NE(asked.error.find("which one is the obstacle"), std::string::npos) << asked.error;
+  EXPECT_EQ(asked.numbers, (std::vector<double>{0, 1, 2})) << "there to be chosen from";
+  const Preview told = make_preview(numbers, {.image = {}, .unknown = {}, .occupied = 2}, {});
+  EXPECT_EQ(told.obstacles, 2u) << told.error;
+  EXPECT_EQ(told.notes.size(), 1u);
   EXPECT_NE(make_preview(folder.with("broken.json", "{"), {}, {}).error, "");
   EXPECT_NE(make_preview(folder.file("gone.map"), {}, {}).error, "");
   EXPECT_NE(make_preview(folder.with("p.scen", ""), {}, {}).error, "");
