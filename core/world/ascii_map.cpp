@@ -92,10 +92,13 @@ class AsciiParser {
     const std::string_view word = piece_.text;
     const char letter = word.size() == 1 ? word.front() : '\0';
     if (letter == 'S' || letter == 'G') return read_end(letter);
-    if (const auto number = cell_number(word)) return read_number(*number);
+    if (letter >= '0' && letter <= '9') return read_number(letter - '0');
     const bool is_free = kFreeLetters.find(letter) != std::string_view::npos;
-    const bool is_obstacle = kObstacleLetters.find(letter) != std::string_view::npos;
-    if (!is_free && !is_obstacle && letter != '?') return unknown_cell(piece_);
+    const bool is_obstacle = !is_free && kObstacleLetters.find(letter) != std::string_view::npos;
+    if (!is_free && !is_obstacle && letter != '?') {
+      const auto number = cell_number(word);
+      return number ? read_number(*number) : unknown_cell(piece_);
+    }
     cells_.add_known(is_free ? kFree : is_obstacle ? kObstacle : kUnmapped);
     letters_ = true;
     return odd_number_ ? unknown_cell(*odd_number_) : Result<void>{};

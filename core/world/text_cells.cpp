@@ -159,7 +159,8 @@ CellPiece CellScanner::next_letter() {
     return end;
   }
   const std::size_t from = at_;
-  const std::size_t size = first_character(text_.substr(from, row_end_ - from));
+  const bool ascii = static_cast<unsigned char>(text_[from]) < 0x80;
+  const std::size_t size = ascii ? 1 : first_character(text_.substr(from, row_end_ - from));
   const std::size_t step = layout_.parting == Parting::every_second ? 2 : size;
   at_ = std::min(from + step, row_end_);
   return piece(CellPiece::Kind::cell, from, text_.substr(from, size));

@@ -208,6 +208,33 @@ std::string repeated(const std::string& row, int times) {
   return text;
 }
 
+TEST(OpenDocument, UnknownCellsOfARosMapStayUnknownUntilSomebodyPaintsThem) {
+  const test::TemporaryFolder folder;
+  folder.with("u.pgm", std::string("P5\n4 2\n255\n\xFE\xCD\xCD\xFE\xFE\xFE\xFE\xFE", 19));
+  const std::string yaml = folder.with("u.yaml",
+                                       "image: u.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\n"
+                                       "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  Scenario current;
+  current.planners = {{"astar", {}}};
+  Result<Scenario> opened = open_document(yaml, current);
+  ASSERT_TRUE(opened.ok()) << opened.error();
+  EXPECT_EQ(lost_in(".png", *opened).front(),
+            ".png cannot hold that 2 cells are unknown on the map: there they are obstacles");
+  Session session(*std::move(opened));
+  const auto saved = [&] {
+    const Result<void> done = save_document(session, {}, folder.file("o.yaml"));
+    EXPECT_TRUE(done.ok()) << done.error();
+    return read_file(folder.file("o.pgm"))->substr(11);
+  };
+  EXPECT_EQ(saved(), "\xFE\xCD\xCD\xFE\xFE\xFE\xFE\xFE");
+  ASSERT_TRUE(session.apply(PaintCells{{{{1, 0}, false}}, 0}).ok());
+  EXPECT_EQ(saved(), "\xFE\xFE\xCD\xFE\xFE\xFE\xFE\xFE");
+  ASSERT_TRUE(session.apply(TurnWorld{Turn::top_bottom}).ok());
+  EXPECT_EQ(saved(), "\xFE\xFE\xFE\xFE\xFE\xFE\xCD\xFE");
+  ASSERT_TRUE(session.apply(ResizeWorld{{.width = 4, .height = 1, .down = Side::high}}).ok());
+  EXPECT_EQ(saved(), "\xFE\xFE\xCD\xFE");
+}
+
 TEST(OpenDocument, PutsTheEndsFarApartInTheLargestRegion) {
   const test::TemporaryFolder folder;
   Scenario current;
