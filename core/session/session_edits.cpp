@@ -187,10 +187,7 @@ Scenario Session::tidied() const {
     const bool only_cells = !surprise.goal && !surprise.robot;
     if (first_of_all && before_start && surprise.announced && only_cells && i >= scripted_ &&
         surprise.at.move) {
-      for (const CellChange& change : surprise.cells) {
-        folded.map.set(change.cell, change.blocked);
-        folded.map_found.make_known(folded.map.index(change.cell));
-      }
+      for (const CellChange& change : surprise.cells) folded.map.set(change.cell, change.blocked);
       continue;
     }
     const Cell at = surprise.at.near.value_or(folded.start);

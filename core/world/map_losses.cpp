@@ -41,10 +41,11 @@ void lost_ends(const MapFile& file, const MapFormat& format, std::vector<std::st
 
 /// Unknown cells stay unknown in a ROS map alone; in others they are what they were read as.
 void lost_unknown(const MapFile& file, const MapFormat& format, std::vector<std::string>& lost) {
-  const std::size_t count = file.found.count_unknown();
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < file.map.blocked.size(); ++i)
+    count += file.found.is_unknown(file.map, i) ? 1 : 0;
   if (count == 0 || format.unknown) return;
-  const auto first = std::find(file.found.unknown.begin(), file.found.unknown.end(), true);
-  const std::uint8_t kind = file.map.blocked[static_cast<std::size_t>(first - file.found.unknown.begin())];
+  const std::uint8_t kind = file.found.unknown_as;
   const bool one = count == 1;
   const char* become = kind == kFree ? (one ? "a free cell" : "free cells")
                        : kind == kUnmapped && format.unmapped
@@ -69,7 +70,7 @@ std::vector<std::string> lost_in(std::string_view extension, const MapFile& file
   const GridMap& map = file.map;
   std::size_t unmapped = 0;  // but for the unknown ones, which are told apart
   for (std::size_t i = 0; i < map.blocked.size(); ++i)
-    unmapped += map.blocked[i] == kUnmapped && !file.found.is_unknown(i) ? 1 : 0;
+    unmapped += map.blocked[i] == kUnmapped && !file.found.is_unknown(map, i) ? 1 : 0;
   if (!format->resolution && map.resolution != 1)
     lost.push_back(cannot_hold(extension) + "the resolution (" + number(map.resolution) + " a cell)");
   if (!format->resolution && map.origin != std::array<double, 3>{})

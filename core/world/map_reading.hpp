@@ -1,9 +1,9 @@
 // How a map file is to be read, and what comes of it: shared by the readers of all formats.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,16 +45,15 @@ struct MapReading {
 struct MapFindings {
   /// What stands in the file and could not be kept, and what was taken for granted, a sentence each.
   std::vector<std::string> notes = {};
-  std::vector<bool> unknown = {};    ///< which cells the file calls unknown; empty: none of them
-  std::vector<double> numbers = {};  ///< where the cells are numbers: those there are, the smallest first
+  /// Which cells the file calls unknown, one for each; nothing: none of them.
+  std::shared_ptr<const std::vector<bool>> unknown = nullptr;
+  std::uint8_t unknown_as = kObstacle;  ///< what these were read as
+  std::vector<double> numbers = {};     ///< where the cells are numbers: those there are, the smallest first
 
-  [[nodiscard]] bool is_unknown(std::size_t cell) const { return cell < unknown.size() && unknown[cell]; }
-  /// Somebody has said what the cell is.
-  void make_known(std::size_t cell) {
-    if (cell < unknown.size()) unknown[cell] = false;
-  }
-  [[nodiscard]] std::size_t count_unknown() const {
-    return static_cast<std::size_t>(std::count(unknown.begin(), unknown.end(), true));
+  /// Whether a cell is unknown still: nobody has made it anything else since.
+  [[nodiscard]] bool is_unknown(const GridMap& map, std::size_t cell) const {
+    return unknown != nullptr && cell < unknown->size() && (*unknown)[cell] &&
+           map.blocked[cell] == unknown_as;
   }
   friend bool operator==(const MapFindings&, const MapFindings&) { return true; }
 };

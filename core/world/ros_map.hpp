@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,8 +54,8 @@ RosCounts count_ros_cells(const Picture& picture, const RosMapInfo& info);
 /// becomes what `unknown` says.
 GridMap ros_cells(const Picture& picture, const RosMapInfo& info, UnknownCells unknown);
 
-/// Which cells of a ROS map are unknown; empty if none is.
-std::vector<bool> unknown_ros_cells(const Picture& picture, const RosMapInfo& info);
+/// Which cells of a ROS map are unknown; nothing if none is.
+std::shared_ptr<const std::vector<bool>> unknown_ros_cells(const Picture& picture, const RosMapInfo& info);
 
 /// Reads a `.yaml` and its picture (PGM, PNG, BMP, ...), resolution and origin kept. The picture is taken as
 /// it is stored, as map_server takes it.
