@@ -41,6 +41,7 @@ constexpr std::array<SignEntry, static_cast<std::size_t>(Sign::count)> kSigns = 
     {Sign::trail, Mark::line, &Theme::robot, "trail"},
     {Sign::sensor, Mark::dashed, &Theme::robot, "sensor"},
     {Sign::robot, Mark::dot, &Theme::robot, "robot"},
+    {Sign::nearest, Mark::dashed, &Theme::goal, "nearest to it"},
 }};
 
 std::string value_text(Overlay field, double value) {
@@ -160,11 +161,22 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
     case MissionState::loop:
       return {std::string("The plan leads round in a circle") + why_wrong(run), true};
     case MissionState::endless:
-      return {"What moves turned the robot back again and again; it has given up.", true};
+      return {"What moves turned the robot back, or kept it waiting, again and again; it has given up.",
+              true};
+    case MissionState::nearest:
+      return {"The goal cannot be reached: the robot stands on the reachable cell nearest to it.", false};
     default:
       break;
   }
   if (mark->route->status == PlanStatus::found || mark->route->status == PlanStatus::searching) return {};
+  if (mark->route->status == PlanStatus::found_nearest) return {status_sentence(mark->route->status), false};
+  const SearchState& state = run.timeline().state();
+  const NodeId robot = state.node(Scalar::robot);
+  const bool away = robot != run.lattice().node(run.scenario().start);
+  if (mark->route->status == PlanStatus::start_blocked && away)
+    return {"The robot stands in an obstacle: clear its cell, or put it elsewhere.", true};
+  if (mark->route->status == PlanStatus::no_path && state.truly_blocked(robot))
+    return {"An obstacle stands on the robot's cell, and no way leads out of it.", true};
   const bool start = mark->route->status == PlanStatus::start_blocked;
   if (start || mark->route->status == PlanStatus::goal_blocked)
     if (std::string unknown = unknown_end_sentence(run.scenario(), start); !unknown.empty())

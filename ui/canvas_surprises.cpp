@@ -5,7 +5,7 @@
 namespace replan::ui {
 
 std::optional<std::size_t> surprise_at(const Run& run, Cell cell) {
-  const std::vector<Surprise>& all = run.scenario().surprises;
+  const Surprises& all = run.scenario().surprises;
   for (std::size_t i = all.size(); i-- > 0;) {
     if (!is_to_come(run, i)) continue;
     for (const CellChange& change : all[i].cells)

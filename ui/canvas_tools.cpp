@@ -12,12 +12,8 @@ std::uint64_t next_stroke() {
   return ++last;
 }
 
-Cell clamped(const Grid2& lattice, Cell cell) {
+Cell clamped(const Box& lattice, Cell cell) {
   return {std::clamp(cell.x, 0, lattice.width() - 1), std::clamp(cell.y, 0, lattice.height() - 1)};
-}
-
-double distance(Cell a, Cell b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
 }
 
 bool is_wall(const Run& run, Cell cell) {
@@ -25,20 +21,20 @@ bool is_wall(const Run& run, Cell cell) {
 }
 
 /// The cell of a node that the log speaks of, or `otherwise` before it does.
-Cell place(const Run& run, Scalar which, Cell otherwise) {
-  const NodeId node = run.timeline().state().node(which);
+Cell place(const Run& run, NodeId node, Cell otherwise) {
   return node == kNoNode ? otherwise : run.lattice().position(node);
 }
 Cell goal_cell(const Run& run) {
-  return place(run, Scalar::goal, run.scenario().goal);
+  return place(run, run.timeline().state().wanted_goal(), run.scenario().goal);
 }
 Cell robot_cell(const Run& run) {
-  return place(run, Scalar::robot, run.scenario().start);
+  return place(run, run.timeline().state().node(Scalar::robot), run.scenario().start);
 }
 
-/// Start, goal and robot keep standing on free ground while others are painted around them.
+/// Start and goal keep standing on free ground while others are painted around them. What is painted over the
+/// robot's own cell is there as it would be by a script: RobotSetup::robot_cell_blocks says what it does.
 bool is_protected(const Run& run, Cell cell) {
-  return cell == run.scenario().start || cell == goal_cell(run) || cell == robot_cell(run);
+  return cell == run.scenario().start || cell == goal_cell(run);
 }
 
 CellRect rectangle(Cell a, Cell b) {
@@ -277,7 +273,7 @@ void Hand::release_region(const Run& run, ViewState& state) const {
 
 /// Of the spans what lies in the world and would change, each cell once in a stroke.
 void Hand::write(const Run& run, const std::vector<CellSpan>& spans, std::vector<CellChange>& changes) {
-  const Grid2& lattice = run.lattice();
+  const Box& lattice = run.lattice();
   const bool once = action_ != Action::brush;  // these write all cells at once
   for (const CellSpan& span : spans) {
     if (span.y < 0 || span.y >= lattice.height()) continue;

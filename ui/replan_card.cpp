@@ -110,6 +110,8 @@ class CardPen {
 
 std::string cause_sentence(const ReplanCause& cause) {
   if (cause.new_goal) return "The goal has moved: planned from scratch.";
+  if (cause.to_goal_again) return "The goal can be reached again: planned from scratch.";
+  if (cause.to_nearest) return "The goal cannot be reached: to the nearest cell that can.";
   if (cause.put_down) return "Somebody has put the robot down here.";
   if (cause.forgotten > 0) return "It no longer counts on " + cells(cause.forgotten) + " out of sight.";
   if (cause.blocked > 0 && cause.freed > 0)

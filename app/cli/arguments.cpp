@@ -16,6 +16,9 @@
 namespace replan::cli {
 namespace {
 
+/// In the order of UnreachableGoal.
+constexpr std::string_view kUnreachableGoals[] = {"wait", "nearest"};
+
 /// One `--set [PLANNER.]KEY=VALUE`, taken apart.
 struct Assignment {
   std::string_view typed, planner, key, value;
@@ -226,6 +229,11 @@ void WorldArguments::declare(CLI::App& command) {
       ->type_name("FILE");
   command.add_option("--start", start, "Where the robot starts")->type_name("X,Y");
   command.add_option("--goal", goal, "Where it is to go")->type_name("X,Y");
+  command
+      .add_option("--unreachable-goal", unreachable_goal,
+                  "What it does where the goal cannot be reached: wait, or nearest: go to the reachable cell "
+                  "nearest to it")
+      ->type_name("WHAT");
   reading.declare(command);
   planners.declare(command);
 }
@@ -272,6 +280,14 @@ Result<Scenario> WorldArguments::load() const {
     const auto given = cell_on_map(option, *text, world->map, source());
     if (!given) return Error{given.error()};
     *cell = *given;
+  }
+  if (!unreachable_goal.empty()) {
+    const auto found =
+        std::find(std::begin(kUnreachableGoals), std::end(kUnreachableGoals), unreachable_goal);
+    if (found == std::end(kUnreachableGoals))
+      return Error{"--unreachable-goal cannot be '" + unreachable_goal + "'" +
+                   suggestion(unreachable_goal, kUnreachableGoals, ": give wait or nearest")};
+    world->robot.unreachable_goal = static_cast<UnreachableGoal>(found - std::begin(kUnreachableGoals));
   }
   auto choices = planners.choose(world->planners);
   if (!choices) return Error{choices.error()};

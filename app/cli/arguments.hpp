@@ -51,6 +51,7 @@ struct WorldArguments {
   std::string map;
   std::string start;
   std::string goal;
+  std::string unreachable_goal;
   ReadingArguments reading;
   PlannerArguments planners;
 

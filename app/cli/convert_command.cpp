@@ -144,7 +144,7 @@ Result<int> from_voxels(const ConvertArguments& arguments) {
   }
   const auto z = parse_count("--slice", arguments.slice, 0);
   if (!z) return Error{z.error()};
-  auto slice = voxel_slice(*voxels, static_cast<int>(std::min<std::int64_t>(*z, kMaxCells)));
+  auto slice = voxel_slice(*voxels, static_cast<int>(std::min<std::int64_t>(*z, kMaxVoxels)));
   if (!slice) return Error{"--slice " + arguments.slice + ": " + slice.error()};
   if (extension == ".json" || extension == ".scen")
     return Error{"a slice becomes a map, not a scenario: convert it to .map first, then that one"};

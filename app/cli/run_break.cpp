@@ -39,7 +39,7 @@ struct BreakReport {
   std::vector<std::string> held;  // conditions that hold before the first event: they cannot come true then
 };
 
-Json value_json(const Grid2& lattice, const TermValue& value) {
+Json value_json(const Box& lattice, const TermValue& value) {
   if (value.type == ValueType::truth) return value.truth;
   if (value.type == ValueType::number) {
     if (std::isinf(value.number)) return "inf";

@@ -70,20 +70,12 @@ std::string robots_table(std::span<const RunReport> reports) {
   return table.text();
 }
 
-/// What a user should know of a run that did not succeed; empty if it did.
-std::string explanation(const Scenario& world, const RunReport& report) {
-  if (report.succeeded()) return {};
-  const std::string who = report.planner + ": ";
+/// Why a run did not succeed; empty if it did. That an end is unknown on the map only the world can tell.
+std::string why_not(const Scenario& world, const RunReport& report) {
   const bool start = report.status == status_name(PlanStatus::start_blocked);
   if (start || report.status == status_name(PlanStatus::goal_blocked))
-    if (const std::string unknown = unknown_end_sentence(world, start); !unknown.empty())
-      return who + unknown + "\n";
-  for (const PlanStatus status : {PlanStatus::no_path, PlanStatus::start_blocked, PlanStatus::goal_blocked})
-    if (report.status == status_name(status)) return who + status_sentence(status) + "\n";
-  const std::string_view ending = report.robot ? mission_state_name(report.robot->ending) : report.status;
-  if (ending == "loop") return who + "The plan leads round in a circle: set remote_parents=checked.\n";
-  if (ending == "collision") return who + "The plan leads into an obstacle: set remote_parents=checked.\n";
-  return who + "The robot did not arrive: the way to the goal was cut off while it drove.\n";
+    if (std::string unknown = unknown_end_sentence(world, start); !unknown.empty()) return unknown;
+  return explanation(report);
 }
 
 std::string summary(const WorldArguments& arguments, const Scenario& world,
@@ -93,7 +85,9 @@ std::string summary(const WorldArguments& arguments, const Scenario& world,
                      cell_text(world.goal) + "\n\n" + plans_table(reports);
   if (reports.front().robot) text += "\n" + robots_table(reports);
   std::string failures;
-  for (const RunReport& report : reports) failures += explanation(world, report);
+  for (const RunReport& report : reports)
+    if (const std::string why = why_not(world, report); !why.empty())
+      failures += report.planner + ": " + why + "\n";
   return text + (failures.empty() ? "" : "\n" + failures);
 }
 
@@ -161,7 +155,8 @@ Result<int> run(const RunArguments& arguments) {
   bool succeeded = true;
   for (const PlannerChoice& choice : world->planners) {
     reports.push_back(arguments.world.map.empty() ? drive(*world, choice)
-                                                  : plan_once(world->map, world->start, world->goal, choice));
+                                                  : plan_once(world->map, world->start, world->goal, choice,
+                                                              world->robot.unreachable_goal));
     succeeded &= reports.back().succeeded();
   }
   if (const auto written = write_tables(arguments, reports); !written) return Error{written.error()};

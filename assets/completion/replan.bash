@@ -34,15 +34,15 @@ _replan_settings() {
 
 _replan_options() {
   case "$1" in
-    run) echo "-h --help --map --start --goal --threshold --invert --unknown --occupied --planner --set --json --csv --markdown --latex --check --trace --trace-map --break" ;;
+    run) echo "-h --help --map --start --goal --unreachable-goal --threshold --invert --unknown --occupied --planner --set --json --csv --markdown --latex --check --trace --trace-map --break" ;;
     batch) echo "-h --help --map --threshold --invert --unknown --occupied --planner --set --limit --json" ;;
     render)
-      echo "-h --help --map --start --goal --threshold --invert --unknown --occupied --planner --set -o --output --size --scale" \
+      echo "-h --help --map --start --goal --unreachable-goal --threshold --invert --unknown --occupied --planner --set -o --output --size --scale" \
         "--at --at-end --at-plan" \
         "--overlay --theme --action --pin --camera --canvas-only --panes --fps --speed --hold --from --to"
       ;;
     convert) echo "-h --help --start --goal --threshold --invert --unknown --occupied --slice --planner --set" ;;
-    show) echo "-h --help --map --start --goal --threshold --invert --unknown --occupied --planner --set --at --cell" ;;
+    show) echo "-h --help --map --start --goal --unreachable-goal --threshold --invert --unknown --occupied --planner --set --at --cell" ;;
     list) echo "-h --help --json" ;;
     *) echo "-h --help --version" ;;
   esac
@@ -63,6 +63,7 @@ _replan() {
       ;;
     --theme) COMPREPLY=($(compgen -W "light dark" -- "$cur")); return ;;
     --map) _replan_files $maps; return ;;
+    --unreachable-goal) COMPREPLY=($(compgen -W "wait nearest" -- "$cur")); return ;;
     --unknown) COMPREPLY=($(compgen -W "blocked free unmapped" -- "$cur")); return ;;
     --csv) _replan_files csv; return ;;
     --markdown) _replan_files md; return ;;

@@ -14,6 +14,8 @@ namespace replan {
 ///
 /// Range: the longest loop-free path of the largest world (2^26 cells, each step at most sqrt 3 plus the
 /// largest clearance penalty, 17) stays below infinity (2^31 cells), and two infinities add without overflow.
+/// A box of 2^27 voxels has longer ones, but a path of fewest steps takes no short cuts between its cells,
+/// and so passes at most five of the eight in any cube of two: the cheapest cannot cost more than that one.
 struct Cost {
   std::int64_t raw = 0;
 
@@ -56,6 +58,13 @@ inline Cost euclidean_ceil(std::int64_t squared) {
   const Cost down = euclidean_floor(squared);
   const auto root = static_cast<Wide>(down.raw);
   return {down.raw + (root * root == static_cast<Wide>(squared) << 60 ? 0 : 1)};
+}
+
+/// How a cost stands to the length of a straight segment, exactly and without a root. Neither is negative.
+inline std::strong_ordering compare_to_segment(Cost cost, std::int64_t squared) {
+  __extension__ using Wide = unsigned __int128;
+  const auto side = static_cast<Wide>(cost.raw);
+  return side * side <=> static_cast<Wide>(squared) << 60;
 }
 
 /// Costs of one step along 1, 2 or 3 axes: 1, sqrt 2, sqrt 3, rounded up. Rounding moves up and lower bounds

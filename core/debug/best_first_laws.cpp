@@ -43,7 +43,7 @@ class BestFirstLaws final : public LawBook {
   void plan(PlanStatus status, std::span<const Hop>) override {
     if (!values_.on_map(goal_)) return;
     hold_status(status, "g", goal_, values_.at(goal_).g);
-    if (status == PlanStatus::found) follow_parents();
+    if (has_path(status)) follow_parents();
   }
 
   void look(NodeId s) override {

@@ -10,7 +10,7 @@
 
 namespace replan {
 
-/// An event that wrote a value of the cell.
+/// An event that wrote a value of the cell, or an epoch that forgot it.
 struct ValueChange {
   std::size_t event = 0;  ///< its index in the log
   EventKind kind = EventKind::g;
@@ -39,6 +39,10 @@ class CellHistory {
   using Values = std::array<std::uint64_t, kValueKinds>;  // by kind
 
   void start(const Timeline& log);
+  template <class Each>
+  void for_forgotten(Each&& each) const;
+  void take_epoch(const Event& epoch, std::size_t index);
+  void take_epoch_back(const Timeline& log, const Event& epoch, std::size_t index);
 
   std::uint64_t log_id_ = 0;
   NodeId node_ = kNoNode;

@@ -4,6 +4,7 @@
 
 #include "core/base/words.hpp"
 #include "core/debug/event_words.hpp"
+#include "core/plan/common_parameters.hpp"
 #include "core/plan/planner.hpp"
 #include "core/trace/expansions.hpp"
 
@@ -31,9 +32,9 @@ namespace {
 /// The kinds that both planners write. Lines are left out: pseudo-codes are numbered each in its own way.
 KindSet shared_kinds(const PlannerInfo& a, const PlannerInfo& b) {
   using enum EventKind;
-  KindSet kinds{g,       queue,      lp,       visit,    known,    truth,    scalar,
-                pop,     plan_begin, plan_end, move,     sensed,   surprise, collision,
-                waiting, arrival,    gave_up,  new_goal, put_down, forgotten};
+  KindSet kinds{g,       queue,      lp,       visit,    known,    truth,     scalar,
+                pop,     plan_begin, plan_end, move,     sensed,   surprise,  collision,
+                waiting, arrival,    gave_up,  new_goal, put_down, forgotten, aim};
   const auto both = [&](auto&& has) { return has(a) && has(b); };
   if (both([](const PlannerInfo& info) { return info.values == SearchValues::lookahead; })) kinds.add(rhs);
   if (both([](const PlannerInfo& info) { return info.clearance; })) kinds.add(dist);
@@ -49,13 +50,15 @@ class ComparedLog {
  public:
   ComparedLog(const LogView& view, Compare what, KindSet kinds)
       : log_(&view.log),
-        frame_(view.lattice.size()),
+        frame_(view.lattice),
         info_(&view.info),
+        along_path_(parameters::checks_along_path(view.settings)),
         what_(what),
         kinds_(kinds),
         state_(view.log.state_at(0)) {}
 
   [[nodiscard]] const PlannerInfo& info() const { return *info_; }
+  [[nodiscard]] bool checks_along_path() const { return along_path_; }
   [[nodiscard]] bool at_end() const { return read_ == log_->size(); }
   [[nodiscard]] std::size_t position() const { return read_; }
   [[nodiscard]] const std::optional<ComparedItem>& item() const { return item_; }
@@ -113,14 +116,15 @@ class ComparedLog {
   }
 
   [[nodiscard]] std::uint64_t claimed(const Event& plan_end) const {
-    if (static_cast<PlanStatus>(plan_end.delta) != PlanStatus::found) return 0;
+    if (!has_path(static_cast<PlanStatus>(plan_end.delta))) return 0;
     const Cost cost = info_->values == SearchValues::lookahead ? state_.rhs(state_.node(Scalar::start))
                                                                : state_.g(state_.node(Scalar::goal));
     return static_cast<std::uint64_t>(cost.raw);
   }
   const Timeline* log_;
-  Grid2 frame_;
+  Box frame_;
   const PlannerInfo* info_;
+  bool along_path_;
   Compare what_;
   KindSet kinds_;
   SearchState state_;
@@ -137,7 +141,7 @@ std::string ComparedLog::describe(const ComparedItem& item) const {
     case Compare::expansions:
       return "takes " + node_text(frame_, item.node);
     case Compare::costs:
-      if (static_cast<PlanStatus>(item.node) != PlanStatus::found) return "finds no path";
+      if (!has_path(static_cast<PlanStatus>(item.node))) return "finds no path";
       return "pays " + cost_text({static_cast<std::int64_t>(item.value)});
     case Compare::moves:
       return "goes to " + node_text(frame_, item.node);
@@ -197,6 +201,10 @@ struct DifferenceSearch::State {
 
   [[nodiscard]] std::string name(std::size_t i) const {
     const std::string own(readers[i].info().name);
+    if (readers[0].info().sight && readers[1].info().sight &&
+        readers[0].checks_along_path() != readers[1].checks_along_path())
+      return own + (readers[i].checks_along_path() ? " (sight checked along the path)"
+                                                   : " (sight checked in the search)");
     return readers[0].info().id == readers[1].info().id ? own + (i == 0 ? " (first)" : " (second)") : own;
   }
   [[nodiscard]] std::string sentence(bool same_place) const {

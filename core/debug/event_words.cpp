@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kInfinity = "∞";
 
-std::string change_text(const Grid2& lattice, const Event& event, std::uint64_t after) {
+std::string change_text(const Box& lattice, const Event& event, std::uint64_t after) {
   if (event.kind == EventKind::scalar) {
     const auto which = static_cast<Scalar>(event.node);
     return std::string(value_name(which)) + " = " + scalar_text(lattice, which, after);
@@ -21,7 +21,7 @@ std::string change_text(const Grid2& lattice, const Event& event, std::uint64_t 
          value_text(lattice, event.kind, after);
 }
 
-std::string happening_text(const Grid2& lattice, const Event& event) {
+std::string happening_text(const Box& lattice, const Event& event) {
   const std::string at = node_text(lattice, event.node);
   const std::string target = node_text(lattice, static_cast<NodeId>(event.delta & 0xFFFFFFFFu));
   switch (event.kind) {
@@ -57,6 +57,11 @@ std::string happening_text(const Grid2& lattice, const Event& event) {
       return "the robot is put down at " + at;
     case EventKind::forgotten:
       return "the robot forgets what it saw moving at " + at;
+    case EventKind::aim:
+      return event.delta != 0 ? "the goal " + at + " can be reached: the robot makes for it again"
+                              : "the goal cannot be reached: the robot makes for " + at;
+    case EventKind::epoch:
+      return "the planner forgets its search and begins another one";
     default:
       return "";
   }
@@ -73,7 +78,7 @@ const char* value_name(EventKind kind) {
 
 const char* value_name(Scalar scalar) {
   static constexpr std::array<const char*, static_cast<std::size_t>(Scalar::count)> kNames = {
-      "km", "s_start", "s_last", "s_goal", "the robot", "moves", "replans"};
+      "km", "s_start", "s_last", "s_goal", "the robot", "moves", "replans", "the goal"};
   return scalar < Scalar::count ? kNames[static_cast<std::size_t>(scalar)] : "";
 }
 
@@ -88,11 +93,11 @@ std::string cost_text(Cost cost, int decimals) {
   return cost.is_infinite() ? kInfinity : decimal_text(cost.to_double(), decimals);
 }
 
-std::string node_text(const Grid2& lattice, NodeId node) {
+std::string node_text(const Box& lattice, NodeId node) {
   return node >= lattice.node_count() ? "none" : cell_text(lattice.position(node));
 }
 
-std::string value_text(const Grid2& lattice, EventKind kind, std::uint64_t raw) {
+std::string value_text(const Box& lattice, EventKind kind, std::uint64_t raw) {
   switch (kind) {
     case EventKind::g:
     case EventKind::rhs:
@@ -113,13 +118,13 @@ std::string value_text(const Grid2& lattice, EventKind kind, std::uint64_t raw) 
   }
 }
 
-std::string scalar_text(const Grid2& lattice, Scalar scalar, std::uint64_t raw) {
+std::string scalar_text(const Box& lattice, Scalar scalar, std::uint64_t raw) {
   if (scalar == Scalar::km) return cost_text(Cost{static_cast<std::int64_t>(raw)});
   const bool number = scalar == Scalar::moves || scalar == Scalar::replans;
   return number ? std::to_string(raw) : node_text(lattice, static_cast<NodeId>(raw) - 1u);
 }
 
-std::string event_text(const Grid2& lattice, const Event& event, std::uint64_t after) {
+std::string event_text(const Box& lattice, const Event& event, std::uint64_t after) {
   return event.changes_value() ? change_text(lattice, event, after) : happening_text(lattice, event);
 }
 

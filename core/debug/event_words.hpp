@@ -23,16 +23,16 @@ std::string decimal_text(double number, int decimals);
 /// "41.213", "∞".
 std::string cost_text(Cost cost, int decimals = 3);
 /// "(31, 18)", or "none" for kNoNode.
-std::string node_text(const Grid2& lattice, NodeId node);
+std::string node_text(const Box& lattice, NodeId node);
 
 /// A value of a node as events hold it: "41.213", "not in U", "(31, 18)", "obstacle".
-std::string value_text(const Grid2& lattice, EventKind kind, std::uint64_t raw);
+std::string value_text(const Box& lattice, EventKind kind, std::uint64_t raw);
 /// A value of the whole run as events hold it.
-std::string scalar_text(const Grid2& lattice, Scalar scalar, std::uint64_t raw);
+std::string scalar_text(const Box& lattice, Scalar scalar, std::uint64_t raw);
 
 /// What an event did, as a sentence: "rhs(31, 18): 41.213 → 43.799". `after` is the raw value that it wrote,
 /// SearchState::value() behind it; ignored for events that write none.
-std::string event_text(const Grid2& lattice, const Event& event, std::uint64_t after);
+std::string event_text(const Box& lattice, const Event& event, std::uint64_t after);
 /// The same of the event before a position of a log; empty for position 0. Takes a state_at(): not for many
 /// positions in a row.
 std::string event_text(const LogView& view, std::size_t position);

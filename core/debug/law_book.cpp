@@ -32,7 +32,7 @@ void LawBook::follow(NodeId& held, NodeId now) {
 }
 
 void LawBook::hold_status(PlanStatus status, const char* value, NodeId node, Cost promised) {
-  if ((status == PlanStatus::found) == (ends_free() && !promised.is_infinite())) return;
+  if (has_path(status) == (ends_free() && !promised.is_infinite())) return;
   find(node, "a plan is found exactly if its cost is finite and its ends are free",
        std::string("the planner says '") + status_name(status) + "', but " + named(value, node) + " is " +
            cost_text(promised));

@@ -20,7 +20,8 @@ struct Finding {
   std::string words;
 };
 
-/// A remote parent that the planner found in sight while it read out its path.
+/// A vertex that the planner found in sight of another while it read out its path. Of several from one vertex
+/// it goes to the last.
 struct Hop {
   NodeId from, to;
 };

@@ -9,8 +9,11 @@
 namespace replan {
 namespace {
 
-/// The pseudo-code line under which a planner reads out its path: line 6 of Algorithm 1.
-constexpr std::uint8_t kPathLine = 106;
+/// Whether a planner reads out its path under that pseudo-code line: line 6 of Algorithm 1, or all of
+/// Algorithm 3, which checks sight along the path.
+constexpr bool reads_path(std::uint8_t line) {
+  return line == 106 || line > 200;
+}
 
 }  // namespace
 
@@ -18,7 +21,7 @@ struct LawChecker::State {
   const Timeline* log;
   const PlannerInfo* info;
   Settings settings;
-  Grid2 frame;  // size and move rules
+  Box frame;
   std::unique_ptr<LawValues> values;
   std::unique_ptr<LawBook> laws;
   std::vector<Hop> hops;  // of the path that is being read out
@@ -27,10 +30,7 @@ struct LawChecker::State {
   std::size_t count = 0;
 
   explicit State(const LogView& view)
-      : log(&view.log),
-        info(&view.info),
-        settings(view.settings),
-        frame(view.lattice.size(), view.lattice.rules()) {
+      : log(&view.log), info(&view.info), settings(view.settings), frame(view.lattice) {
     begin_at(0);
   }
 
@@ -50,7 +50,7 @@ struct LawChecker::State {
       values->settle();
       keep(read);
     }
-    if (event.kind == EventKind::sight && event.line == kPathLine && event.delta >> 32 != 0)
+    if (event.kind == EventKind::sight && reads_path(event.line) && event.delta >> 32 != 0)
       hops.push_back({event.node, static_cast<NodeId>(event.delta)});
     values->apply(event);
     ++read;

@@ -19,7 +19,7 @@ Heuristic heuristic_of(const PlannerInfo& info, const Settings& settings) {
 LawValues::LawValues(const LogView& view, std::size_t position)
     : heuristic_(heuristic_of(view.info, view.settings)) {
   const SearchState state = view.log.state_at(position);
-  known_ = Grid2(view.lattice.size(), state.known_map(), view.lattice.rules());
+  known_ = Grid2(view.lattice.size(), state.known_map().plain(), move_rules(view.settings));
   if (view.info.clearance) clearance_.emplace(known_, parameters::clearance_rules_of(view.settings));
   pages_.resize((known_.node_count() + kPage - 1) / kPage);
   load(state);
@@ -87,6 +87,8 @@ void LawValues::apply(const Event& event) {
     case EventKind::rp:
       write(event.node).rp ^= static_cast<std::uint32_t>(event.delta);
       return;
+    case EventKind::epoch:
+      return forget_search();
     case EventKind::known:
       turned_.push_back(event.node);
       return;
@@ -96,6 +98,18 @@ void LawValues::apply(const Event& event) {
     default:
       return;
   }
+}
+
+void LawValues::forget_search() {
+  for_each_page([this](NodeId node, const LawVertex& vertex) {
+    const bool blank = vertex.g.is_infinite() && vertex.rhs.is_infinite() && !vertex.queued() &&
+                       vertex.lp == 0 && vertex.rp == 0;
+    if (blank) return;
+    LawVertex& forgotten = changing(node, LawVertex::all);
+    forgotten.g = forgotten.rhs = Cost::infinity();
+    forgotten.queue = 0;
+    forgotten.lp = forgotten.rp = 0;
+  });
 }
 
 void LawValues::finish_step() {

@@ -100,6 +100,7 @@ class LawValues {
   [[nodiscard]] NodeId node_of(Scalar which) const {
     return static_cast<NodeId>(scalars_[static_cast<std::size_t>(which)]) - 1u;
   }
+  void forget_search();
   LawVertex& changing(NodeId node, std::uint8_t change);
 
   std::vector<std::unique_ptr<LawVertex[]>> pages_;

@@ -1,7 +1,7 @@
 // What the debugger's instruments read of a run.
 #pragma once
 
-#include "core/lattice/box_lattice.hpp"
+#include "core/lattice/box.hpp"
 #include "core/plan/parameters.hpp"
 #include "core/plan/registry.hpp"
 #include "core/trace/timeline.hpp"
@@ -11,7 +11,7 @@ namespace replan {
 /// A log, and what its numbers mean. All of it outlives the view.
 struct LogView {
   const Timeline& log;
-  const Grid2& lattice;  ///< node arithmetic and move rules; its cells are those of the map before the run
+  const Box& lattice;  ///< of the world
   const PlannerInfo& info;
   const Settings& settings;
 };

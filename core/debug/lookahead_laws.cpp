@@ -30,12 +30,14 @@ class LookaheadLaws final : public LawBook {
       "local parents lead from the start to the goal, by moves along which g falls";
   static constexpr const char* kPathLaw = "a path crosses no obstacle that the robot knows";
   static constexpr const char* kCircleLaw = "a path leads to the goal and not round in a circle";
+  static constexpr const char* kLengthLaw = "a path is no longer than the way along local parents";
 
  public:
   LookaheadLaws(const LogView& view, LawValues& values)
       : LawBook(values),
         sight_(view.info.sight),
-        printed_(view.info.sight && view.settings.get(parameters::kRemoteParents) != 0),
+        printed_(view.info.sight && !parameters::checks_along_path(view.settings) &&
+                 view.settings.get(parameters::kRemoteParents) != 0),
         sight_rule_(static_cast<SightRule>(static_cast<int>(view.settings.get(parameters::kSight)))),
         start_(values.start()),
         goal_(values.goal()),
@@ -60,9 +62,9 @@ class LookaheadLaws final : public LawBook {
   void plan(PlanStatus status, std::span<const Hop> hops) override {
     if (!values_.on_map(values_.start())) return;
     hold_status(status, "rhs", values_.start(), values_.at(values_.start()).rhs);
-    if (status != PlanStatus::found) return;
-    follow_local_parents();
-    if (sight_) follow_path(hops);
+    if (!has_path(status)) return;
+    const Cost way = follow_local_parents();
+    if (sight_) follow_path(hops, way);
   }
 
   void look(NodeId node) override {
@@ -195,39 +197,50 @@ class LookaheadLaws final : public LawBook {
     return is + cell(parent) + " offers " + cost_text(best);
   }
 
-  void follow_local_parents() {
+  /// Returns how long they make the way; infinite where they do not lead to the goal.
+  Cost follow_local_parents() {
+    Cost way = Cost::zero();
     for (NodeId s = values_.start(); s != goal_;) {
       const LawVertex& vertex = values_.at(s);
       const NodeId next = vertex.lp - 1u;
-      if (vertex.lp == 0 || direction(s, next) < 0)
-        return find(s, kWayLaw,
-                    vertex.lp == 0
-                        ? cell(s) + " has no local parent"
-                        : "the known map allows no move from " + cell(s) + " to " + named("lp = ", next));
-      if (!(values_.at(next).g < vertex.g))
-        return find(s, kWayLaw,
-                    "from " + cell(s) + " to " + cell(next) + " g goes from " + cost_text(vertex.g) + " to " +
-                        cost_text(values_.at(next).g));
+      const int d = vertex.lp == 0 ? -1 : direction(s, next);
+      if (d < 0 || !(values_.at(next).g < vertex.g)) {
+        find(s, kWayLaw, way_words(s, next, d >= 0));
+        return Cost::infinity();
+      }
+      way = way + Grid2::step_cost(d);
       s = next;
     }
+    return way;
+  }
+  [[nodiscard]] std::string way_words(NodeId s, NodeId next, bool is_move) const {
+    const LawVertex& vertex = values_.at(s);
+    if (vertex.lp == 0) return cell(s) + " has no local parent";
+    if (!is_move) return "the known map allows no move from " + cell(s) + " to " + named("lp = ", next);
+    return "from " + cell(s) + " to " + cell(next) + " g goes from " + cost_text(vertex.g) + " to " +
+           cost_text(values_.at(next).g);
   }
 
   /// The path as the planner reads it out: along a remote parent where it saw it (or trusts it unseen).
-  void follow_path(std::span<const Hop> hops) {
+  /// `way`: how long the way along local parents is.
+  void follow_path(std::span<const Hop> hops, Cost way) {
     std::unordered_set<NodeId> passed;
+    Cost length = Cost::zero();
     for (NodeId s = values_.start(); s != goal_;) {
       if (!passed.insert(s).second) return find(s, kCircleLaw, "the path comes to " + cell(s) + " again");
       NodeId next = values_.at(s).lp - 1u;
-      if (printed_) {
-        next = values_.at(s).rp - 1u;
-      } else if (!hops.empty() && hops.front().from == s) {
+      if (printed_) next = values_.at(s).rp - 1u;
+      for (; !printed_ && !hops.empty() && hops.front().from == s; hops = hops.subspan(1))
         next = hops.front().to;
-        hops = hops.subspan(1);
-      }
       if (!values_.on_map(next)) return find(s, kCircleLaw, "the path ends at " + cell(s));
       if (direction(s, next) < 0 && !sees(s, next)) return find(s, kPathLaw, crossing_words(s, next));
+      length = length + euclidean_floor(values_.known().squared_distance(s, next));
       s = next;
     }
+    if (!printed_ && way < length)
+      find(values_.start(), kLengthLaw,
+           "the path is " + cost_text(length) + " long, but the way along local parents only " +
+               cost_text(way));
   }
   [[nodiscard]] bool sees(NodeId a, NodeId b) const {
     const Grid2& known = values_.known();

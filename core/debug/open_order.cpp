@@ -87,7 +87,8 @@ bool OpenOrder::far(const LogView& view, std::uint64_t log_id) const {
   // Where putting in and taking out one by one costs as much as sorting.
   const std::size_t worth_it = 1024 + size_ / 16;
   const std::size_t cursor = view.log.cursor();
-  return log_id != log_id_ || std::max(cursor, position_) - std::min(cursor, position_) > worth_it;
+  const std::size_t low = std::min(cursor, position_), high = std::max(cursor, position_);
+  return log_id != log_id_ || high - low > worth_it || !view.log.reversible(low, high);
 }
 
 void OpenOrder::follow(const LogView& view, std::uint64_t log_id) {

@@ -24,13 +24,13 @@ PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t positi
   question.plan = plan;
   question.position = position;
   question.size = view.lattice.size();
-  question.rules = view.lattice.rules();
+  question.rules = move_rules(view.settings);
   question.known = state.known_map();
   if (view.info.clearance) question.clearance = parameters::clearance_rules_of(view.settings);
   question.start = state.node(Scalar::start);
   question.goal = state.node(Scalar::goal);
   const auto status = static_cast<PlanStatus>(view.log.event(position - 1).delta);
-  question.claimed = status != PlanStatus::found                   ? Cost::infinity()
+  question.claimed = !has_path(status)                             ? Cost::infinity()
                      : view.info.values == SearchValues::lookahead ? state.rhs(question.start)
                                                                    : state.g(question.goal);
   question.exact = claims_cheapest(view.info, view.settings);
@@ -38,7 +38,7 @@ PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t positi
 }
 
 Cost right_cost(const PlanQuestion& question, const std::stop_token& stop) {
-  const Grid2 map(question.size, question.known, question.rules);
+  const Grid2 map(question.size, question.known.plain(), question.rules);
   if (map.blocked(question.start) || map.blocked(question.goal)) return Cost::infinity();
   std::optional<ClearanceField<2>> field;
   if (question.clearance) field.emplace(map, *question.clearance);

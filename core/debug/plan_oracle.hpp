@@ -19,7 +19,7 @@ struct PlanQuestion {
   std::size_t position = 0;  ///< past its plan_end
   Grid2::Coordinates size{};
   MoveRules rules;
-  std::vector<std::uint8_t> known;          ///< nonzero = obstacle
+  SharedBytes known;                        ///< nonzero = obstacle
   std::optional<ClearanceRules> clearance;  ///< of planners that pay for coming near obstacles
   NodeId start = kNoNode, goal = kNoNode;
   Cost claimed;  ///< infinite if the planner found no path

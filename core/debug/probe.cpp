@@ -14,7 +14,7 @@ constexpr std::uint64_t node_bit(NodeId node) {
 /// Calls `each` for the kinds in a set.
 template <class Each>
 void for_kinds(KindSet kinds, Each each) {
-  for (int kind = 0; kind <= static_cast<int>(EventKind::forgotten); ++kind)
+  for (int kind = 0; kind < kEventKinds; ++kind)
     if (kinds.has(static_cast<EventKind>(kind))) each(static_cast<EventKind>(kind));
 }
 
@@ -54,7 +54,8 @@ void Probe::collect(const Term& term) {
   reads_breaches_ |= term.happening == Happening::invariant;
   reads_disagreements_ |= term.happening == Happening::oracle;
   if (term.happening == Happening::blocked)
-    collect_slot(EventKind::scalar, static_cast<NodeId>(Scalar::goal));
+    for (const Scalar goal : {Scalar::goal, Scalar::wanted})
+      collect_slot(EventKind::scalar, static_cast<NodeId>(goal));
   if (term.happening == Happening::underconsistent) {
     walked_.add(EventKind::g);
     walked_.add(EventKind::rhs);
@@ -75,7 +76,12 @@ void Probe::load(std::optional<std::int64_t> expansions_before) {
   if (expansions_before)
     expansions_ = *expansions_before;
   else if (condition_.uses(Op::expansions))
-    for (std::size_t i = 0; i < position_; ++i) expansions_ += teller_(*log_, i) ? 1 : 0;
+    for (std::size_t i = 0; i < position_; ++i)
+      expansions_ += log_->event(i).kind == EventKind::visit ? 1 : 0;
+  read_values();
+}
+
+void Probe::read_values() {
   if (slots_.empty() && walked_.empty()) return;
   if (walked_.empty() && position_ == log_->cursor()) {
     for (Slot& slot : slots_) slot.raw = log_->state().value(slot.kind, slot.node);
@@ -103,6 +109,8 @@ Probe::Slot* Probe::find_slot(EventKind kind, NodeId node) {
 bool Probe::is_interesting(std::size_t index) const {
   const Event event = log_->event(index);
   if (walked_.has(event.kind) || noted_.has(event.kind)) return true;
+  if (event.kind == EventKind::epoch && (slot_kinds_.meets(kForgotten) || walked_.meets(kForgotten)))
+    return true;
   if (slot_kinds_.has(event.kind) && (slot_nodes_ & node_bit(event.node)) != 0) return true;
   return reads_line_ && event.line != line_before(index);
 }
@@ -142,19 +150,32 @@ bool Probe::cross(const Event& event) {
   return read || queued != state_.queue_size();
 }
 
+/// Takes the values over an epoch, forwards: those that it forgets are what they were at first.
+bool Probe::cross_epoch(const Event& epoch) {
+  for (Slot& slot : slots_)
+    if (kForgotten.has(slot.kind)) slot.raw = SearchState::initial_value(slot.kind);
+  if (!walked_.empty()) state_.apply(epoch);
+  return slot_kinds_.meets(kForgotten) || walked_.meets(kForgotten);
+}
+
 /// One event on. False if nothing happened that the expression could see.
 bool Probe::advance() {
   const std::size_t index = position_++;
-  bool seen = cross(log_->event(index));
-  if (noted_.has(EventKind::visit) && teller_(*log_, index)) ++expansions_;
+  const Event event = log_->event(index);
+  bool seen = event.kind == EventKind::epoch ? cross_epoch(event) : cross(event);
+  if (event.kind == EventKind::visit) ++expansions_;
   if (reads_line_) seen |= log_->event(index).line != (index == 0 ? 0 : log_->event(index - 1).line);
   return seen || reads_breaches_ || reads_disagreements_;
 }
 
 void Probe::retreat() {
   const std::size_t index = --position_;
-  cross(log_->event(index));
-  if (noted_.has(EventKind::visit) && teller_(*log_, index)) --expansions_;
+  const Event event = log_->event(index);
+  if (event.kind == EventKind::epoch)
+    read_values();  // what was forgotten is not in the log
+  else
+    cross(event);
+  if (event.kind == EventKind::visit) --expansions_;
 }
 
 std::optional<std::size_t> Probe::forwards(std::size_t limit) {

@@ -83,6 +83,8 @@ class Probe {
   [[nodiscard]] std::size_t next_interesting(std::size_t from, std::size_t limit) const;
   [[nodiscard]] std::size_t interesting_before(std::size_t end, std::size_t limit) const;
   bool cross(const Event& event);
+  bool cross_epoch(const Event& epoch);
+  void read_values();
   bool advance();
   void retreat();
   [[nodiscard]] bool stops_here();
@@ -111,7 +113,7 @@ class Probe {
   [[nodiscard]] const Term& part(std::uint16_t index) const { return condition_.terms[index]; }
 
   const Timeline* log_;
-  const Grid2* lattice_;
+  const Box* lattice_;
   SearchValues values_;
   Condition condition_;
   Verdicts verdicts_;
@@ -130,14 +132,13 @@ class Probe {
   // What is known at the position.
   SearchState state_;  // only the walked kinds are kept up
   std::int64_t expansions_ = 0;
-  ExpansionTeller teller_;
   bool with_event_ = true;  // whether what is about the latest event counts
 };
 
 /// A value in words: "31.400", "∞", "(3, 4)", "none", "true".
-std::string value_text(const Grid2& lattice, const Term& term, const TermValue& value);
+std::string value_text(const Box& lattice, const Term& term, const TermValue& value);
 /// What the expression reads at the probe's position, each once: "g(12, 40) is 31.400, km is 0.000". Empty if
 /// it reads no values.
-std::string values_text(Probe& probe, const Grid2& lattice);
+std::string values_text(Probe& probe, const Box& lattice);
 
 }  // namespace replan

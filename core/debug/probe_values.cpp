@@ -163,10 +163,13 @@ bool Probe::event_is(Happening happening) {
     case Happening::sight_failed:
       return event.delta >> 32 == 0;
     case Happening::no_path:
-      return static_cast<PlanStatus>(event.delta) != PlanStatus::found;
-    case Happening::blocked:  // on the goal it waits for the goal to move on
+      return !has_path(static_cast<PlanStatus>(event.delta));
+    case Happening::blocked: {  // on the goal it waits for the goal to move on
+      const std::uint64_t wanted = raw(EventKind::scalar, static_cast<NodeId>(Scalar::wanted));
+      const std::uint64_t goal = raw(EventKind::scalar, static_cast<NodeId>(Scalar::goal));
       return event.kind != EventKind::waiting ||
-             raw(EventKind::scalar, static_cast<NodeId>(Scalar::goal)) != std::uint64_t{event.node} + 1;
+             (wanted != 0 ? wanted : goal) != std::uint64_t{event.node} + 1;
+    }
     default:
       return true;
   }
@@ -176,9 +179,11 @@ bool Probe::event_is(Happening happening) {
 bool Probe::changes(const Term& term) {
   const Event event = log_->event(position_ - 1);
   const auto scalar = scalar_of(term.op);
+  const KindSet kinds = kinds_of(term.op);
   const bool touched =
       scalar ? event.kind == EventKind::scalar && event.node == static_cast<NodeId>(*scalar)
-             : kinds_of(term.op).has(event.kind) && (!is_of_vertex(term.op) || event.node == node_of(term));
+             : (kinds.has(event.kind) && (!is_of_vertex(term.op) || event.node == node_of(term))) ||
+                   (event.kind == EventKind::epoch && kinds.meets(kForgotten));
   if (!touched) return false;
   const TermValue after = value(term);
   retreat();
@@ -187,14 +192,14 @@ bool Probe::changes(const Term& term) {
   return after != before;
 }
 
-std::string value_text(const Grid2& lattice, const Term& term, const TermValue& value) {
+std::string value_text(const Box& lattice, const Term& term, const TermValue& value) {
   if (value.type == ValueType::cell) return node_text(lattice, value.node);
   if (value.type == ValueType::truth) return value.truth ? "true" : "false";
   const bool counts = (is_value(term.op) && !is_cost(term.op)) || term.op == Op::line;
   return decimal_text(value.number, counts ? 0 : 3);
 }
 
-std::string values_text(Probe& probe, const Grid2& lattice) {
+std::string values_text(Probe& probe, const Box& lattice) {
   std::string text;
   for (const Term& term : values_read(probe.condition()))
     text += (text.empty() ? "" : ", ") + term_text(probe.condition(), term) + " is " +

@@ -3,11 +3,12 @@
 namespace replan {
 namespace {
 
-/// Whether the goal moved between the plan before and this one, which then starts afresh.
+/// Whether the goal moved between the plan before and this one, or the robot makes for another cell: it then
+/// starts afresh.
 bool has_new_goal(const Timeline& log, std::size_t begin) {
   for (std::size_t i = begin; i-- > 0;) {
     const EventKind kind = log.event(i).kind;
-    if (kind == EventKind::new_goal) return true;
+    if (kind == EventKind::new_goal || kind == EventKind::aim) return true;
     if (kind == EventKind::plan_begin) return false;
   }
   return false;
@@ -39,9 +40,12 @@ void TouchedList::take(const Event& event, std::size_t index) {
     case EventKind::visit:
       if (expansion) ++touched(event.node, index).expanded;
       break;
+    case EventKind::epoch:
+      now_.apply(event);  // no work of its own, but part of the values
+      break;
     case EventKind::g:
     case EventKind::rhs:
-      now_.apply(event);  // what is wiped before the search is no work of its own, but part of the value
+      now_.apply(event);
       if (!repairs_ && !counter_.expands()) break;
       touched(event.node, index).g_after = now_.g(event.node);
       touched(event.node, index).rhs_after = now_.rhs(event.node);

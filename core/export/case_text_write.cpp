@@ -64,8 +64,7 @@ std::string last_event(const Source& from) {
   const std::size_t cursor = from.view.log.cursor();
   if (cursor == 0) return "none yet";
   const Event& event = from.view.log.event(cursor - 1);
-  SearchState before = from.state;
-  before.apply(event);
+  const SearchState before = from.view.log.state_at(cursor - 1);
   const TraceRun run{from.view, {}, {}, {}, {}};
   std::string line;
   JsonLines(run).event(line, cursor - 1, event, before);
@@ -91,6 +90,25 @@ std::vector<NodeId> next_queued(const Source& from) {
   return nodes;
 }
 
+/// What is the matter with the ends of the plan: the letters of the world cannot show it.
+std::string ends_lines(const Source& from) {
+  const SearchState& state = from.state;
+  const NodeId wanted = state.wanted_goal(), aim = state.node(Scalar::goal);
+  std::string text;
+  const auto say = [&](NodeId node, const char* known, const char* unknown) {
+    if (node >= state.node_count() || !state.truly_blocked(node)) return;
+    text += labelled("", state.known_blocked(node) ? known : unknown);
+  };
+  say(from.robot, "an obstacle stands on the robot's cell and keeps it there",
+      "an obstacle stands on the robot's cell; it may drive out");
+  say(wanted, "an obstacle stands on the goal's cell",
+      "an obstacle stands on the goal's cell, which the robot does not know");
+  if (aim != kNoNode && wanted != aim)
+    text += labelled("", "the goal cannot be reached: it makes for " + cell_of(from, aim) +
+                             ", the reachable cell nearest to it");
+  return text;
+}
+
 std::string run_lines(const Source& from, std::size_t queued) {
   const Timeline& log = from.view.log;
   std::string moment = "event " + std::to_string(log.cursor()) + " of " + std::to_string(log.size());
@@ -100,20 +118,21 @@ std::string run_lines(const Source& from, std::size_t queued) {
   text += labelled("robot", cell_of(from, from.robot) + ", step " +
                                 std::to_string(from.state.scalar(Scalar::moves)) + ", replan " +
                                 std::to_string(from.state.scalar(Scalar::replans)) + "; goal " +
-                                cell_of(from, from.state.node(Scalar::goal)));
+                                cell_of(from, from.state.wanted_goal()));
+  text += ends_lines(from);
   if (from.lookahead) text += labelled("km", number(from.state.km()));
   return text + labelled("U", counted(queued, "cell"));
 }
 
 char letter(const Source& from, NodeId node) {
   const SearchState& state = from.state;
-  const Grid2& lattice = from.view.lattice;
-  if (node == from.robot) return 'R';
+  const Box& lattice = from.view.lattice;
+  if (node == from.robot) return state.truly_blocked(node) ? 'X' : 'R';
   const bool known = state.known_blocked(node);
   if (state.moving(node)) return 'M';
   if (state.wall(node)) return known ? '@' : '?';
   if (known) return '!';
-  const NodeId goal = state.node(Scalar::goal);
+  const NodeId goal = state.wanted_goal();
   if (node == (goal == kNoNode ? lattice.node(from.scenario.goal) : goal)) return 'G';
   return node == lattice.node(from.scenario.start) ? 'S' : '.';
 }
@@ -124,7 +143,7 @@ int placed(int middle, int length, int size) {
 }
 
 std::string world_lines(const Source& from) {
-  const Grid2& lattice = from.view.lattice;
+  const Box& lattice = from.view.lattice;
   const int width = lattice.width(), height = lattice.height();
   MapRegion shown{0, 0, width, height};
   std::string title = std::to_string(width) + " x " + std::to_string(height) + " cells";
@@ -138,7 +157,7 @@ std::string world_lines(const Source& from) {
                      labelled("",
                               ". free, @ obstacle, ? one that the robot does not know of, "
                               "! one that is gone without its knowing,") +
-                     labelled("", "M moving, S start, G goal, R robot");
+                     labelled("", "M moving, S start, G goal, R robot, X robot in an obstacle");
   for (int y = shown.y; y < shown.y + shown.height; ++y) {
     for (int x = shown.x; x < shown.x + shown.width; ++x) text += letter(from, lattice.node(Cell{x, y}));
     text += '\n';
@@ -218,7 +237,7 @@ std::string focus_lines(const Source& from) {
   const Cell middle = from.middle();
   const MapRegion around = from.focus.region.value_or(
       MapRegion{middle.x - kAround, middle.y - kAround, 2 * kAround + 1, 2 * kAround + 1});
-  const Grid2& lattice = from.view.lattice;
+  const Box& lattice = from.view.lattice;
   std::vector<NodeId> nodes;
   std::size_t left_out = 0;
   for (int y = std::max(0, around.y); y < std::min(lattice.height(), around.y + around.height); ++y)

@@ -205,6 +205,9 @@ void JsonLines::payload(std::string& out, const Event& event) const {
     case EventKind::forgotten:
       with("blocked");
       return boolean(out, event.delta != 0);
+    case EventKind::aim:
+      with("goal");
+      return boolean(out, event.delta != 0);
     case EventKind::surprise:
       with("number");
       return append_whole(out, event.delta);

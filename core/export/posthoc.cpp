@@ -89,7 +89,7 @@ class PosthocTrace::Step {
     whole("x", cell.x);
     whole("y", cell.y);
   }
-  void points(const Grid2& lattice, std::span<const NodeId> nodes) {
+  void points(const Box& lattice, std::span<const NodeId> nodes) {
     name("points");
     out_ += '[';
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -177,7 +177,7 @@ void PosthocTrace::event(std::string& out, std::size_t index, const Event& event
   if (event.kind == EventKind::queue) return queue(out, event, state);
   if (event.kind == EventKind::known)
     return place(out, state.known_blocked(event.node) ? "unblock" : "block", event.node);
-  if (!event.changes_value()) happening(out, index, event);
+  if (!event.changes_value()) happening(out, index, event, state);
 }
 
 void PosthocTrace::queue(std::string& out, const Event& event, const SearchState& state) {
@@ -206,7 +206,8 @@ void PosthocTrace::settle(std::string& out, const SearchState& state, Cost g) {
   cell(out, visited_as_, node, state, {g, state.rhs(node), popped_key_, state.km()});
 }
 
-void PosthocTrace::happening(std::string& out, std::size_t index, const Event& event) {
+void PosthocTrace::happening(std::string& out, std::size_t index, const Event& event,
+                             const SearchState& state) {
   switch (event.kind) {
     case EventKind::plan_begin:
       pass_ = event.delta + 1;
@@ -221,15 +222,27 @@ void PosthocTrace::happening(std::string& out, std::size_t index, const Event& e
     case EventKind::plan_end:
       return plan(out, run_.path_at(index));
     case EventKind::new_goal:
+    case EventKind::aim:
       return place(out, "destination", event.node);
     case EventKind::move:
     case EventKind::put_down:
       return robot(out, event.node);
     case EventKind::arrival:
       return place(out, "end", event.node);
+    case EventKind::epoch:
+      return close_all(out, state);
     default:
       return;
   }
+}
+
+/// The search is forgotten, and with it all that was in its open list.
+void PosthocTrace::close_all(std::string& out, const SearchState& state) {
+  for (NodeId node = 0; node < state.node_count(); ++node)
+    if (!state.touched(EventKind::queue, node))
+      node += static_cast<NodeId>(SearchState::kPage - 1 - node % SearchState::kPage);
+    else if (state.queued(node))
+      cell(out, "closing", node, state, {state.g(node), state.rhs(node), state.k1(node), state.km()});
 }
 
 /// A step about a cell that says nothing of the search.

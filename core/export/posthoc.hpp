@@ -53,7 +53,8 @@ class PosthocTrace final : public TraceEncoder {
   void queue(std::string& out, const Event& event, const SearchState& state);
   void visit(const Event& event, const SearchState& state);
   void settle(std::string& out, const SearchState& state, Cost g);
-  void happening(std::string& out, std::size_t index, const Event& event);
+  void happening(std::string& out, std::size_t index, const Event& event, const SearchState& state);
+  void close_all(std::string& out, const SearchState& state);
   void place(std::string& out, std::string_view type, NodeId node);
   void robot(std::string& out, NodeId node);
   void plan(std::string& out, std::span<const NodeId> path);

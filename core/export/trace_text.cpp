@@ -6,18 +6,18 @@
 namespace replan {
 
 std::string_view event_name(EventKind kind) {
-  static constexpr std::array<std::string_view, 26> kNames = {
+  static constexpr std::array<std::string_view, kEventKinds> kNames = {
       "g",        "rhs",     "queue",    "lp",       "rp",        "dist",      "visit",
       "known",    "truth",   "scalar",   "line",     "pop",       "sight",     "plan_begin",
       "plan_end", "move",    "sensed",   "surprise", "unchecked", "collision", "waiting",
-      "arrival",  "gave_up", "new_goal", "put_down", "forgotten"};
-  static_assert(kNames.size() == static_cast<std::size_t>(EventKind::forgotten) + 1);
+      "arrival",  "gave_up", "new_goal", "put_down", "forgotten", "aim",       "epoch"};
+  static_assert(kNames.size() == static_cast<std::size_t>(kEventKinds));
   return kNames[static_cast<std::size_t>(kind)];
 }
 
 std::string_view scalar_name(Scalar scalar) {
   static constexpr std::array<std::string_view, static_cast<std::size_t>(Scalar::count)> kNames = {
-      "km", "start", "last", "goal", "robot", "moves", "replans"};
+      "km", "start", "last", "goal", "robot", "moves", "replans", "wanted"};
   return kNames[static_cast<std::size_t>(scalar)];
 }
 

@@ -45,6 +45,8 @@ class ClearanceField {
   ClearanceField() = default;
   ClearanceField(const BoxLattice<D>& lattice, ClearanceRules rules);
 
+  /// True before it was made of a lattice.
+  [[nodiscard]] bool empty() const { return ranks_.empty(); }
   /// dist(s). Of an obstacle cell: the largest penalty, r + 1.
   [[nodiscard]] Cost penalty(NodeId node) const { return penalties_[ranks_[node]]; }
   /// True if dist(s) != 0.
@@ -65,7 +67,13 @@ class ClearanceField {
     std::uint8_t rank;
   };
 
+  static constexpr std::size_t kFewOffsets = 64;
+
   void prepare(const BoxLattice<D>& lattice);
+  void gather(const BoxLattice<D>& lattice);
+  void scatter(const BoxLattice<D>& lattice);
+  static bool is_inside(const BoxLattice<D>& lattice, const typename BoxLattice<D>::Coordinates& at,
+                        int margin);
   [[nodiscard]] bool is_inner(const BoxLattice<D>& lattice, NodeId node) const;
   [[nodiscard]] std::uint8_t rank_of(const BoxLattice<D>& lattice, NodeId node) const;
   void lower(NodeId node, std::uint8_t rank);

@@ -1,7 +1,14 @@
 #include "core/lattice/box_lattice.hpp"
 
+#include <atomic>
+
 namespace replan {
 namespace {
+
+std::uint64_t new_revision() {
+  static std::atomic<std::uint64_t> latest = 0;
+  return latest.fetch_add(1, std::memory_order_relaxed) + 1;
+}
 
 /// The moves out of a free cell whose surroundings are blocked as in `blocked` (bit d: the cell in direction
 /// d).
@@ -48,6 +55,7 @@ void BoxLattice<D>::prepare() {
 template <int D>
 void BoxLattice<D>::set_rules(MoveRules rules) {
   rules_ = rules;
+  revision_ = new_revision();
   open_moves_ = static_cast<MoveMask>(moves_given<D>(0, rules_));
   if constexpr (D == 2) {
     masks_by_surroundings_.resize(256);
@@ -117,6 +125,7 @@ auto BoxLattice<D>::apply(std::span<const CellEdit> edits) -> std::span<const Mo
     blocked_[edit.node] = edit.blocked ? 1 : 0;
     touched_.push_back(edit.node);
   }
+  if (!touched_.empty()) revision_ = new_revision();
   const auto refresh = [this](NodeId node) {
     const MoveMask before = moves_[node];
     moves_[node] = moves_for(node);

@@ -72,7 +72,8 @@ class BoxLattice {
   };
 
   BoxLattice() = default;
-  /// An all-free box of the given size (cells along each axis; positive, at most kMaxCells in all).
+  /// An all-free box of the given size (cells along each axis; positive, at most kMaxCells in all, kMaxVoxels
+  /// in 3D).
   explicit BoxLattice(Coordinates size, MoveRules rules = {});
   /// A box with the given cells, row-major, nonzero = obstacle.
   BoxLattice(Coordinates size, std::vector<std::uint8_t> blocked, MoveRules rules = {});
@@ -112,7 +113,7 @@ class BoxLattice {
     Coordinates at{};
     for (std::size_t axis = 0; axis + 1 < D; ++axis) {
       // A multiplication instead of a division. Exact: (n + 0.5) / size keeps 0.5 / size >= 2^-27 away from
-      // every whole number, far more than the error of a double.
+      // every whole number (2^-28 in 3D), far more than the error of a double.
       const auto quotient = static_cast<NodeId>((static_cast<double>(node) + 0.5) * inverse_[axis]);
       at[axis] = static_cast<int>(node - quotient * static_cast<NodeId>(size_[axis]));
       node = quotient;
@@ -156,6 +157,10 @@ class BoxLattice {
   /// Builds all moves anew under other rules.
   void set_rules(MoveRules rules);
 
+  /// Another number after every change of cells or rules, and one that no other map ever had in this process:
+  /// what was made of the lattice is up to date as long as the number is the same.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+
  private:
   static constexpr auto kStepCosts = [] {
     std::array<Cost, kDirections> costs{};
@@ -185,6 +190,7 @@ class BoxLattice {
   std::vector<MoveMask> masks_by_surroundings_;  // 2D only: the moves for each of the 256 surroundings
   std::vector<NodeId> touched_;
   std::vector<MoveChange> changes_;
+  std::uint64_t revision_ = 0;
 };
 
 /// A plane of cells: 8 or 4 neighbours.

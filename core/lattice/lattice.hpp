@@ -78,6 +78,7 @@ concept Lattice = requires(const L lattice, NodeId node, int direction, Heuristi
   { lattice.bound(heuristic, node, node) } -> std::same_as<Cost>;
   { lattice.bound_up(heuristic, node, node) } -> std::same_as<Cost>;
   { lattice.squared_distance(node, node) } -> std::same_as<std::int64_t>;
+  { lattice.revision() } -> std::same_as<std::uint64_t>;
 };
 
 }  // namespace replan

@@ -55,6 +55,16 @@ inline const Parameter kRemoteParents{
         "A remote parent goes stale when the map changes. 'checked' tests it when it is used; 'printed' "
         "trusts it "
         "as the paper's pseudo-code does, and can drive into a wall or in a circle."};
+inline const Parameter kSightChecks{
+    .key = "sight_checks",
+    .label = "Sight checks",
+    .type = ParameterType::choice,
+    .choices = {"search", "path"},
+    .help =
+        "When sight is checked. 'search': of each vertex that the search takes, as in the paper. 'path': "
+        "only "
+        "along the path, once the search is done; the search is then as fast as one without sight, nothing "
+        "goes stale, and Remote parents has no meaning."};
 inline const Parameter kRange{
     .key = "range",
     .label = "Clearance range",
@@ -78,6 +88,10 @@ inline const Parameter kBorder{
     .type = ParameterType::toggle,
     .help = "Whether coming near the edge of the map costs as much as coming near an obstacle."};
 
+/// Whether a planner that asks for lines of sight does so along its path and not in its search.
+inline bool checks_along_path(const Settings& settings) {
+  return settings.get(kSightChecks) != 0;
+}
 /// The rules of the clearance penalty that these parameters ask for.
 inline ClearanceRules clearance_rules_of(const Settings& settings) {
   return {.range = settings.get(kRange),

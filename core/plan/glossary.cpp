@@ -208,6 +208,10 @@ constexpr GlossaryTerm kTerms[] = {
      "Nothing leads from the robot to the goal on its map. That is an answer, not an error: it waits, and "
      "goes on "
      "when a way opens."},
+    {"nearest-goal", "Nearest reachable cell",
+     "Where the goal is an obstacle or cannot be reached, a robot that is set so makes for the cell nearest "
+     "to "
+     "it, as the crow flies, that it can reach, and goes on to the goal once a way opens."},
     {"arrival", "Arrival", "The robot stands on the goal."},
     // Figures of a path
     {"nodes", "Nodes of a path",
@@ -307,6 +311,7 @@ constexpr Alias kAliases[] = {
     {"range", "clearance-range"},
     {"transform", "distance-transform"},
     {"remote_parents", "rp"},
+    {"sight_checks", "sight-checks"},
     {"start", "s_start"},
     {"last", "s_last"},
     {"robot", "steps"},

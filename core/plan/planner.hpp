@@ -20,7 +20,13 @@ enum class PlanStatus : std::uint8_t {
   no_path,        ///< start and goal are free and nothing leads from one to the other
   start_blocked,  ///< the start is inside an obstacle
   goal_blocked,   ///< the goal is inside an obstacle
+  found_nearest,  ///< there is no path to the goal, but one to the reachable cell nearest to it
 };
+
+/// Whether there is a path, be it to the goal or to the reachable cell nearest to it.
+constexpr bool has_path(PlanStatus status) {
+  return status == PlanStatus::found || status == PlanStatus::found_nearest;
+}
 
 /// The status as its fixed name in JSON output: "found", "no-path", "start-blocked", ...
 const char* status_name(PlanStatus status);

@@ -14,6 +14,8 @@ const char* status_name(PlanStatus status) {
       return "start-blocked";
     case PlanStatus::goal_blocked:
       return "goal-blocked";
+    case PlanStatus::found_nearest:
+      return "found-nearest";
   }
   return "unknown";
 }
@@ -30,6 +32,8 @@ const char* status_sentence(PlanStatus status) {
       return "The start is inside an obstacle: move it, or clear its cell.";
     case PlanStatus::goal_blocked:
       return "The goal is inside an obstacle: move it, or clear its cell.";
+    case PlanStatus::found_nearest:
+      return "The goal cannot be reached: the path leads to the reachable cell nearest to it.";
   }
   return "";
 }

@@ -20,6 +20,7 @@
 #include "core/plan/open_list.hpp"
 #include "core/plan/planner.hpp"
 #include "core/plan/registry.hpp"
+#include "core/planners/visits.hpp"
 #include "core/trace/search_state.hpp"
 #include "core/trace/tracer.hpp"
 
@@ -51,15 +52,15 @@ template <Lattice L, Tracer T>
 class AStar final : public Planner<L> {
  public:
   AStar(const L& lattice, const Settings& settings, T& tracer, AStarSwitches switches)
-      : lattice_(lattice), tr_(tracer), nodes_(lattice.node_count()) {
+      : lattice_(lattice), tr_(tracer), nodes_(lattice.node_count()), visits_(lattice.node_count()) {
     heuristic_ = switches.estimate
                      ? static_cast<Heuristic>(static_cast<int>(settings.get(parameters::kAnyHeuristic)))
                      : Heuristic::zero;
-    if constexpr (T::kEnabled) visits_.resize(nodes_.size());
   }
 
   void begin(NodeId start, NodeId goal) override {
     counters_ = {};
+    visits_.begin();
     set_scalar(Scalar::goal, goal_, goal);
     begin_search(start);
   }
@@ -102,6 +103,7 @@ class AStar final : public Planner<L> {
     goal_at_ = lattice_.coordinates(goal_);
     open_.clear(nodes_);
     ++search_;
+    visits_.restore(state, counters.expansions);
     for (NodeId n = 0; n < nodes_.size(); ++n) restore_node(state, n);
   }
 
@@ -128,7 +130,8 @@ class AStar final : public Planner<L> {
   // Lines 1-3.
   void begin_search(NodeId start) {
     tr_.line(1);
-    if constexpr (T::kEnabled) forget_recorded();
+    if (search_ > 0) tr_.note(EventKind::epoch, start);
+    visits_.forget();
     open_.clear(nodes_);
     ++search_;
     set_scalar(Scalar::start, start_, start);
@@ -151,7 +154,7 @@ class AStar final : public Planner<L> {
     note_queue(u, open_.top().key.k1.raw + 1, 0);
     open_.pop(nodes_);
     ++counters_.expansions;
-    record_visit(u);
+    visits_.record(tr_, u);
     const Cost g_u = nodes_[u].g;
     const auto u_at = lattice_.coordinates(u);
     for (std::uint32_t rest = lattice_.moves(u); rest != 0; rest &= rest - 1) {
@@ -204,30 +207,8 @@ class AStar final : public Planner<L> {
     ++counters_.queue_operations;
     tr_.note(EventKind::queue, s, static_cast<std::uint64_t>(before) ^ static_cast<std::uint64_t>(after));
   }
-  void record_visit(NodeId s) {
-    if constexpr (T::kEnabled) {
-      const std::uint64_t before = visits_[s];
-      visits_[s] = ((before >> 32) + 1) << 32 | static_cast<std::uint32_t>(counters_.expansions);
-      tr_.change(EventKind::visit, s, before, visits_[s]);
-    }
-  }
-
-  /// Before another search in one log: the values of the last one go back to their defaults, on the record.
-  void forget_recorded() {
-    for (NodeId n = 0; n < nodes_.size(); ++n) {
-      // By node and not in heap order: a search that was taken up may have its heap laid out differently.
-      if (const std::size_t slot = nodes_.get(n); slot != 0)
-        tr_.note(EventKind::queue, n, static_cast<std::uint64_t>(open_.entries()[slot - 1].key.k1.raw) + 1);
-      tr_.change(EventKind::visit, n, visits_[n], 0);
-      visits_[n] = 0;
-      if (nodes_[n].search != search_) continue;
-      tr_.change(EventKind::g, n, nodes_[n].g, Cost::infinity());
-      tr_.change(EventKind::lp, n, std::uint64_t{parent(n) + 1u}, 0);
-    }
-  }
 
   void restore_node(const SearchState& state, NodeId n) {
-    if constexpr (T::kEnabled) visits_[n] = state.value(EventKind::visit, n);
     if (state.g(n).is_infinite()) return;
     nodes_[n] = {.g = state.g(n), .search = search_};
     if (const NodeId from = state.lp(n); from != kNoNode)
@@ -247,7 +228,7 @@ class AStar final : public Planner<L> {
   NodeId start_ = kNoNode, goal_ = kNoNode;
   typename L::Coordinates goal_at_{};
   Counters counters_;
-  std::vector<std::uint64_t> visits_;  // recorded runs only
+  Visits<T> visits_;
 };
 
 }  // namespace replan

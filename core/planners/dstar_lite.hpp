@@ -1,4 +1,4 @@
-// The D* Lite family: one machine with two switches.
+// The D* Lite family: one machine with two switches, and therefore longer than other files here.
 //
 //   line of sight | clearance |
 //        off      |    off    | D* Lite        Koenig & Likhachev, "D* Lite", AAAI 2002
@@ -22,23 +22,35 @@
 //  * km grows by the heuristic rounded *up* (law 6 in lattice.hpp), so that keys in U stay lower bounds.
 //  * A remote parent goes stale when the map changes after its sight check. It is checked when it is used
 //  (next()):
-//    it must be in sight now, consistent, nearer to the goal, and settled (key <= U.TopKey()). Else the local
-//    parent is taken. `remote_parents=printed` trusts it instead.
+//    it must be in sight now, consistent, nearer to the goal, settled (key <= U.TopKey()), and no detour: the
+//    leap and what is left from there no longer than the way along local parents. Else the local parent is
+//    taken. `remote_parents=printed` trusts it instead.
+//  * `sight_checks=path` leaves sight out of the search, which then is that of the planner without it, and
+//  checks it
+//    along the path that is read out (sight_along.hpp). rp is set for that path's vertices only.
+//  * begin() costs what the search before wrote (node_table.hpp); the clearance field and the map of sight
+//  are made
+//    anew only if the lattice has changed behind the planner's back.
 //  * A remote parent equal to the local parent needs no check: failing it would put the local parent in its
 //  place.
 //  * While the start or the goal lies inside an obstacle the search rests: no work could find a path.
 #pragma once
 
+#include <algorithm>
 #include <bit>
+#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
 #include "core/field/clearance.hpp"
 #include "core/lattice/sight.hpp"
 #include "core/plan/common_parameters.hpp"
+#include "core/plan/node_table.hpp"
 #include "core/plan/open_list.hpp"
 #include "core/plan/planner.hpp"
 #include "core/plan/registry.hpp"
+#include "core/planners/sight_along.hpp"
+#include "core/planners/visits.hpp"
 #include "core/trace/search_state.hpp"
 #include "core/trace/tracer.hpp"
 
@@ -60,7 +72,7 @@ inline PlannerInfo describe(DStarLiteSwitches switches) {
   info.source = "Koenig & Likhachev, D* Lite, AAAI 2002";
   if (switches.sight || switches.clearance)
     info.source = "Huang & Zhou, Control and Decision 2018, doi 10.13195/j.kzyjc.2018.0583";
-  if (switches.sight) info.parameters.insert(info.parameters.end(), {kSight, kRemoteParents});
+  if (switches.sight) info.parameters.insert(info.parameters.end(), {kSight, kSightChecks, kRemoteParents});
   if (switches.clearance) info.parameters.insert(info.parameters.end(), {kRange, kTransform, kBorder});
   if (switches.sight && switches.clearance) {
     info.name = "DLD* Lite";
@@ -92,21 +104,28 @@ template <Lattice L, Tracer T, class Faults = NoFaults>
 class DStarLite final : public Planner<L> {
  public:
   DStarLite(const L& lattice, const Settings& settings, T& tracer, DStarLiteSwitches switches)
-      : lattice_(lattice), tr_(tracer), nodes_(lattice.node_count()), switches_(switches), faults_(settings) {
+      : lattice_(lattice),
+        tr_(tracer),
+        nodes_(lattice.node_count()),
+        switches_(switches),
+        faults_(settings),
+        visits_(lattice.node_count()) {
     using namespace parameters;
     heuristic_ =
         static_cast<Heuristic>(kHeuristicByChoice[static_cast<std::size_t>(settings.get(kHeuristic))]);
     sight_rule_ = static_cast<SightRule>(settings.get(kSight));
-    checked_ = settings.get(kRemoteParents) == 0;
+    along_path_ = switches_.sight && checks_along_path(settings);
+    in_search_ = switches_.sight && !along_path_;
+    checked_ = !in_search_ || settings.get(kRemoteParents) == 0;
     clearance_rules_ = clearance_rules_of(settings);
-    if constexpr (T::kEnabled) visits_.resize(nodes_.size());
     if (switches_.clearance) marked_.resize(nodes_.size());
   }
 
   void begin(NodeId start, NodeId goal) override {
     tr_.line(6);
-    if constexpr (T::kEnabled) forget_recorded();
+    if (goal_ != kNoNode) tr_.note(EventKind::epoch, start);
     counters_ = {};
+    visits_.begin();
     set_scalar(Scalar::start, start_, start);
     set_scalar(Scalar::last, last_, start);
     set_scalar(Scalar::goal, goal_, goal);
@@ -128,13 +147,14 @@ class DStarLite final : public Planner<L> {
     set_scalar(Scalar::start, start_, start);
     set_scalar(Scalar::last, last_, start);
     start_at_ = lattice_.coordinates(start);
+    fields_revision_ = lattice_.revision();
     if (switches_.clearance) {
       costs_changed(change);
       return;
     }
     tr_.line(115);
     for (const auto& move : change.moves) moves_changed(move.node, move.before);
-    if (switches_.sight)
+    if (in_search_)
       for (const CellEdit& cell : change.cells)
         sight_map_.change(lattice_.coordinates(cell.node), cell.blocked);
   }
@@ -148,28 +168,15 @@ class DStarLite final : public Planner<L> {
   [[nodiscard]] Cost cost() const override { return resting() ? Cost::infinity() : nodes_[start_].rhs; }
   [[nodiscard]] Counters counters() const override { return counters_; }
   [[nodiscard]] std::size_t memory_bytes() const override {
-    return nodes_.capacity() * sizeof(Node) + open_.peak_bytes() + clearance_.memory_bytes() +
+    return nodes_.memory_bytes() + open_.peak_bytes() + clearance_.memory_bytes() +
            sight_map_.memory_bytes() + marked_.capacity();
   }
 
-  /// Algorithm 1, line 6, from the start on. Only parents that may be wrong are watched for circles.
+  /// Algorithm 1, line 6, from the start on.
   Path path() override {
     tr_.line(106);
-    Path result;
-    if (status() != PlanStatus::found) return result;
-    std::unordered_set<NodeId> passed;
-    result.nodes.push_back(start_);
-    for (NodeId s = start_; s != goal_;) {
-      if ((Faults::kAny || !checked_) && !passed.insert(s).second) {
-        result.loops = true;
-        break;
-      }
-      s = next(s, result);
-      if (s == kNoNode) break;  // printed mode only: a stale parent led where nothing leads on
-      result.nodes.push_back(s);
-    }
-    if (result.nodes.back() != goal_) result.loops = true;
-    return result;
+    if (status() != PlanStatus::found) return {};
+    return along_path_ ? leaping_path() : path_of_parents();
   }
 
   void restore(const SearchState& state, const Counters& counters) override {
@@ -180,9 +187,11 @@ class DStarLite final : public Planner<L> {
     start_at_ = lattice_.coordinates(start_);
     km_ = state.km();
     open_.clear(nodes_);
+    fields_revision_ = lattice_.revision();
     if (switches_.clearance) clearance_ = ClearanceField<L::kDimensions>(lattice_, clearance_rules_);
-    if (switches_.sight)
-      sight_map_ = SightMap<L::kDimensions>(lattice_, [this](NodeId c) { return is_bad(c); });
+    if (in_search_) sight_map_ = SightMap<L::kDimensions>(lattice_, [this](NodeId c) { return is_bad(c); });
+    leaps_.clear();
+    visits_.restore(state, counters.expansions);
     for (NodeId n = 0; n < nodes_.size(); ++n) restore_node(state, n);
   }
 
@@ -199,11 +208,6 @@ class DStarLite final : public Planner<L> {
     std::uint32_t slot : 27 = 0;          // place in U + 1; kMaxCells fits
     std::uint32_t lp : 5 = kNoDirection;  // direction of the local parent
   };
-  struct Nodes : std::vector<Node> {
-    using std::vector<Node>::vector;
-    [[nodiscard]] std::size_t get(NodeId n) const { return (*this)[n].slot; }
-    void set(NodeId n, std::uint32_t slot) { (*this)[n].slot = slot & 0x7FFFFFFu; }
-  };
 
   static constexpr std::uint64_t raw(Cost cost) { return static_cast<std::uint64_t>(cost.raw); }
   void set_scalar(Scalar which, NodeId& held, NodeId node) {
@@ -218,12 +222,11 @@ class DStarLite final : public Planner<L> {
     tr_.line(7);
     tr_.change(Scalar::km, raw(km_), 0);
     km_ = Cost::zero();
-    std::fill(nodes_.begin(), nodes_.end(), Node{});
+    nodes_.reset();
+    leaps_.clear();
     start_at_ = lattice_.coordinates(start_);
     tr_.line(12);
-    if (switches_.clearance) distance_transform();
-    if (switches_.sight)
-      sight_map_ = SightMap<L::kDimensions>(lattice_, [this](NodeId c) { return is_bad(c); });
+    make_fields();
     tr_.line(13);
     set_rhs(goal_, Cost::zero());
     tr_.line(14);
@@ -237,7 +240,7 @@ class DStarLite final : public Planner<L> {
   /// Line 42: whether the plan is not yet known to be right.
   [[nodiscard]] bool search_needed() const {
     if (resting()) return false;
-    return top_key() < calculate_key(start_) || nodes_[start_].rhs != nodes_[start_].g;
+    return top_key() < key_of(start_, Cost::zero()) || nodes_[start_].rhs != nodes_[start_].g;
   }
   [[nodiscard]] bool resting() const { return lattice_.blocked(start_) || lattice_.blocked(goal_); }
 
@@ -249,36 +252,36 @@ class DStarLite final : public Planner<L> {
     tr_.line(44);
     tr_.note(EventKind::pop, u);
     take_out_top();
-    if (switches_.sight) set_vertex(u);
-    const Key key = calculate_key(u);
+    if (in_search_) set_vertex(u);
+    const Coordinates at = lattice_.coordinates(u);
+    const Key key = calculate_key(u, at);
     if (old_key < key) {
       tr_.line(47);
       put_in(u, key);
       return true;
     }
     ++counters_.expansions;
-    record_visit(u);
+    visits_.record(tr_, u);
     if (nodes_[u].g > nodes_[u].rhs)
-      lower_vertex(u);
+      lower_vertex(u, at);
     else
       raise_vertex(u);
     return true;
   }
 
   // Lines 49-57: u is overconsistent and becomes consistent.
-  void lower_vertex(NodeId u) {
+  void lower_vertex(NodeId u, const Coordinates& u_at) {
     tr_.line(49);
     set_g(u, nodes_[u].rhs);
     const Cost through_u = nodes_[u].g + dist(u);
-    const auto u_at = lattice_.coordinates(u);
     const NodeId remote = nodes_[u].rp;
-    const auto remote_at = lattice_.coordinates(switches_.sight ? remote : u);
+    const auto remote_at = in_search_ ? lattice_.coordinates(remote) : u_at;
     for (std::uint32_t rest = lattice_.moves(u); rest != 0; rest &= rest - 1) {
       const int d = std::countr_zero(rest);
       const NodeId s = lattice_.neighbour(u, d);
       const auto s_at = L::step(u_at, d);
       offer(s, s_at, static_cast<std::uint32_t>(L::reverse(d)), L::step_cost(d) + through_u);
-      if (switches_.sight && nodes_[s].slot != 0 && nodes_[s].rp != remote)
+      if (in_search_ && nodes_[s].slot != 0 && nodes_[s].rp != remote)
         offer_remote(s, remote, L::squared_distance(remote_at, s_at));
     }
   }
@@ -286,11 +289,8 @@ class DStarLite final : public Planner<L> {
   // Lines 52-54, the lazy step: sight from s to rp(u) is assumed, and checked when s is taken from U.
   // c(rp(u), s) + rhs(rp(u)) < rhs(s), with c = sqrt(squared), compared without a root.
   void offer_remote(NodeId s, NodeId remote, std::int64_t squared) {
-    __extension__ using Wide = unsigned __int128;
-    const std::int64_t slack = nodes_[s].rhs.raw - nodes_[remote].rhs.raw;
-    if (slack <= 0) return;
-    const auto room = static_cast<Wide>(slack);
-    if (room * room <= static_cast<Wide>(squared) << 60) return;
+    const Cost slack{nodes_[s].rhs.raw - nodes_[remote].rhs.raw};
+    if (slack <= Cost::zero() || compare_to_segment(slack, squared) <= 0) return;
     tr_.line(54);
     set_rp(s, remote);
   }
@@ -349,7 +349,7 @@ class DStarLite final : public Planner<L> {
   void update_queue(NodeId u) { update_queue(u, lattice_.coordinates(u)); }
   void update_queue(NodeId u, const Coordinates& at) {
     Node& node = nodes_[u];
-    if (node.rp == kNoNode && node.lp != kNoDirection) {
+    if (node.rp == kNoNode && node.lp != kNoDirection && !along_path_) {
       tr_.line(25);
       set_rp(u, lp(u));
     }
@@ -378,17 +378,38 @@ class DStarLite final : public Planner<L> {
     set_rp(u, local);
   }
 
+  // Kept out of line: its code would make that of the search slower.
   /// Whether n and s see each other: a cell is bad if it is an obstacle or, with clearance on, dist != 0.
-  bool in_sight(NodeId n, NodeId s) {
+  [[gnu::noinline]] bool in_sight(NodeId n, NodeId s) {
     ++counters_.sight_checks;
     const auto bad = [this](NodeId c) { return is_bad(c); };
-    const bool seen = line_of_sight(lattice_, sight_rule_, n, s, bad, sight_map_);
+    const bool seen = along_path_ ? line_of_sight(lattice_, sight_rule_, n, s, bad)
+                                  : line_of_sight(lattice_, sight_rule_, n, s, bad, sight_map_);
     tr_.note(EventKind::sight, s, std::uint64_t{n} | std::uint64_t{seen} << 32);
     return seen;
   }
 
   [[nodiscard]] bool is_bad(NodeId c) const {
     return switches_.clearance ? clearance_.near(c) : lattice_.blocked(c);
+  }
+
+  /// Only parents that may be wrong are watched for circles.
+  Path path_of_parents() {
+    Path result;
+    std::unordered_set<NodeId> passed;
+    ways_.clear();
+    result.nodes.push_back(start_);
+    for (NodeId s = start_; s != goal_;) {
+      if ((Faults::kAny || !checked_) && !passed.insert(s).second) {
+        result.loops = true;
+        break;
+      }
+      s = next(s, result);
+      if (s == kNoNode) break;  // printed mode only: a stale parent led where nothing leads on
+      result.nodes.push_back(s);
+    }
+    if (result.nodes.back() != goal_) result.loops = true;
+    return result;
   }
 
   /// Where the robot goes from s: the remote parent if it can be trusted, else the local one.
@@ -401,10 +422,55 @@ class DStarLite final : public Planner<L> {
       path.unchecked = true;
       return remote;
     }
-    return remote != kNoNode && settled(remote) && nodes_[remote].g < nodes_[s].g && in_sight(remote, s)
-               ? remote
-               : local;
+    return remote != kNoNode && settled(remote) && saves_way(s, remote) && in_sight(remote, s) ? remote
+                                                                                               : local;
   }
+  /// Whether going straight from s to n is no detour: c(s, n) + g(n) <= rhs(s). With clearance g counts
+  /// penalties besides, which a longer way may save, so the lengths of both ways are held against each other
+  /// too.
+  [[nodiscard]] bool saves_way(NodeId s, NodeId n) {
+    const std::int64_t squared = lattice_.squared_distance(s, n);
+    const auto fits = [squared](Cost from_s, Cost from_n) {
+      return from_n < from_s && compare_to_segment({from_s.raw - from_n.raw}, squared) >= 0;
+    };
+    return fits(nodes_[s].rhs, nodes_[n].g) && (!switches_.clearance || fits(way(s), way(n)));
+  }
+  /// The length of the way from s along local parents; s is settled. Each stretch is walked once a path.
+  Cost way(NodeId s) {
+    std::vector<NodeId> passed;
+    for (; s != goal_ && !ways_.contains(s); s = lp(s)) passed.push_back(s);
+    Cost length = s == goal_ ? Cost::zero() : ways_[s];
+    for (std::size_t i = passed.size(); i-- > 0;) {
+      length = length + L::step_cost(static_cast<int>(nodes_[passed[i]].lp));
+      ways_[passed[i]] = length;
+    }
+    return length;
+  }
+
+  // Algorithm 3: the chain of local parents, and sight checked along it.
+  Path leaping_path() {
+    std::sort(leaps_.begin(), leaps_.end());
+    tr_.line(202);
+    for (const NodeId s : leaps_) set_rp(s, kNoNode);
+    leaps_.clear();
+    std::vector<NodeId> chain{start_};
+    while (chain.back() != goal_) chain.push_back(lp(chain.back()));
+    const std::size_t last = chain.size() - 1;
+    Path result{.nodes = {start_}};
+    for (std::size_t i = 0; i < last;) {
+      const NodeId s = chain[i];
+      i = leap_along(i, last, [&](int line, std::size_t j) {
+        tr_.line(line);
+        return in_sight(chain[j], s);
+      });
+      tr_.line(210);
+      set_rp(s, chain[i]);
+      leaps_.push_back(s);
+      result.nodes.push_back(chain[i]);
+    }
+    return result;
+  }
+
   [[nodiscard]] bool settled(NodeId n) const {
     return nodes_[n].g == nodes_[n].rhs && calculate_key(n) <= top_key();
   }
@@ -438,7 +504,7 @@ class DStarLite final : public Planner<L> {
     for (const ClearanceChange& changed : clearance_.update(lattice_, change.cells)) {
       const Cost penalty = clearance_.penalty(changed.node);
       tr_.change(EventKind::dist, changed.node, changed.before, penalty);
-      if (switches_.sight && (changed.before == Cost::zero() || penalty == Cost::zero()))
+      if (in_search_ && (changed.before == Cost::zero() || penalty == Cost::zero()))
         sight_map_.change(lattice_.coordinates(changed.node), penalty != Cost::zero());
       for (std::uint32_t rest = lattice_.moves(changed.node); rest != 0; rest &= rest - 1)
         affect(lattice_.neighbour(changed.node, std::countr_zero(rest)));
@@ -450,11 +516,19 @@ class DStarLite final : public Planner<L> {
     }
   }
 
+  // What is known of the whole map is made anew only if the lattice has changed behind the planner's back.
+  void make_fields() {
+    if (fields_revision_ == lattice_.revision()) return;
+    fields_revision_ = lattice_.revision();
+    if (switches_.clearance) distance_transform();
+    if (in_search_) sight_map_ = SightMap<L::kDimensions>(lattice_, [this](NodeId c) { return is_bad(c); });
+  }
   void distance_transform() {
-    clearance_ = ClearanceField<L::kDimensions>(lattice_, clearance_rules_);
+    ClearanceField<L::kDimensions> field(lattice_, clearance_rules_);
     if constexpr (T::kEnabled)
       for (NodeId n = 0; n < nodes_.size(); ++n)
-        tr_.change(EventKind::dist, n, Cost::zero(), clearance_.penalty(n));
+        tr_.change(EventKind::dist, n, clearance_.empty() ? Cost::zero() : dist(n), field.penalty(n));
+    clearance_ = std::move(field);
   }
   [[nodiscard]] Cost dist(NodeId s) const {
     return switches_.clearance ? clearance_.penalty(s) : Cost::zero();
@@ -463,10 +537,13 @@ class DStarLite final : public Planner<L> {
   // Lines 1-3.
   [[nodiscard]] Key calculate_key(NodeId s) const { return calculate_key(s, lattice_.coordinates(s)); }
   [[nodiscard]] Key calculate_key(NodeId s, const Coordinates& at) const {
+    return key_of(s, lattice_.bound(heuristic_, start_at_, at));
+  }
+  [[nodiscard]] Key key_of(NodeId s, Cost estimate) const {
     const Cost least = std::min(nodes_[s].g, nodes_[s].rhs);
     if constexpr (Faults::kAny)
-      if (faults_.forgets_km()) return {least + lattice_.bound(heuristic_, start_at_, at), least};
-    return {least + lattice_.bound(heuristic_, start_at_, at) + km_, least};
+      if (faults_.forgets_km()) return {least + estimate, least};
+    return {least + estimate + km_, least};
   }
   [[nodiscard]] Key top_key() const { return open_.empty() ? Key{} : open_.top().key; }
 
@@ -481,6 +558,7 @@ class DStarLite final : public Planner<L> {
     nodes_[s].g = value;
   }
   void set_rhs(NodeId s, Cost value) {
+    nodes_.mark(s);  // rhs is the first value of a vertex that is written
     tr_.change(EventKind::rhs, s, nodes_[s].rhs, value);
     nodes_[s].rhs = value;
   }
@@ -492,13 +570,6 @@ class DStarLite final : public Planner<L> {
   void set_rp(NodeId s, NodeId parent) {
     tr_.change(EventKind::rp, s, std::uint64_t{nodes_[s].rp + 1u}, std::uint64_t{parent + 1u});
     nodes_[s].rp = parent;
-  }
-  void record_visit(NodeId s) {
-    if constexpr (T::kEnabled) {
-      const std::uint64_t before = visits_[s];
-      visits_[s] = ((before >> 32) + 1) << 32 | static_cast<std::uint32_t>(counters_.expansions);
-      tr_.change(EventKind::visit, s, before, visits_[s]);
-    }
   }
 
   // As above for the open list; the log holds k1 + 1 while a node is in it.
@@ -529,40 +600,24 @@ class DStarLite final : public Planner<L> {
     open_.pop(nodes_);
   }
 
-  /// Before another begin() in one log: the values of the search before go back to their defaults, on the
-  /// record.
-  void forget_recorded() {
-    for (NodeId n = 0; n < nodes_.size(); ++n) {
-      // By node and not in heap order: a search that was taken up may have its heap laid out differently.
-      if (const std::size_t slot = nodes_.get(n); slot != 0)
-        tr_.note(EventKind::queue, n, raw(open_.entries()[slot - 1].key.k1) + 1);
-      tr_.change(EventKind::g, n, nodes_[n].g, Cost::infinity());
-      tr_.change(EventKind::rhs, n, nodes_[n].rhs, Cost::infinity());
-      tr_.change(EventKind::lp, n, std::uint64_t{lp(n) + 1u}, 0);
-      tr_.change(EventKind::rp, n, std::uint64_t{nodes_[n].rp + 1u}, 0);
-      tr_.change(EventKind::visit, n, visits_[n], 0);
-      visits_[n] = 0;
-      if (!clearance_.ranks().empty()) tr_.change(EventKind::dist, n, clearance_.penalty(n), Cost::zero());
-    }
-  }
-
   void restore_node(const SearchState& state, NodeId n) {
     Node& node = nodes_[n];
+    nodes_.mark(n);
     node.g = state.g(n);
     node.rhs = state.rhs(n);
     node.rp = state.rp(n);
+    if (along_path_ && node.rp != kNoNode && n != goal_) leaps_.push_back(n);
     node.lp = kNoDirection;
     if (const NodeId parent = state.lp(n); parent != kNoNode && n != goal_)
       for (std::uint32_t rest = lattice_.moves(n); rest != 0; rest &= rest - 1)
         if (const int d = std::countr_zero(rest); lattice_.neighbour(n, d) == parent)
           node.lp = static_cast<std::uint32_t>(d) & 31u;
-    if constexpr (T::kEnabled) visits_[n] = state.value(EventKind::visit, n);
     if (state.queued(n)) open_.push(nodes_, {state.k1(n), state.k2(n)}, n);
   }
 
   const L& lattice_;
   T& tr_;
-  Nodes nodes_;
+  NodeTable<Node> nodes_;
   OpenList<Key> open_;  // U
   ClearanceField<L::kDimensions> clearance_;
   SightMap<L::kDimensions> sight_map_;
@@ -571,12 +626,16 @@ class DStarLite final : public Planner<L> {
   ClearanceRules clearance_rules_;
   Heuristic heuristic_ = Heuristic::octile;
   SightRule sight_rule_ = SightRule::supercover;
-  bool checked_ = true;
+  bool in_search_ = false, along_path_ = false;  // where sight is checked
+  bool checked_ = true;                          // remote parents, when they are used
+  std::uint64_t fields_revision_ = 0;  // of the lattice that the field and the sight map are of; 0: none
   NodeId start_ = kNoNode, last_ = kNoNode, goal_ = kNoNode;
   Coordinates start_at_{};
   Cost km_ = Cost::zero();
   Counters counters_;
-  std::vector<std::uint64_t> visits_;  // recorded runs only
+  Visits<T> visits_;
+  std::unordered_map<NodeId, Cost> ways_;  // of vertices that a path was held against
+  std::vector<NodeId> leaps_;  // vertices of the last path that was read out, while their rp is set
   std::vector<NodeId> affected_;
   std::vector<std::uint8_t> marked_;  // 1 while a node is among affected_
 };

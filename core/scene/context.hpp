@@ -24,7 +24,7 @@ struct SceneContext {
   SceneMemory::Parts& memory;
   Scene& scene;
 
-  const Grid2& lattice = run.lattice();
+  const Box& lattice = run.lattice();
   const SearchState& state = run.timeline().state();
   std::size_t cursor = run.timeline().cursor();
   double zoom = scene.camera.zoom;  ///< device pixels per cell

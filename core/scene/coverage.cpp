@@ -52,7 +52,7 @@ namespace {
 
 /// Obstacles among the 2 x 2 cells of the block around a cell.
 int count_block(const Run& run, EventKind kind, Cell cell) {
-  const Grid2& lattice = run.lattice();
+  const Box& lattice = run.lattice();
   const SearchState& state = run.timeline().state();
   int count = 0;
   for (int y = cell.y & ~1; y <= std::min(cell.y | 1, lattice.height() - 1); ++y)
@@ -65,28 +65,41 @@ int count_block(const Run& run, EventKind kind, Cell cell) {
 
 }  // namespace
 
+void MapCoverage::recount(const Run& run, const MapEvent& event) {
+  const Cell cell = run.lattice().position(event.node);
+  (event.kind == EventKind::known ? known_ : truth_).change(cell, count_block(run, event.kind, cell));
+}
+
 void MapCoverage::follow(const Run& run, const RunDigest& digest) {
   const Timeline& log = run.timeline();
-  if (run.log_id() != log_id_) {
-    const SearchState& state = log.state();
-    const int columns = run.lattice().width(), rows = run.lattice().height();
-    truth_ = Coverage(columns, rows, state, EventKind::truth);
-    known_ = Coverage(columns, rows, state, EventKind::known);
-    log_id_ = run.log_id();
+  const std::size_t common = run.common_with(log_id_);
+  if (common == 0) {
+    truth_ = Coverage(run.lattice().width(), run.lattice().height(), log.state(), EventKind::truth);
+    known_ = Coverage(run.lattice().width(), run.lattice().height(), log.state(), EventKind::known);
     position_ = log.cursor();
-    return;
+    counted_.clear();
   }
-  const auto events = digest.map_events();
-  const auto place = [&](std::size_t position) {
+  const auto place = [](const auto& events, std::size_t position) {
     return std::partition_point(events.begin(), events.end(),
                                 [position](const MapEvent& event) { return event.event < position; });
   };
-  const auto last = place(std::max(position_, log.cursor()));
-  for (auto event = place(std::min(position_, log.cursor())); event != last; ++event) {
-    const Cell cell = run.lattice().position(event->node);
-    (event->kind == EventKind::known ? known_ : truth_).change(cell, count_block(run, event->kind, cell));
+  if (log_id_ != run.log_id()) {
+    const auto gone = place(counted_, common);
+    for (auto event = gone; event != counted_.end(); ++event) recount(run, *event);
+    counted_.erase(gone, counted_.end());
+    position_ = std::min(position_, common);
   }
+  const auto events = digest.map_events();
+  const auto last = place(events, std::max(position_, log.cursor()));
+  for (auto event = place(events, std::min(position_, log.cursor())); event != last; ++event)
+    recount(run, *event);
+  const auto count = static_cast<std::size_t>(place(events, log.cursor()) - events.begin());
+  if (count < counted_.size())
+    counted_.erase(counted_.begin() + static_cast<std::ptrdiff_t>(count), counted_.end());
+  counted_.insert(counted_.end(), events.begin() + static_cast<std::ptrdiff_t>(counted_.size()),
+                  events.begin() + static_cast<std::ptrdiff_t>(count));
   position_ = log.cursor();
+  log_id_ = run.log_id();
 }
 
 }  // namespace replan

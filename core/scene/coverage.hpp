@@ -51,8 +51,11 @@ class MapCoverage {
   [[nodiscard]] const Coverage& known() const { return known_; }
 
  private:
+  void recount(const Run& run, const MapEvent& event);
+
   std::uint64_t log_id_ = 0;
   std::size_t position_ = 0;
+  std::vector<MapEvent> counted_;  // before that position: what a cut takes out of the log is counted anew
   Coverage truth_, known_;
 };
 

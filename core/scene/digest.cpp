@@ -57,6 +57,9 @@ void RunDigest::take(const Event& event, std::size_t index) {
     case EventKind::put_down:
       cause_.put_down = true;
       break;
+    case EventKind::aim:
+      (event.delta != 0 ? cause_.to_goal_again : cause_.to_nearest) = true;
+      break;
     case EventKind::plan_begin:
       plans_.push_back({.begin = index,
                         .first_touch = touches_.size(),

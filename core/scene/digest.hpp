@@ -29,6 +29,10 @@ struct ReplanCause {
   std::int64_t forgotten = 0;           ///< cells where it no longer counts on something that moved
   bool new_goal = false;
   bool put_down = false;
+  bool to_nearest = false;     ///< it makes for the reachable cell nearest to the goal, or for another one
+  bool to_goal_again = false;  ///< it makes for the goal again
+  /// Whether the planner begins from scratch.
+  [[nodiscard]] bool afresh() const { return new_goal || to_nearest || to_goal_again; }
 };
 
 /// A plan or replan. Its touches are [first_touch, last_touch) of RunDigest::touches().
@@ -64,7 +68,7 @@ class RunDigest {
   void forget_from(const Run& run, std::size_t position);
   void take(const Event& event, std::size_t index);
   void touch(NodeId node, std::size_t index);
-  [[nodiscard]] bool starts_afresh() const { return !plans_.empty() && plans_.back().cause.new_goal; }
+  [[nodiscard]] bool starts_afresh() const { return !plans_.empty() && plans_.back().cause.afresh(); }
 
   std::uint64_t log_id_ = 0;
   bool incremental_ = true;

@@ -46,7 +46,8 @@ std::optional<FieldRange> RangeTracker::follow(const FieldReader& reader, const 
   const std::size_t count = (state.node_count() + kStretch - 1) / kStretch;
   const std::size_t from = std::min(position_, position), to = std::max(position_, position);
   // Beyond that many events it is cheaper to look at everything than to find the written ones.
-  const bool afresh = log_id != log_id_ || stretches_.size() != count || to - from > state.node_count();
+  const bool afresh = log_id != log_id_ || stretches_.size() != count || to - from > state.node_count() ||
+                      !log.reversible(from, to);
   if (afresh) {
     stretches_.assign(count, {});
     for (std::size_t stretch = 0; stretch < count; ++stretch) scan(reader, state, stretch);

@@ -71,16 +71,17 @@ void add_parent_arrow(SceneContext& context, NodeId node, NodeId parent, Colour 
                     context.pixels(2.5)});
 }
 
-/// The remote parents from a cell to the goal, straight; the local ones of planners that know no others.
+/// The remote parents from a cell to the goal, straight; local ones where there are no others.
 void add_remote_chain(SceneContext& context, NodeId node) {
   const bool remote = context.run.info().any_angle;
   const std::size_t most = 10000;  // `remote_parents=printed` can lead in a circle
   for (std::size_t i = 0; i < most; ++i) {
-    const NodeId parent = remote ? context.state.rp(node) : context.state.lp(node);
+    const bool straight = remote && context.state.rp(node) != kNoNode;
+    const NodeId parent = straight ? context.state.rp(node) : context.state.lp(node);
     if (parent == kNoNode || parent == node) return;
     context.add(Arrow{context.centre(node), context.centre(parent), context.palette.accent,
                       context.pixels(1.6), context.pixels(6)});
-    context.scene.show(remote ? Sign::rp : Sign::lp);
+    context.scene.show(straight ? Sign::rp : Sign::lp);
     node = parent;
   }
 }

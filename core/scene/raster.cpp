@@ -20,7 +20,7 @@ Colour blend(Colour a, Colour b, unsigned share) {
 class CellColours {
  public:
   explicit CellColours(SceneContext& context)
-      : context_(context), original_(context.lattice.cells()), shows_unknown_(context.has(Overlay::unknown)) {
+      : context_(context), original_(context.run.scenario().map.blocked), shows_unknown_(context.has(Overlay::unknown)) {
     const Palette& palette = context.palette;
     unknown_ = mix(palette.free, palette.obstacle, 0.5f);
     unknown_surprise_ = mix(palette.free, palette.surprise, 0.6f);
@@ -89,7 +89,7 @@ class CellColours {
   }
 
   SceneContext& context_;
-  std::span<const std::uint8_t> original_;
+  const SharedBytes& original_;
   std::vector<NodeId> surprises_;  // cells that some surprise blocks without telling the robot, ascending
   bool shows_unknown_;
   Colour unknown_ = 0, unknown_surprise_ = 0, unseen_mover_ = 0, gone_ = 0;
@@ -200,7 +200,7 @@ void paint_changed_cells(SceneContext& context, CellColours& colours) {
     const Cell cell = context.lattice.position(event.node);
     if (!context.in_sight(cell)) continue;
     const bool truth = context.state.truly_blocked(event.node);
-    if (truth == (context.lattice.cells()[event.node] != 0)) continue;
+    if (truth == (context.run.scenario().map.blocked[event.node] != 0)) continue;
     const auto place = [](double at, int count) {
       return std::clamp(static_cast<int>(std::floor(at)), 0, count - 1);
     };

@@ -14,7 +14,7 @@ NodeId robot_node(const SceneContext& context) {
 
 /// Where it has to go now: the goal may have moved.
 Point goal_point(const SceneContext& context) {
-  const NodeId goal = context.state.node(Scalar::goal);
+  const NodeId goal = context.state.wanted_goal();
   return goal == kNoNode ? context.centre(context.run.scenario().goal) : context.centre(goal);
 }
 
@@ -163,6 +163,20 @@ void add_cell_frames(SceneContext& context) {
   frame(*context.view.pinned, context.palette.accent, 2);
 }
 
+/// The reachable cell nearest to the goal, where the robot makes for that one.
+void add_nearest(SceneContext& context, float radius) {
+  const NodeId aim = context.state.node(Scalar::goal);
+  if (aim == kNoNode || aim == context.state.wanted_goal()) return;
+  context.scene.show(Sign::nearest);
+  context.add(Polyline{{context.centre(aim), goal_point(context)},
+                       faded(context.palette.goal, 0.7),
+                       context.pixels(1.5),
+                       0,
+                       context.pixels(4)});
+  context.add(Disc{context.centre(aim), radius * 0.8f, context.palette.background, context.palette.goal,
+                   context.pixels(2.5), Glyph::none});
+}
+
 }  // namespace
 
 void build_routes(SceneContext& context) {
@@ -181,6 +195,7 @@ void build_things(SceneContext& context) {
   const Palette& palette = context.palette;
   const Scenario& scenario = context.run.scenario();
   context.add(Disc{context.centre(scenario.start), radius, palette.start, palette.outline, rim, Glyph::dot});
+  add_nearest(context, radius);
   context.add(Disc{goal_point(context), radius * 1.15f, palette.goal, palette.outline, rim, Glyph::target});
   const NodeId robot = robot_node(context);
   const Mark* mark = context.run.mark_at(context.cursor);

@@ -110,6 +110,7 @@ enum class Sign : std::uint8_t {
   robot,
   to_come,
   mover,
+  nearest,
   count
 };
 

@@ -40,7 +40,7 @@ FreshPlanTask::FreshPlanTask(const Run& run)
 
 FreshPlan plan_from_scratch(const FreshPlanTask& task, const std::stop_token& stop) {
   const PlannerChoice& choice = task.choice;
-  const Grid2 lattice(task.size, task.known, move_rules(choice.settings));
+  const Grid2 lattice(task.size, task.known.plain(), move_rules(choice.settings));
   Recorder recorder;
   const auto planner = make_planner(*find_planner(choice.id), lattice, choice.settings, recorder);
   TouchCount touched(lattice.node_count());

@@ -27,7 +27,7 @@ struct FreshPlanTask {
 
   PlannerChoice choice;
   Grid2::Coordinates size{};
-  std::vector<std::uint8_t> known;  ///< nonzero = obstacle
+  SharedBytes known;  ///< nonzero = obstacle
   NodeId start = kNoNode, goal = kNoNode;
 };
 

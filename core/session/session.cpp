@@ -12,9 +12,7 @@ std::optional<std::size_t> common_surprises(const Scenario& a, const Scenario& b
   const bool same_run = a.map == b.map && a.start == b.start && a.goal == b.goal && a.robot == b.robot &&
                         a.movers == b.movers && a.seed == b.seed;
   if (!same_run) return std::nullopt;
-  const auto parted =
-      std::mismatch(a.surprises.begin(), a.surprises.end(), b.surprises.begin(), b.surprises.end());
-  return static_cast<std::size_t>(parted.first - a.surprises.begin());
+  return Surprises::common(a.surprises, b.surprises);
 }
 
 }  // namespace
@@ -53,20 +51,23 @@ Result<void> Session::apply(const Command& command) {
   return done;
 }
 
-std::unique_ptr<Run> Session::new_run(std::size_t planner) const {
+/// Has each pane a run of its own; those that are there already are kept as they are.
+void Session::match_panes() {
   RunLimits limits = limits_;
   limits.log.bytes /= scenario_->planners.size();
-  return std::make_unique<Run>(scenario_, planner, limits);
+  runs_.resize(std::min(runs_.size(), scenario_->planners.size()));
+  while (runs_.size() < scenario_->planners.size())
+    runs_.push_back(std::make_unique<Run>(scenario_, runs_.size(), limits));
+  lead_ = std::min(lead_, runs_.size() - 1);
 }
 
 void Session::restart_runs() {
-  runs_.clear();
   returning_.reset();
-  for (std::size_t i = 0; i < scenario_->planners.size(); ++i) {
-    runs_.push_back(new_run(i));
-    runs_.back()->go(Target::plan());
+  match_panes();
+  for (const auto& run : runs_) {
+    run->restart(scenario_);
+    run->go(Target::plan());
   }
-  lead_ = std::min(lead_, runs_.size() - 1);
   follow_ = true;
 }
 

@@ -1,6 +1,7 @@
 // The document and everything that is open in it: the scenario, a run per planner, undo, playback.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,6 +11,7 @@
 #include "core/session/breakpoints.hpp"
 #include "core/session/checks.hpp"
 #include "core/session/commands.hpp"
+#include "core/session/document_change.hpp"
 #include "core/session/hunt.hpp"
 #include "core/session/run.hpp"
 #include "core/session/watches.hpp"
@@ -97,27 +99,19 @@ class Session {
   void saved(const std::string& file);
 
  private:
-  /// A cell of the map, by its index, and what stands there (kFree, kObstacle, kUnmapped).
-  struct CellValue {
-    std::size_t cell;
-    std::uint8_t before, after;
-  };
   /// How far the runs had come and where their cursors stood.
   struct Moment {
     std::vector<std::size_t> lengths, cursors;
     bool follow = true;
   };
-  /// An undoable change. The map is kept as its changed cells, or whole if its size changed; the rest of the
-  /// scenario whole.
+  /// An undoable change.
   struct Edit {
     std::string label;
     std::uint64_t stroke = 0;
     std::uint64_t serial = 0;  ///< of the document's state after it
-    std::vector<CellValue> cells;
-    std::vector<std::uint8_t> map_before, map_after;          // empty if the size stayed
-    std::shared_ptr<const Scenario> rest_before, rest_after;  // without the map's cells
-    std::size_t scripted_before = 0, scripted_after = 0;      // how many surprises were no edits
-    Moment left, undone;  ///< when it was made, and when it was taken back
+    DocumentChange change;
+    std::size_t scripted_before = 0, scripted_after = 0;  // how many surprises were no edits
+    Moment left, undone;                                  ///< when it was made, and when it was taken back
   };
 
   Result<void> run_command(const std::monostate&) { return {}; }
@@ -126,6 +120,7 @@ class Session {
 #undef REPLAN_COMMAND
 
   [[nodiscard]] std::vector<CellChange> real_changes(const std::vector<CellChange>& cells, const Mark* mark);
+  [[nodiscard]] std::map<NodeId, bool> cells_to_come(const Mark& mark) const;
   Result<void> edit_cells(const std::vector<CellChange>& cells, bool announced, std::uint64_t stroke,
                           std::string label = {});
   void commit(std::string label, std::uint64_t stroke, Scenario changed) {
@@ -140,7 +135,7 @@ class Session {
   [[nodiscard]] Moment moment() const;
   void return_to(Moment moment);
   bool arrive();
-  [[nodiscard]] std::unique_ptr<Run> new_run(std::size_t planner) const;
+  void match_panes();
   [[nodiscard]] Run& leading() {
     return *runs_[lead_];
   }
@@ -150,8 +145,8 @@ class Session {
   void follow_lead();
   /// A planner with those of the settings that it declares too.
   [[nodiscard]] static PlannerChoice choice_of(const PlannerInfo& info, const Settings& settings);
-  [[nodiscard]] std::shared_ptr<const Scenario> take_back(const Scenario& from, Moment now);
-  [[nodiscard]] std::shared_ptr<const Scenario> bring_back(const Scenario& from, Moment now);
+  void undo_edit(Scenario& scenario, Moment now);
+  void redo_edit(Scenario& scenario, Moment now);
   void commit_movers(std::string label, std::uint64_t stroke, std::vector<MovingObstacle> movers);
   [[nodiscard]] bool under_way() const;
   Result<void> edit_script(std::string label, std::uint64_t stroke, Surprise surprise);

@@ -1,6 +1,5 @@
 // The session's edits: what changes the document, and how it is taken back and saved.
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -8,42 +7,22 @@
 #include "core/session/session.hpp"
 
 namespace replan {
-namespace {
-
-/// The scenario without the cells of its map.
-std::shared_ptr<const Scenario> rest_of(const Scenario& scenario) {
-  auto rest = std::make_shared<Scenario>(scenario);
-  rest->map.blocked = {};
-  return rest;
-}
-
-}  // namespace
-
 void Session::commit(std::string label, std::uint64_t stroke, Scenario changed, std::size_t scripted) {
   Edit edit;
-  const std::vector<std::uint8_t>&before = scenario_->map.blocked, &after = changed.map.blocked;
-  if (changed.map.width != scenario_->map.width || changed.map.height != scenario_->map.height) {
-    edit.map_before = before;
-    edit.map_after = after;
-  } else {
-    for (std::size_t i = 0; i < before.size(); ++i)
-      if (before[i] != after[i]) edit.cells.push_back({i, before[i], after[i]});
-  }
-  edit.left = moment();
   edit.label = std::move(label);
   edit.stroke = stroke;
-  edit.rest_before = rest_of(*scenario_);
-  edit.rest_after = rest_of(changed);
   edit.serial = ++serials_;
+  edit.change = change_between(*scenario_, changed);
+  edit.left = moment();
   edit.scripted_before = std::exchange(scripted_, scripted);
   edit.scripted_after = scripted;
   redo_.clear();
-  if (stroke != 0 && !undo_.empty() && undo_.back().stroke == stroke && edit.map_before.empty()) {
+  const bool goes_on = stroke != 0 && !undo_.empty() && undo_.back().stroke == stroke;
+  if (goes_on && !undo_.back().change.replaces_map() && !edit.change.replaces_map()) {
     Edit& whole = undo_.back();
+    append(whole.change, std::move(edit.change));
     whole.serial = edit.serial;
-    whole.rest_after = edit.rest_after;
     whole.scripted_after = edit.scripted_after;
-    whole.cells.insert(whole.cells.end(), edit.cells.begin(), edit.cells.end());
   } else {
     say(edit.label);
     undo_.push_back(std::move(edit));
@@ -65,18 +44,39 @@ void Session::relabel(const std::string& label) {
   undo_.back().label = label;
 }
 
-/// Of `cells` those that differ from the world where the edit will happen, row by row.
-std::vector<CellChange> Session::real_changes(const std::vector<CellChange>& cells, const Mark* mark) {
-  Run& run = leading();
-  const std::size_t cursor = run.timeline().cursor();
-  if (mark != nullptr) run.timeline().seek(run.mark_for_new_surprise(mark->clock)->event);
-  std::vector<CellChange> real;
-  for (const CellChange& change : cells) {
-    const bool now = mark == nullptr ? scenario_->map.at(change.cell)
-                                     : run.timeline().state().wall(run.lattice().node(change.cell));
-    if (now != change.blocked) real.push_back(change);
+/// What the script is still going to write before an edit that is added to it happens at the robot's step at
+/// a mark.
+std::map<NodeId, bool> Session::cells_to_come(const Mark& mark) const {
+  std::map<NodeId, bool> cells;
+  for (std::size_t i = 0; i < scenario_->surprises.size(); ++i) {
+    const Surprise& surprise = scenario_->surprises[i];
+    const bool happened = i < mark.fired.size() && mark.fired[i];
+    if (happened || !surprise.at.move || *surprise.at.move > mark.clock) continue;
+    for (const CellChange& change : surprise.cells) cells[run().lattice().node(change.cell)] = change.blocked;
   }
-  run.timeline().seek(cursor);
+  return cells;
+}
+
+/// Of `cells` those that differ from the world where the edit will happen, row by row. `mark` is where;
+/// nullptr is in the map.
+std::vector<CellChange> Session::real_changes(const std::vector<CellChange>& cells, const Mark* mark) {
+  Timeline& log = leading().timeline();
+  const std::size_t cursor = log.cursor();
+  std::map<NodeId, bool> to_come;
+  if (mark != nullptr) {
+    to_come = cells_to_come(*mark);
+    log.seek(mark->event);
+  }
+  const auto blocked_then = [&](Cell cell) {
+    if (mark == nullptr) return scenario_->map.at(cell);
+    const NodeId node = run().lattice().node(cell);
+    const auto coming = to_come.find(node);
+    return coming == to_come.end() ? log.state().wall(node) : coming->second;
+  };
+  std::vector<CellChange> real;
+  for (const CellChange& change : cells)
+    if (blocked_then(change.cell) != change.blocked) real.push_back(change);
+  log.seek(cursor);
   std::sort(real.begin(), real.end(), [](const CellChange& a, const CellChange& b) {
     return std::pair(a.cell.y, a.cell.x) < std::pair(b.cell.y, b.cell.x);
   });
@@ -88,13 +88,7 @@ Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool anno
   for (const CellChange& change : cells)
     if (!scenario_->map.contains(change.cell))
       return Error{"cell " + cell_text(change.cell) + " lies outside the world"};
-  Run& run = leading();
-  // In the middle of a repair the edit waits for its end; a first plan starts afresh.
-  if (!run.marks().empty()) {
-    run.finish(Target::plan());
-    update(0);
-  }
-  const Mark* mark = run.mark_at(run.timeline().cursor());
+  const Mark* mark = run().mark_for_edit();
   const std::vector<CellChange> real = real_changes(cells, mark);
   if (real.empty()) return {};
   Scenario changed = *scenario_;
@@ -179,10 +173,10 @@ Scenario Session::to_save() const {
 Scenario Session::tidied() const {
   Scenario folded = *scenario_;
   if (folded.robot.knowledge == Knowledge::nothing) return folded;
-  std::size_t kept = 0;
+  Surprises kept;
   bool first_of_all = true;  // nothing that may happen before the robot moves has been passed over
   for (std::size_t i = 0; i < folded.surprises.size(); ++i) {
-    Surprise& surprise = folded.surprises[i];
+    const Surprise& surprise = scenario_->surprises[i];
     const bool before_start = surprise.at.near || surprise.at.move == 0;
     const bool only_cells = !surprise.goal && !surprise.robot;
     if (first_of_all && before_start && surprise.announced && only_cells && i >= scripted_ &&
@@ -191,12 +185,11 @@ Scenario Session::tidied() const {
       continue;
     }
     const Cell at = surprise.at.near.value_or(folded.start);
-    const bool due = std::hypot(at.x - folded.start.x, at.y - folded.start.y) <= surprise.at.within;
+    const bool due = distance(at, folded.start) <= surprise.at.within;
     if (before_start && due) first_of_all = false;
-    if (kept != i) folded.surprises[kept] = std::move(surprise);
-    ++kept;
+    kept.push_back(surprise);
   }
-  folded.surprises.resize(kept);
+  folded.surprises = std::move(kept);
   return folded;
 }
 

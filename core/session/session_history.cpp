@@ -32,6 +32,10 @@ bool Session::arrive() {
   if (!returning_) return false;
   bool there = true, moved = false, longer = false;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
+    if (runs_[i]->rebasing()) {
+      there = false;
+      continue;
+    }
     Timeline& log = runs_[i]->timeline();
     const std::size_t cursor = std::min(returning_->cursors[i], log.size());
     if (log.cursor() != cursor) {
@@ -47,37 +51,31 @@ bool Session::arrive() {
   return moved;
 }
 
-/// The last edit undone in `from`; it can be brought back afterwards, and then to the moment `now`.
-std::shared_ptr<const Scenario> Session::take_back(const Scenario& from, Moment now) {
+/// Takes back the last edit; it can be made again afterwards, and then leads to the moment `now`.
+void Session::undo_edit(Scenario& scenario, Moment now) {
   Edit edit = std::move(undo_.back());
   undo_.pop_back();
   edit.undone = std::move(now);
-  auto scenario = std::make_shared<Scenario>(*edit.rest_before);
-  scenario->map.blocked = edit.map_before.empty() ? from.map.blocked : edit.map_before;
-  // Backwards: a cell may have been written several times in one stroke.
-  for (auto each = edit.cells.rbegin(); each != edit.cells.rend(); ++each)
-    scenario->map.blocked[each->cell] = each->before;
+  take_back(edit.change, scenario);
   scripted_ = edit.scripted_before;
   redo_.push_back(std::move(edit));
-  return scenario;
 }
 
-std::shared_ptr<const Scenario> Session::bring_back(const Scenario& from, Moment now) {
+void Session::redo_edit(Scenario& scenario, Moment now) {
   Edit edit = std::move(redo_.back());
   redo_.pop_back();
   edit.left = std::move(now);
-  auto scenario = std::make_shared<Scenario>(*edit.rest_after);
-  scenario->map.blocked = edit.map_after.empty() ? from.map.blocked : edit.map_after;
-  for (const CellValue& each : edit.cells) scenario->map.blocked[each.cell] = each.after;
+  make_again(edit.change, scenario);
   scripted_ = edit.scripted_after;
   undo_.push_back(std::move(edit));
-  return scenario;
 }
 
 Result<void> Session::run_command(const Undo&) {
   if (undo_.empty()) return Error{"there is nothing to undo"};
   say("undo: " + undo_.back().label);
-  replace(take_back(*scenario_, moment()));
+  Scenario before = *scenario_;
+  undo_edit(before, moment());
+  replace(std::make_shared<const Scenario>(std::move(before)));
   return_to(redo_.back().left);
   return {};
 }
@@ -85,7 +83,9 @@ Result<void> Session::run_command(const Undo&) {
 Result<void> Session::run_command(const Redo&) {
   if (redo_.empty()) return Error{"there is nothing to redo"};
   say("redo: " + redo_.back().label);
-  replace(bring_back(*scenario_, moment()));
+  Scenario after = *scenario_;
+  redo_edit(after, moment());
+  replace(std::make_shared<const Scenario>(std::move(after)));
   return_to(undo_.back().undone);
   return {};
 }
@@ -94,19 +94,19 @@ Result<void> Session::run_command(const GoToHistory& command) {
   if (command.position > undo_.size() + redo_.size()) return Error{"the history has no such edit"};
   if (command.position == undo_.size()) return {};
   const bool back = command.position < undo_.size();
-  std::shared_ptr<const Scenario> scenario = scenario_;
+  Scenario there = *scenario_;
   // On the way each edit leads to the moment at which it was left when it was there last.
   Moment now = moment();
   while (undo_.size() > command.position) {
-    scenario = take_back(*scenario, std::move(now));
+    undo_edit(there, std::move(now));
     now = redo_.back().left;
   }
   while (undo_.size() < command.position) {
-    scenario = bring_back(*scenario, std::move(now));
+    redo_edit(there, std::move(now));
     now = undo_.back().undone;
   }
   say(undo_.empty() ? "back to the beginning" : (back ? "back to: " : "on to: ") + undo_.back().label);
-  replace(std::move(scenario));
+  replace(std::make_shared<const Scenario>(std::move(there)));
   return_to(std::move(now));
   return {};
 }

@@ -16,7 +16,7 @@ constexpr double kMillisecondsOfLooking = 2, kMillisecondsOfHunting = 4;
 constexpr std::int64_t kStepsAhead = 64;
 
 /// What GoToChange looks for, in words: "rhs(3, 4)", "km".
-std::string subject_of(const GoToChange& change, const Grid2& lattice) {
+std::string subject_of(const GoToChange& change, const Box& lattice) {
   if (change.kind == EventKind::scalar) return value_name(static_cast<Scalar>(change.node));
   return value_name(change.kind) + node_text(lattice, change.node);
 }
@@ -72,14 +72,15 @@ Result<void> Session::run_command(const GoToChange& command) {
 std::optional<std::size_t> Session::last_change(const GoToChange& command, std::size_t before) const {
   const Timeline& log = run().timeline();
   auto event = log.last_event(command.node, {command.kind}, before);
-  while (event && log.event(*event).delta == 0) event = log.last_event(command.node, {command.kind}, *event);
+  while (event && !log.changes(*event, command.node, command.kind))
+    event = log.last_event(command.node, {command.kind}, *event);
   return event;
 }
 
 std::optional<std::size_t> Session::next_change(const GoToChange& command, std::size_t from) const {
   const Timeline& log = run().timeline();
   auto event = log.next_event(command.node, {command.kind}, from);
-  while (event && log.event(*event).delta == 0)
+  while (event && !log.changes(*event, command.node, command.kind))
     event = log.next_event(command.node, {command.kind}, *event + 1);
   return event;
 }

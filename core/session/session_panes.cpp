@@ -71,32 +71,32 @@ Result<void> Session::run_command(const Lead& command) {
 /// ones catch up with the leading one.
 void Session::replace_panes() {
   const Run* led = &run();
-  std::vector<std::unique_ptr<Run>> panes;
-  for (std::size_t i = 0; i < scenario_->planners.size(); ++i) {
-    const bool stays = i < runs_.size() && runs_[i]->choice() == scenario_->planners[i];
-    panes.push_back(stays ? std::move(runs_[i]) : new_run(i));
-    if (stays)
-      panes.back()->adopt(scenario_);
-    else
-      panes.back()->go(Target::plan());
+  const std::uint64_t log = led->log_id();
+  match_panes();
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    if (runs_[i]->choice() == scenario_->planners[i]) {
+      runs_[i]->adopt(scenario_);
+      if (runs_[i]->timeline().size() > 0 || runs_[i]->busy()) continue;
+    } else {
+      runs_[i]->restart(scenario_);
+    }
+    runs_[i]->go(Target::plan());
   }
-  runs_ = std::move(panes);
-  lead_ = std::min(lead_, runs_.size() - 1);
-  if (&run() != led) follow_ = run().timeline().cursor() == run().timeline().size();
+  if (&run() != led || run().log_id() != log) follow_ = run().timeline().cursor() == run().timeline().size();
   follow_lead();
 }
 
 /// The script has changed from the surprise number `common` on.
 void Session::rebase_runs(std::size_t common) {
-  std::vector<std::unique_ptr<Run>> panes;
-  for (std::size_t i = 0; i < scenario_->planners.size(); ++i) {
-    const bool stays = i < runs_.size() && runs_[i]->choice() == scenario_->planners[i] &&
-                       runs_[i]->rebase(scenario_, common);
-    panes.push_back(stays ? std::move(runs_[i]) : new_run(i));
-    panes.back()->go(Target::plan());
+  const std::size_t before = runs_.size();
+  match_panes();
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    if (i < before && runs_[i]->choice() == scenario_->planners[i])
+      runs_[i]->rebase(scenario_, common);
+    else
+      runs_[i]->restart(scenario_);
+    runs_[i]->go(Target::plan());
   }
-  runs_ = std::move(panes);
-  lead_ = std::min(lead_, runs_.size() - 1);
   follow_ = true;
 }
 

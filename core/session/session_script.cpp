@@ -21,16 +21,13 @@ Result<void> check_mover(const MovingObstacle& mover, const GridMap& map) {
 
 /// Something that happens to the robot or its goal at its present step. Of a drag only the end counts.
 Result<void> Session::edit_script(std::string label, std::uint64_t stroke, Surprise surprise) {
-  Run& run = leading();
-  run.finish(Target::plan());
-  update(0);
   Scenario changed = *scenario_;
   const bool same_drag = stroke != 0 && !undo_.empty() && undo_.back().stroke == stroke;
   if (same_drag && !changed.surprises.empty()) {
     surprise.at.move = changed.surprises.back().at.move;
     changed.surprises.pop_back();
   } else {
-    surprise.at.move = run.mark_at(run.timeline().cursor())->clock;
+    surprise.at.move = run().mark_for_edit()->clock;
   }
   changed.surprises.push_back(std::move(surprise));
   commit(std::move(label), stroke, std::move(changed));
@@ -39,7 +36,7 @@ Result<void> Session::edit_script(std::string label, std::uint64_t stroke, Surpr
 
 /// Whether the robot has set out at the cursor: what is moved now is moved on the way.
 bool Session::under_way() const {
-  const Mark* mark = run().mark_at(run().timeline().cursor());
+  const Mark* mark = run().mark_for_edit();
   return mark != nullptr && mark->clock > 0;
 }
 
@@ -57,7 +54,7 @@ Result<void> Session::run_command(const SetGoal& command) {
   if (under_way()) {
     Surprise surprise;
     surprise.goal = command.cell;
-    if (run().timeline().state().node(Scalar::goal) == run().lattice().node(command.cell)) return {};
+    if (run().timeline().state().wanted_goal() == run().lattice().node(command.cell)) return {};
     return edit_script("move the goal on the way: a fresh plan from where the robot is", command.stroke,
                        std::move(surprise));
   }

@@ -73,12 +73,8 @@ void Session::commit_in_place(std::string label, Scenario changed, std::size_t s
 
 Result<void> Session::run_command(const ScheduleSurprise& command) {
   if (const auto good = check_surprise(command.surprise, scenario_->map); !good) return good;
-  if (!run().marks().empty()) {
-    leading().finish(Target::plan());
-    update(0);
-  }
   Scenario changed = *scenario_;
-  Surprise& surprise = changed.surprises.emplace_back(command.surprise);
+  Surprise& surprise = changed.surprises.push_back(command.surprise);
   std::sort(surprise.cells.begin(), surprise.cells.end(), [](const CellChange& a, const CellChange& b) {
     return std::pair(a.cell.y, a.cell.x) < std::pair(b.cell.y, b.cell.x);
   });
@@ -91,7 +87,7 @@ Result<void> Session::run_command(const ScheduleSurprise& command) {
 Result<void> Session::run_command(const RemoveSurprise& command) {
   if (command.index >= scenario_->surprises.size()) return Error{"there is no such surprise"};
   Scenario changed = *scenario_;
-  changed.surprises.erase(changed.surprises.begin() + static_cast<std::ptrdiff_t>(command.index));
+  changed.surprises.erase(command.index);
   commit_in_place("remove a surprise", std::move(changed),
                   command.index < scripted_ ? scripted_ - 1 : scripted_);
   return {};

@@ -5,16 +5,17 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "core/plan/common_parameters.hpp"
+#include "core/sim/nearest.hpp"
 #include "core/trace/search_state.hpp"
 
 namespace replan {
 namespace {
 
-/// Moves per cell of the world after which a drive among moving obstacles counts as endless. Without them a
-/// robot enters a cell a few times at most.
-constexpr std::int64_t kMovesPerCell = 10;
+/// A script may name a step that is farther away than time can be counted.
+constexpr SimTime kEndOfTime = std::numeric_limits<SimTime>::max();
 
 class Stopwatch {
  public:
@@ -48,16 +49,22 @@ const char* mission_state_name(MissionState state) {
       return "loop";
     case MissionState::endless:
       return "endless";
+    case MissionState::nearest:
+      return "nearest";
   }
   return "";
 }
 
-std::vector<std::uint8_t> initial_knowledge(const Scenario& scenario) {
-  std::vector<std::uint8_t> known(scenario.map.blocked.size());
-  if (scenario.robot.knowledge == Knowledge::nothing) return known;
-  const bool all = scenario.robot.knowledge == Knowledge::all;
-  std::transform(scenario.map.blocked.begin(), scenario.map.blocked.end(), known.begin(),
-                 [all](std::uint8_t cell) { return cell == kObstacle || (all && cell == kUnmapped); });
+SharedBytes initial_knowledge(const Scenario& scenario, bool all_mapped) {
+  const SharedBytes& cells = scenario.map.blocked;
+  const auto on_map = [&] {
+    if (scenario.robot.knowledge == Knowledge::nothing) return SharedBytes(cells.size());
+    if (all_mapped) return cells;
+    return with_unmapped_as(cells, scenario.robot.knowledge == Knowledge::all ? kObstacle : kFree);
+  };
+  SharedBytes known = on_map();
+  // It feels where it stands.
+  if (scenario.map.at(scenario.start)) known[scenario.map.index(scenario.start)] = 1;
   return known;
 }
 
@@ -70,12 +77,13 @@ Mission<T>::Mission(const Scenario& scenario, const PlannerChoice& choice, T& tr
       robot_setup_(scenario.robot),
       surprises_(scenario.surprises),
       crowd_(scenario),
-      known_({scenario.map.width, scenario.map.height}, initial_knowledge(scenario),
+      known_({scenario.map.width, scenario.map.height}, initial_knowledge(scenario).plain(),
              move_rules(choice.settings)),
-      truth_(initial_truth(scenario)),
+      truth_(initial_truth(scenario).plain()),
       planner_(make_planner(*info_, known_, settings_, tr_)),
       start_(known_.node(scenario.start)),
-      goal_(known_.node(scenario.goal)) {
+      goal_(known_.node(scenario.goal)),
+      aim_(goal_) {
   now_.state = MissionState::planning;
   now_.fired.resize(surprises_.size());
   now_.route = std::make_shared<const Route>();
@@ -111,6 +119,7 @@ void Mission<T>::begin() {
   tr_.note(EventKind::plan_begin, start_, 0);
   tr_.change(Scalar::robot, 0, std::uint64_t{start_ + 1u});
   robot_ = start_;
+  if (seeks_nearest()) tr_.change(Scalar::wanted, 0, std::uint64_t{goal_ + 1u});
   const Stopwatch watch(now_.figures.plan_ms);
   planner_->begin(start_, goal_);
 }
@@ -126,7 +135,7 @@ void Mission<T>::search(std::int64_t iterations) {
 
 template <class T>
 void Mission<T>::plan_stands() {
-  const PlanStatus status = planner_->status();
+  const PlanStatus status = plan_status();
   now_.route = std::make_shared<const Route>(lay_out(known_, planner_->path(), status, sight_rule_));
   now_.next = 0;
   now_.figures.counters = now_.before_goal + planner_->counters();
@@ -134,6 +143,33 @@ void Mission<T>::plan_stands() {
   now_.figures.peak_bytes = std::max(now_.figures.peak_bytes, planner_->memory_bytes());
   tr_.note(EventKind::plan_end, robot_, static_cast<std::uint64_t>(status));
   now_.state = MissionState::driving;
+  const bool unreachable = status == PlanStatus::no_path || status == PlanStatus::goal_blocked;
+  if (unreachable && seeks_nearest()) make_for_nearest();
+}
+
+template <class T>
+PlanStatus Mission<T>::plan_status() const {
+  const PlanStatus status = planner_->status();
+  return status == PlanStatus::found && aim_ != goal_ ? PlanStatus::found_nearest : status;
+}
+
+/// What the robot has to make for on the map as it is now, if that is another cell than before. Whether there
+/// is a path to the goal the planner finds out; once it has found none, a flood tells when there is one
+/// again.
+template <class T>
+std::optional<NodeId> Mission<T>::other_aim() {
+  if (aim_ == goal_) return std::nullopt;
+  const NodeId nearest = nearest_reachable(known_, robot_, goal_);
+  if (nearest == aim_) return std::nullopt;
+  tr_.note(EventKind::aim, nearest, nearest == goal_ ? 1 : 0);
+  return nearest;
+}
+
+template <class T>
+void Mission<T>::make_for_nearest() {
+  const NodeId nearest = nearest_reachable(known_, robot_, goal_);
+  tr_.note(EventKind::aim, nearest);
+  learn({}, EventKind::sensed, nearest);
 }
 
 // Algorithm 1 of the DLD* Lite paper, lines 5-17, from the robot's side.
@@ -148,11 +184,12 @@ void Mission<T>::decide() {
     return;
   }
   tr_.line(105);
-  if (robot_ == goal_ && now_.route->status == PlanStatus::found) {
-    if (const auto step = next_scripted_step(true)) return wait_until(*step);
+  const PlanStatus plan = now_.route->status;
+  if (robot_ == goal_ && plan == PlanStatus::found) {
+    if (const auto step = next_scripted_step(true)) return wait_on_goal(*step);
     now_.state = MissionState::arrived;
     tr_.note(EventKind::arrival, robot_);
-  } else if (now_.route->path.nodes.empty()) {
+  } else if (now_.route->path.nodes.empty() || (robot_ == aim_ && plan == PlanStatus::found_nearest)) {
     wait_for_change();
   } else {
     drive();
@@ -166,8 +203,7 @@ std::size_t Mission<T>::due_surprise() const {
     const Trigger& at = surprises_[i].at;
     if (at.move && now_.clock >= *at.move) return i;
     if (!at.near) continue;
-    const Cell robot = known_.position(robot_);
-    if (std::hypot(at.near->x - robot.x, at.near->y - robot.y) <= at.within) return i;
+    if (distance(*at.near, known_.position(robot_)) <= at.within) return i;
   }
   return surprises_.size();
 }
@@ -178,17 +214,30 @@ void Mission<T>::happen(std::size_t index) {
   now_.fired[index] = true;
   tr_.line(108);
   tr_.note(EventKind::surprise, robot_, index);
-  const std::vector<CellEdit> told = write_cells(surprise);
+  std::vector<CellEdit> told = write_cells(surprise);
   if (surprise.robot) {
+    feel(robot_, told);
     tr_.note(EventKind::put_down, known_.node(*surprise.robot));
     put_robot(known_.node(*surprise.robot));
+    feel(robot_, told);
   }
   if (surprise.goal) {
-    goal_ = known_.node(*surprise.goal);
-    tr_.note(EventKind::new_goal, goal_);
+    const NodeId goal = known_.node(*surprise.goal);
+    tr_.note(EventKind::new_goal, goal);
+    if (seeks_nearest()) tr_.change(Scalar::wanted, std::uint64_t{goal_ + 1u}, std::uint64_t{goal + 1u});
+    goal_ = goal;
+    now_.waited = 0;
   }
   if (!told.empty() || surprise.robot || surprise.goal)
-    learn(told, EventKind::sensed, surprise.goal.has_value());
+    learn(told, EventKind::sensed, surprise.goal ? std::optional(goal_) : std::nullopt);
+}
+
+/// A robot that is taken up or put down learns of a wall that it stands in, if it was spared it until then.
+template <class T>
+void Mission<T>::feel(NodeId cell, std::vector<CellEdit>& told) const {
+  const auto told_already = [cell](const CellEdit& edit) { return edit.node == cell; };
+  if (robot_setup_.robot_cell_blocks || (truth_[cell] & kWallBit) == 0 || known_.blocked(cell)) return;
+  if (std::none_of(told.begin(), told.end(), told_already)) told.push_back({cell, true});
 }
 
 /// Changes the world and returns what of it the robot is told.
@@ -202,14 +251,16 @@ std::vector<CellEdit> Mission<T>::write_cells(const Surprise& surprise) {
         static_cast<std::uint8_t>((truth_[node] & ~kWallBit) | (change.blocked ? kWallBit : 0));
     tr_.change(EventKind::truth, node, truth_[node], std::uint64_t{value});
     truth_[node] = value;
-    if (is_told && known_.blocked(node) != change.blocked) told.push_back({node, change.blocked});
+    const bool spared = node == robot_ && change.blocked && !robot_setup_.robot_cell_blocks;
+    if (is_told && !spared && known_.blocked(node) != change.blocked) told.push_back({node, change.blocked});
   }
   return told;
 }
 
-// Lines 9-17. With `afresh` the planner forgets what it has: the goal has moved.
+// Lines 9-17. With `afresh_to` the planner forgets what it has and plans to that cell: the goal has moved, or
+// there is no path to it; and so it does where another cell has become the one to make for.
 template <class T>
-void Mission<T>::learn(const std::vector<CellEdit>& edits, EventKind how, bool afresh) {
+void Mission<T>::learn(const std::vector<CellEdit>& edits, EventKind how, std::optional<NodeId> afresh_to) {
   tr_.line(108);
   for (const CellEdit& edit : edits) {
     tr_.note(how, edit.node, edit.blocked ? 1 : 0);
@@ -217,18 +268,20 @@ void Mission<T>::learn(const std::vector<CellEdit>& edits, EventKind how, bool a
   }
   if (!crowd_.empty())
     now_.sightings = std::make_shared<const Sightings>(noted(*now_.sightings, edits, truth_));
+  const Stopwatch watch(now_.figures.replan_ms);
+  const auto moves = known_.apply(edits);
+  if (!afresh_to) afresh_to = other_aim();
   before_plan_ = planner_->counters();
   ++now_.figures.replans;
   tr_.line(109);
   tr_.change(Scalar::replans, static_cast<std::uint64_t>(now_.figures.replans - 1),
              static_cast<std::uint64_t>(now_.figures.replans));
   tr_.note(EventKind::plan_begin, robot_, static_cast<std::uint64_t>(now_.figures.replans));
-  const Stopwatch watch(now_.figures.replan_ms);
-  const auto moves = known_.apply(edits);
-  if (afresh) {
+  if (afresh_to) {
+    aim_ = *afresh_to;
     now_.before_goal = now_.before_goal + planner_->counters();
     before_plan_ = {};
-    planner_->begin(robot_, goal_);
+    planner_->begin(robot_, aim_);
   } else {
     planner_->update({.cells = edits, .moves = moves}, robot_);
   }
@@ -251,7 +304,12 @@ void Mission<T>::wait_for_change() {
   if (next)
     wait_until(*next);
   else
-    give_up(MissionState::no_path);
+    give_up(stuck());
+}
+
+template <class T>
+MissionState Mission<T>::stuck() const {
+  return now_.route->status == PlanStatus::found_nearest ? MissionState::nearest : MissionState::no_path;
 }
 
 template <class T>
@@ -264,9 +322,22 @@ void Mission<T>::wait_for_movers() {
     }
   }
   const auto patience = std::llround(robot_setup_.patience * static_cast<double>(kSecond));
-  if (now_.waited >= patience && !next_scripted_step(false)) return give_up(MissionState::no_path);
+  if (now_.waited >= patience) {
+    if (!next_scripted_step(false)) return give_up(stuck());
+    if (now_.waited - patience >= kMostWaits * step_time(1)) return give_up(MissionState::endless);
+  }
   now_.waited += step_time(1);
   wait_until(now_.clock + 1);
+}
+
+/// For the goal to move on.
+template <class T>
+void Mission<T>::wait_on_goal(std::int64_t clock) {
+  if (!crowd_.empty()) {
+    if (now_.waited >= kMostWaits * step_time(1)) return give_up(MissionState::endless);
+    now_.waited += step_time(1);
+  }
+  wait_until(clock);
 }
 
 /// Where nothing moves nothing can change before the next scripted step, so the robot waits until then at
@@ -275,7 +346,8 @@ template <class T>
 void Mission<T>::wait_until(std::int64_t clock) {
   const std::int64_t steps = crowd_.empty() ? clock - now_.clock : 1;
   tr_.note(EventKind::waiting, robot_, static_cast<std::uint64_t>(steps));
-  advance_clock(steps, steps * step_time(1), robot_);
+  const SimTime step = step_time(1);
+  advance_clock(steps, steps < kEndOfTime / step ? steps * step : kEndOfTime, robot_);
 }
 
 template <class T>
@@ -296,7 +368,7 @@ void Mission<T>::advance_clock(std::int64_t steps, SimTime time, NodeId left) {
   tr_.change(Scalar::moves, static_cast<std::uint64_t>(now_.clock),
              static_cast<std::uint64_t>(now_.clock + steps));
   now_.clock += steps;
-  now_.time += time;
+  now_.time += std::min(time, kEndOfTime - now_.time);
   if (crowd_.empty()) return;
   const Cell keep_clear[] = {known_.position(robot_), known_.position(left)};
   for (const Crowd::Change& change : crowd_.advance(now_.movers, now_.time, now_.clock, keep_clear)) {
@@ -345,7 +417,7 @@ void Mission<T>::put_robot(NodeId cell) {
 }
 
 template <class T>
-void Mission<T>::set_surprises(std::vector<Surprise> surprises) {
+void Mission<T>::set_surprises(Surprises surprises) {
   surprises_ = std::move(surprises);
   now_.fired.resize(surprises_.size());
   if (ended() && due_surprise() < surprises_.size()) now_.state = MissionState::driving;
@@ -358,11 +430,12 @@ void Mission<T>::restore(const Checkpoint& checkpoint, const SearchState& state)
   before_plan_ = checkpoint.before_plan;
   for (NodeId node = 0; node < truth_.size(); ++node)
     truth_[node] = static_cast<std::uint8_t>(state.value(EventKind::truth, node));
-  known_ = Grid2(known_.size(), state.known_map(), known_.rules());
+  known_ = Grid2(known_.size(), state.known_map().plain(), known_.rules());
   planner_ = make_planner(*info_, known_, settings_, tr_);
   planner_->restore(state, checkpoint.planner);
   robot_ = state.node(Scalar::robot);
-  goal_ = state.node(Scalar::goal);
+  aim_ = state.node(Scalar::goal);
+  goal_ = state.wanted_goal();
   begun_ = true;
 }
 

@@ -23,11 +23,17 @@ enum class MissionState : std::uint8_t {
   no_path,    ///< no path, and nothing that is scripted can open one: the robot waits for a change by hand
   collision,  ///< the plan leads into an obstacle (only with `remote_parents=printed`)
   loop,       ///< the plan leads round in a circle (only with `remote_parents=printed`)
-  endless,    ///< what moves keeps turning the robot back: ten times as many moves as the world has cells
+  endless,    ///< what moves keeps turning the robot back, or waiting: see kMovesPerCell and kMostWaits
+  nearest,    ///< as no_path, but the robot stands on the reachable cell nearest to its goal
 };
 
 /// The state as its fixed name in JSON output.
 const char* mission_state_name(MissionState state);
+
+/// A drive among moving obstacles ends as endless after so many moves per cell of the world (without them a
+/// robot enters a cell a few times at most), or after so many steps that it has waited, beyond its patience,
+/// for what is scripted.
+inline constexpr std::int64_t kMovesPerCell = 10, kMostWaits = 1'000'000;
 
 /// What a mission has come to so far.
 struct MissionFigures {
@@ -75,6 +81,14 @@ struct Checkpoint {
 /// step; after a second, then after twice as long each time, it forgets the sightings out of its sight and
 /// plans again; when it has waited as long as its patience lasts and nothing scripted is to come, it gives
 /// up.
+///
+/// An obstacle that comes onto the robot's own cell is not on its map while it stands there, unless
+/// RobotSetup::robot_cell_blocks: it drives out, and then learns of it. A robot that starts in a wall or is
+/// put into one stays there.
+///
+/// With UnreachableGoal::nearest the robot makes for the reachable cell nearest to its goal where there is no
+/// path to the goal itself. That cell is chosen anew whenever its map changes, and the planner begins from
+/// scratch where it is another one; Scalar::wanted holds the goal itself all the while.
 template <class T>
 class Mission {
  public:
@@ -96,9 +110,16 @@ class Mission {
   [[nodiscard]] const Planner<Grid2>& planner() const { return *planner_; }
   [[nodiscard]] const Grid2& known() const { return known_; }
 
+  /// Whether something stands on the robot's cell.
+  [[nodiscard]] bool covered() const { return truth_[robot_] != 0; }
+  /// How far the robot is from its goal, as the crow flies.
+  [[nodiscard]] double short_of_goal() const {
+    return distance(known_.position(robot_), known_.position(goal_));
+  }
+
   /// Puts another list of surprises in place; those that have happened must be the same. A mission that had
   /// ended goes on if something is due.
-  void set_surprises(std::vector<Surprise> surprises);
+  void set_surprises(Surprises surprises);
   /// This moment; not before the first advance(). Its `line` is left to the owner of the log.
   [[nodiscard]] Checkpoint checkpoint() const { return {now_, planner_->counters(), before_plan_, 0}; }
   /// Goes to a moment of this scenario's own run, `state` being the log's state there.
@@ -117,10 +138,19 @@ class Mission {
   void happen(std::size_t index);
   [[nodiscard]] std::vector<CellEdit> write_cells(const Surprise& surprise);
   [[nodiscard]] Senses senses() const { return {known_, truth_, robot_setup_, robot_}; }
-  void learn(const std::vector<CellEdit>& edits, EventKind how, bool afresh = false);
+  void feel(NodeId cell, std::vector<CellEdit>& told) const;
+  void learn(const std::vector<CellEdit>& edits, EventKind how, std::optional<NodeId> afresh_to = {});
+  [[nodiscard]] bool seeks_nearest() const {
+    return robot_setup_.unreachable_goal == UnreachableGoal::nearest;
+  }
+  [[nodiscard]] PlanStatus plan_status() const;
+  [[nodiscard]] std::optional<NodeId> other_aim();
+  void make_for_nearest();
   [[nodiscard]] std::optional<std::int64_t> next_scripted_step(bool only_goals) const;
   void wait_for_change();
+  [[nodiscard]] MissionState stuck() const;
   void wait_for_movers();
+  void wait_on_goal(std::int64_t clock);
   void wait_until(std::int64_t clock);
   void drive();
   void give_up(MissionState state);
@@ -134,19 +164,20 @@ class Mission {
   Settings settings_;
   SightRule sight_rule_ = SightRule::supercover;
   RobotSetup robot_setup_;
-  std::vector<Surprise> surprises_;
+  Surprises surprises_;
   Crowd crowd_;
   Grid2 known_;
   std::vector<std::uint8_t> truth_;  // as EventKind::truth holds it
   std::unique_ptr<Planner<Grid2>> planner_;
   NodeId start_ = kNoNode, goal_ = kNoNode, robot_ = kNoNode;
+  NodeId aim_ = kNoNode;  // where the planner plans to: the goal, or the reachable cell nearest to it
   bool begun_ = false;
   Counters before_plan_;
   Mark now_;
 };
 
 /// The map that the robot starts with.
-std::vector<std::uint8_t> initial_knowledge(const Scenario& scenario);
+SharedBytes initial_knowledge(const Scenario& scenario, bool all_mapped = false);
 
 extern template class Mission<NoTrace>;
 extern template class Mission<Recorder>;

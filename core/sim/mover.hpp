@@ -30,6 +30,13 @@ class Mover {
   [[nodiscard]] Cell at(std::int64_t steps) const;
   /// Whether it ever takes another step.
   [[nodiscard]] bool goes_on(std::int64_t steps) const;
+  /// How many of the `most` steps after the first `steps` it takes before one would bring it onto a cell of
+  /// `keep_clear` that it does not cover already. Looks at one round of its way at most, and only where it is
+  /// near such a cell.
+  [[nodiscard]] std::int64_t open_steps(std::int64_t steps, std::int64_t most,
+                                        std::span<const Cell> keep_clear) const;
+  /// How many steps are left to it: without an end, as many as there are numbers.
+  [[nodiscard]] std::int64_t steps_left(std::int64_t steps) const;
   /// Seconds between two steps, as simulated time; at least one unit.
   [[nodiscard]] SimTime pace() const { return pace_; }
   /// The step of the robot at which it appears.
@@ -47,6 +54,9 @@ class Mover {
   }
 
  private:
+  [[nodiscard]] std::int64_t round() const;
+  [[nodiscard]] int gap(Cell corner, Cell cell) const;
+
   std::vector<Cell> cells_;  // of one run over the way; with WayEnd::loop also the way home
   int width_, height_;
   WayEnd at_end_;
@@ -69,17 +79,19 @@ class Crowd {
   [[nodiscard]] const Mover& operator[](std::size_t index) const { return movers_[index]; }
   /// Before the run: those that are there from the start stand at the beginning of their ways.
   [[nodiscard]] std::vector<MoverState> initial() const;
-  /// Lets those move that are due by `time`, one step after the other, in the order of time and then of the
+  /// Lets those move that are due by `time`, in the order of the time at which they first are and then of the
   /// list, and those appear whose turn has come by the robot's `clock`. None comes onto a cell of
-  /// `keep_clear`: it waits there and tries again after its usual pace.
+  /// `keep_clear`: it waits there and tries again after its usual pace. However many steps one of them takes,
+  /// only its places before and after are told: nobody looks in between. So the changes are at most twice its
+  /// cells.
   std::vector<Change> advance(std::vector<MoverState>& states, SimTime time, std::int64_t clock,
                               std::span<const Cell> keep_clear) const;
 
  private:
   void appear(std::size_t index, std::vector<MoverState>& states, SimTime time,
               std::span<const Cell> keep_clear, std::vector<Change>& changes) const;
-  void step(std::size_t index, std::vector<MoverState>& states, std::span<const Cell> keep_clear,
-            std::vector<Change>& changes) const;
+  void move(std::size_t index, std::vector<MoverState>& states, SimTime time,
+            std::span<const Cell> keep_clear, std::vector<Change>& changes) const;
 
   std::vector<Mover> movers_;
   GridMap world_;  // its size
@@ -90,7 +102,7 @@ std::vector<Cell> cells_of_way(const std::vector<Cell>& corners);
 
 /// The world before a run: bit 0 of each cell is a wall of the map, the rest counts the moving obstacles that
 /// cover it.
-std::vector<std::uint8_t> initial_truth(const Scenario& scenario);
+SharedBytes initial_truth(const Scenario& scenario, bool all_mapped = false);
 inline constexpr std::uint8_t kWallBit = 1;    ///< of a cell of the true world
 inline constexpr std::uint8_t kMoverUnit = 2;  ///< what a moving obstacle adds to the cells that it covers
 

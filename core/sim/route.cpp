@@ -1,7 +1,6 @@
 #include "core/sim/route.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace replan {
 namespace {
@@ -36,10 +35,10 @@ Route lay_out(const Grid2& lattice, Path path, PlanStatus status, SightRule sigh
   double walked = 0;
   for (std::size_t i = 1; i < path.nodes.size(); ++i) {
     const Cell a = lattice.position(path.nodes[i - 1]), b = lattice.position(path.nodes[i]);
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    const double length = distance(a, b);
     for (const NodeId node : cells_between(lattice, path.nodes[i - 1], path.nodes[i], sight)) {
       const Cell c = lattice.position(node);
-      const double projection = ((c.x - a.x) * (b.x - a.x) + (c.y - a.y) * (b.y - a.y)) / length;
+      const double projection = static_cast<double>(scalar_product(a, b, c)) / length;
       route.cells.push_back(node);
       route.along.push_back(walked + projection);
       const double share = projection / length;

@@ -1,7 +1,6 @@
 #include "core/sim/senses.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "core/lattice/sight.hpp"
 #include "core/sim/mover.hpp"
@@ -10,9 +9,9 @@ namespace replan {
 
 bool Senses::in_sight(NodeId node) const {
   const Cell at = known_.position(robot_), cell = known_.position(node);
-  const int dx = cell.x - at.x, dy = cell.y - at.y;
-  if (std::abs(dx) <= 1 && std::abs(dy) <= 1) return true;
-  if (dx * dx + dy * dy > setup_.sensor_radius * setup_.sensor_radius) return false;
+  const std::int64_t squared = squared_distance(at, cell);
+  if (squared <= 2) return true;
+  if (static_cast<double>(squared) > setup_.sensor_radius * setup_.sensor_radius) return false;
   const auto clear = [&](NodeId passed, int) { return passed == node || truth_[passed] == 0; };
   return !setup_.sensor_blocked || walk_supercover(known_, robot_, node, clear);
 }
@@ -25,6 +24,7 @@ std::vector<CellEdit> Senses::sense() const {
     for (int x = std::max(0, at.x - reach); x <= std::min(known_.width() - 1, at.x + reach); ++x) {
       const NodeId node = known_.node(Cell{x, y});
       const bool blocked = truth_[node] != 0;
+      if (blocked && node == robot_ && !setup_.robot_cell_blocks) continue;
       if (blocked != known_.blocked(node) && in_sight(node)) seen.push_back({node, blocked});
     }
   return seen;

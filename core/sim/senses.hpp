@@ -21,7 +21,8 @@ class Senses {
   /// Whether the sensor reaches the cell: the eight cells around are always felt, others lie within its
   /// radius and, if obstacles hide what is behind them, in plain view.
   [[nodiscard]] bool in_sight(NodeId node) const;
-  /// What is in sight and differs from the robot's map, row by row.
+  /// What is in sight and differs from the robot's map, row by row; but not an obstacle on the robot's own
+  /// cell, unless RobotSetup::robot_cell_blocks: that is in nobody's way while it stands there.
   [[nodiscard]] std::vector<CellEdit> sense() const;
   /// The sightings that cannot be seen from here, as edits that make them free.
   [[nodiscard]] std::vector<CellEdit> out_of_sight(const Sightings& sightings) const;

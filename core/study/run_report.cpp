@@ -3,8 +3,11 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/words.hpp"
+#include "core/debug/event_words.hpp"
 #include "core/plan/common_parameters.hpp"
 #include "core/plan/registry.hpp"
+#include "core/sim/nearest.hpp"
 #include "core/world/json_reader.hpp"
 
 namespace replan {
@@ -37,7 +40,21 @@ RobotReport robot_report(const Mark& mark) {
           .moves = mark.figures.moves,
           .travelled = mark.figures.travelled,
           .collisions = mark.figures.collisions,
-          .replans = mark.figures.replans};
+          .replans = mark.figures.replans,
+          .last_plan = mark.route->status};
+}
+
+/// Why the robot did not arrive, where its ending alone does not say it: how things stood in the end.
+std::string_view why_without_a_path(const RunReport& report) {
+  const PlanStatus last = report.robot->last_plan;
+  if (report.status == status_name(last)) return status_sentence(last);  // it was so from the start
+  if (last == PlanStatus::start_blocked)
+    return "The robot did not arrive: its own cell is an obstacle, and it cannot leave it.";
+  if (last == PlanStatus::goal_blocked)
+    return "The robot did not arrive: the goal's cell has become an obstacle.";
+  if (report.robot->covered)
+    return "The robot did not arrive: an obstacle covers its own cell, and no way leads out of it.";
+  return "The robot did not arrive: the way to the goal was cut off while it drove.";
 }
 
 std::string csv_number(const NamedFigure& figure) {
@@ -58,19 +75,27 @@ Json figures_json(std::span<const NamedFigure> figures) {
 
 }  // namespace
 
-RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice) {
-  const Grid2 lattice({map.width, map.height}, map.blocked, move_rules(choice.settings));
+RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice,
+                    UnreachableGoal unreachable) {
+  const Grid2 lattice({map.width, map.height}, map.blocked.plain(), move_rules(choice.settings));
   NoTrace trace;
   const auto planner = make_planner(*find_planner(choice.id), lattice, choice.settings, trace);
   RunReport report;
   report.planner = choice.id;
   const auto begin = std::chrono::steady_clock::now();
   planner->begin(lattice.node(start), lattice.node(goal));
-  const PlanStatus status = finish(*planner);
+  PlanStatus status = finish(*planner);
+  Counters in_vain;
+  const bool blocked = status == PlanStatus::goal_blocked;
+  if (unreachable == UnreachableGoal::nearest && (blocked || status == PlanStatus::no_path)) {
+    in_vain = planner->counters();
+    planner->begin(lattice.node(start), nearest_reachable(lattice, lattice.node(start), lattice.node(goal)));
+    if (finish(*planner) == PlanStatus::found) status = PlanStatus::found_nearest;
+  }
   report.plan_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   report_plan(report, lattice, planner->path(), status, sight_rule(choice));
-  report.counters = planner->counters();
+  report.counters = in_vain + planner->counters();
   report.memory_bytes = static_cast<std::int64_t>(planner->memory_bytes());
   return report;
 }
@@ -93,7 +118,30 @@ RunReport drive(const Scenario& scenario, const PlannerChoice& choice) {
   report.counters = figures.counters;
   report.memory_bytes = static_cast<std::int64_t>(figures.peak_bytes);
   report.robot = robot_report(mission.now());
+  report.robot->covered = mission.covered();
+  report.robot->short_of_goal = mission.short_of_goal();
   return report;
+}
+
+std::string explanation(const RunReport& report) {
+  if (report.succeeded()) return {};
+  const std::string_view ending = report.robot ? mission_state_name(report.robot->ending) : report.status;
+  if (ending == mission_state_name(MissionState::loop))
+    return "The plan leads round in a circle: set remote_parents=checked.";
+  if (ending == mission_state_name(MissionState::collision))
+    return "The plan leads into an obstacle: set remote_parents=checked.";
+  if (ending == mission_state_name(MissionState::endless))
+    return "The robot did not arrive: what moves turned it back, or kept it waiting, again and again.";
+  if (ending == mission_state_name(MissionState::nearest))
+    return "The goal cannot be reached: the robot stands on the reachable cell nearest to it, " +
+           decimal_text(report.robot->short_of_goal.value_or(0), 3) + " cells away.";
+  if (report.robot) return std::string(why_without_a_path(report));
+  if (report.status == status_name(PlanStatus::found_nearest) && !report.path.empty())
+    return "The goal cannot be reached: the path leads to " + cell_text(report.path.back()) +
+           ", the reachable cell nearest to it.";
+  for (const PlanStatus status : {PlanStatus::no_path, PlanStatus::start_blocked, PlanStatus::goal_blocked})
+    if (report.status == status_name(status)) return status_sentence(status);
+  return {};
 }
 
 RunReport report_at(const Mark& mark, const PathFigures& figures, const PlannerChoice& choice) {
@@ -151,7 +199,9 @@ std::string runs_json(std::span<const RunReport> reports) {
     run["figures"] = figures_json(named_figures(report));
     if (report.robot) {
       run["robot"] = {{"reached", report.robot->reached()},
-                      {"ending", mission_state_name(report.robot->ending)}};
+                      {"ending", mission_state_name(report.robot->ending)},
+                      {"last_status", status_name(report.robot->last_plan)}};
+      if (report.robot->short_of_goal) run["robot"]["short_of_goal"] = *report.robot->short_of_goal;
       run["robot"].update(figures_json(named_figures(*report.robot)));
     }
     document["runs"].push_back(std::move(run));

@@ -17,11 +17,14 @@ namespace replan {
 
 /// The robot's side of a run.
 struct RobotReport {
-  MissionState ending = MissionState::planning;  ///< arrived, no_path, collision, loop or endless
+  MissionState ending = MissionState::planning;  ///< arrived, no_path, collision, loop, endless, nearest
   std::int64_t moves = 0;
   double travelled = 0;  ///< cells, along the route
   std::int64_t collisions = 0;
   std::int64_t replans = 0;
+  PlanStatus last_plan = PlanStatus::searching;  ///< how the latest plan stands
+  bool covered = false;                          ///< an obstacle stands on its cell
+  std::optional<double> short_of_goal = {};      ///< cells from where it ends to its goal, as the crow flies
   [[nodiscard]] bool reached() const { return ending == MissionState::arrived; }
 };
 
@@ -45,10 +48,15 @@ struct RunReport {
   [[nodiscard]] bool succeeded() const { return robot ? robot->reached() : status == "found"; }
 };
 
-/// Plans once. Start and goal must be on the map, the planner in the registry.
-RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice);
+/// Plans once; with UnreachableGoal::nearest to the reachable cell nearest to the goal if there is no path to
+/// the goal. Start and goal must be on the map, the planner in the registry.
+RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice,
+                    UnreachableGoal unreachable = UnreachableGoal::wait);
 /// Drives the scenario's robot with one planner until there is nothing more to do.
 RunReport drive(const Scenario& scenario, const PlannerChoice& choice);
+
+/// Why a run did not succeed, as a sentence; empty if it did.
+std::string explanation(const RunReport& report);
 
 /// How a run stands at a mark: the plan that stands there with the figures of its path, and the work until
 /// then. The path itself is left out.

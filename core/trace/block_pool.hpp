@@ -16,10 +16,12 @@ using BlockHandle = std::uint32_t;
 /// Blocks that count who holds them. The counts lie together and apart from the blocks, so that to share a
 /// block, or to let go of it, its own memory need not be fetched. Memory that was taken once is used again,
 /// and given back with the pool. For one thread: counts that several may change cost more than all the rest.
+/// But another one may read blocks that stay as they are, while they are held for it: blocks never move, nor
+/// does what leads to them.
 template <class Block>
 class BlockPool {
  public:
-  BlockPool() = default;
+  BlockPool() { chunks_.reserve(kMostBlocks / kChunk); }  // address space, not memory
   BlockPool(const BlockPool&) = delete;
   BlockPool& operator=(const BlockPool&) = delete;
 
@@ -58,11 +60,12 @@ class BlockPool {
 
  private:
   static constexpr std::size_t kChunk = 1024;
+  static constexpr std::size_t kMostBlocks = std::size_t{1} << 28;
 
   /// A block that was never used.
   BlockHandle fresh() {
     if (holders_.size() % kChunk == 0) {
-      if (holders_.size() > UINT32_MAX - kChunk) throw std::bad_alloc();
+      if (holders_.size() + kChunk > kMostBlocks) throw std::bad_alloc();
       chunks_.emplace_back(new Block[kChunk]);
       if (holders_.empty()) holders_.push_back(0);  // of no block
     }

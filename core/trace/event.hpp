@@ -2,7 +2,8 @@
 //
 // An event that changes a value stores before XOR after. Applied to the value it turns before into after and
 // after into before, so one 16-byte record serves both directions, and a state can be walked either way
-// through the log.
+// through the log. One kind changes many values at once: an `epoch` forgets a whole search. What was
+// forgotten is not in the log; who walks back over an epoch takes the state before it from the Timeline.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +46,10 @@ enum class EventKind : std::uint8_t {
   new_goal,    ///< the robot has to go to the node from now on
   put_down,    ///< somebody puts the robot down at the node
   forgotten,   ///< the robot no longer counts on an obstacle that moved when it last saw it
+  aim,    ///< the robot makes for the node from now on: the reachable cell nearest to its goal, or the goal
+  epoch,  ///< the planner forgets its search: the kinds in kForgotten go back to what they were at first
 };
+inline constexpr int kEventKinds = static_cast<int>(EventKind::epoch) + 1;
 
 inline constexpr int kWideFields = 7;    ///< EventKind::g .. visit
 inline constexpr int kNarrowFields = 2;  ///< EventKind::known, truth
@@ -56,10 +60,11 @@ enum class Scalar : std::uint8_t {
   km,     ///< raw Cost
   start,  ///< the search's start, node + 1
   last,   ///< s_last, node + 1
-  goal,   ///< node + 1
+  goal,   ///< of the search, node + 1
   robot,  ///< node + 1
   moves,  ///< the robot's clock: steps and waits
   replans,
+  wanted,  ///< where the robot has to go, node + 1; 0: where the search's goal is
   count
 };
 
@@ -72,6 +77,7 @@ class KindSet {
   }
   [[nodiscard]] constexpr bool has(EventKind kind) const { return (bits_ & bit(kind)) != 0; }
   [[nodiscard]] constexpr bool empty() const { return bits_ == 0; }
+  [[nodiscard]] constexpr bool meets(const KindSet& other) const { return (bits_ & other.bits_) != 0; }
   constexpr void add(EventKind kind) { bits_ |= bit(kind); }
   friend constexpr bool operator==(const KindSet&, const KindSet&) = default;
 
@@ -79,7 +85,11 @@ class KindSet {
   static constexpr std::uint32_t bit(EventKind kind) { return 1u << static_cast<unsigned>(kind); }
   std::uint32_t bits_ = 0;
 };
-static_assert(static_cast<unsigned>(EventKind::forgotten) < 32);
+static_assert(kEventKinds <= 32);
+
+/// The values of nodes that an epoch makes the initial ones again. The penalties stay: they are the map's.
+inline constexpr KindSet kForgotten{EventKind::g,  EventKind::rhs, EventKind::queue,
+                                    EventKind::lp, EventKind::rp,  EventKind::visit};
 
 /// One record of the log.
 struct Event {

@@ -28,8 +28,9 @@ class EventStore {
 
   /// The chunk that held the last event must not have been dropped.
   void append(std::span<const Event> events);
-  /// Forgets all events from `size` on. The chunk that becomes the last one must be held.
-  void truncate(std::size_t size);
+  /// Forgets all events from `size` on. The chunk that becomes the last one must be held. Returns the memory
+  /// of the chunks that went, for whoever has the time to free it.
+  std::vector<std::vector<Event>> truncate(std::size_t size);
   /// Puts a dropped chunk back: all of its events.
   void put_back(std::size_t chunk, std::span<const Event> events);
   /// Counts as a use of the chunk: those that were used longest ago are dropped first.
@@ -37,16 +38,17 @@ class EventStore {
   /// Drops chunks until those held take at most `bytes`; the last one and `keep` stay.
   void shrink(std::size_t bytes, std::size_t keep);
 
-  /// Bytes that the chunks held take.
-  [[nodiscard]] std::size_t bytes() const { return held_ * chunk_events() * sizeof(Event); }
+  /// Bytes of memory that the chunks held take.
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
  private:
-  void drop(std::size_t chunk);
+  void take_memory(std::size_t chunk);
+  std::vector<Event> give_up(std::size_t chunk);
 
   unsigned shift_;
   std::size_t mask_;
   std::size_t size_ = 0;
-  std::size_t held_ = 0;
+  std::size_t bytes_ = 0;
   std::uint64_t uses_ = 0;
   std::vector<const Event*> data_;  // of each chunk, nullptr = dropped: all that find() needs
   std::vector<std::vector<Event>> chunks_;

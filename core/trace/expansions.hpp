@@ -1,7 +1,4 @@
-// Which events of a log are expansions.
-//
-// A `visit` is one if a vertex was taken from the open list since its plan began. A planner that plans afresh
-// wipes its visits on the record before it takes the first; those are no expansions.
+// The expansions of a log: its `visit` events.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +9,8 @@
 
 namespace replan {
 
-/// Whether the visits that follow an event of this kind are expansions; nothing if that stays as it was.
+/// Whether what follows an event of this kind is the search's own work, and not its setting up; nothing if
+/// that stays as it was.
 constexpr std::optional<bool> expands_from(EventKind kind) {
   if (kind == EventKind::pop) return true;
   if (kind == EventKind::plan_begin) return false;
@@ -30,7 +28,7 @@ class ExpansionCounter {
   /// Takes the next event; whether it is an expansion.
   bool take(const Event& event) {
     if (const auto expands = expands_from(event.kind)) expands_ = *expands;
-    const bool expansion = expands_ && event.kind == EventKind::visit;
+    const bool expansion = event.kind == EventKind::visit;
     count_ += expansion ? 1 : 0;
     return expansion;
   }
@@ -41,17 +39,6 @@ class ExpansionCounter {
  private:
   bool expands_ = false;
   std::int64_t count_ = 0;
-};
-
-/// The same for events in any order, best along the log in either direction: it remembers the latest stretch
-/// of wiping.
-class ExpansionTeller {
- public:
-  /// Whether the event is an expansion.
-  bool operator()(const Timeline& log, std::size_t index);
-
- private:
-  std::size_t wipe_begin_ = 0, wipe_end_ = 0;  // no vertex is taken in between
 };
 
 }  // namespace replan

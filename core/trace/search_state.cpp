@@ -7,21 +7,25 @@ namespace replan {
 SearchState::SearchState(std::size_t nodes)
     : wide_pool_(std::make_shared<PagePool<std::uint64_t>>()),
       narrow_pool_(std::make_shared<PagePool<std::uint8_t>>()) {
-  const auto infinite = static_cast<std::uint64_t>(Cost::kInfinityRaw);
-  for (std::size_t kind = 0; kind < kWideFields; ++kind) {
-    const auto which = static_cast<EventKind>(kind);
-    const bool is_cost = which == EventKind::g || which == EventKind::rhs;
-    wide_[kind] = PagedArray<std::uint64_t>(nodes, is_cost ? infinite : 0, wide_pool_);
-  }
+  for (std::size_t kind = 0; kind < kWideFields; ++kind)
+    wide_[kind] = untouched(static_cast<EventKind>(kind), nodes);
   for (auto& field : narrow_) field = PagedArray<std::uint8_t>(nodes, 0, narrow_pool_);
 }
 
-SearchState::SearchState(std::span<const std::uint8_t> known, std::span<const std::uint8_t> truth)
-    : SearchState(known.size()) {
-  for (std::size_t n = 0; n < known.size(); ++n) {
-    if (known[n] != 0) narrow_[0].at(n) = 1;
-    if (truth[n] != 0) narrow_[1].at(n) = truth[n];
-  }
+SearchState::SearchState(SharedBytes known, SharedBytes truth) : SearchState(known.size()) {
+  narrow_[0] = PagedArray<std::uint8_t>(std::move(known), narrow_pool_);
+  narrow_[1] = PagedArray<std::uint8_t>(std::move(truth), narrow_pool_);
+}
+
+PagedArray<std::uint64_t> SearchState::untouched(EventKind kind, std::size_t nodes) const {
+  return PagedArray<std::uint64_t>(nodes, initial_value(kind), wide_pool_);
+}
+
+void SearchState::forget_search() {
+  for (std::size_t kind = 0; kind < kWideFields; ++kind)
+    if (const auto which = static_cast<EventKind>(kind); kForgotten.has(which))
+      wide_[kind] = untouched(which, node_count());
+  queued_ = 0;
 }
 
 void SearchState::apply(std::span<const Event> events, PageOrder& order) {
@@ -43,17 +47,6 @@ void SearchState::apply(std::span<const Event> events, PageOrder& order) {
   }
 }
 
-std::vector<std::uint8_t> SearchState::known_map() const {
-  std::vector<std::uint8_t> map(node_count());
-  for (std::size_t first = 0; first < map.size(); first += kPage) {
-    const std::uint8_t* page = narrow_[0].page(first);
-    if (page == nullptr) continue;
-    const std::size_t count = std::min(kPage, map.size() - first);
-    std::copy_n(page, count, map.begin() + static_cast<std::ptrdiff_t>(first));
-  }
-  return map;
-}
-
 std::uint64_t SearchState::value(EventKind kind, NodeId node) const {
   const auto index = static_cast<std::size_t>(kind);
   if (index < kWideFields) return wide_[index][node];
@@ -72,7 +65,7 @@ namespace {
 template <class T>
 std::uint64_t hash_field(std::uint64_t seed, const PagedArray<T>& field) {
   for (std::size_t i = 0; i < field.size(); ++i) {
-    if (!field.touched(i)) {
+    if (field.page(i) == nullptr) {
       i += PagedArray<T>::kPage - 1 - i % PagedArray<T>::kPage;
     } else if (field[i] != field.initial()) {
       seed = hash_combine(hash_combine(seed, i), field[i]);

@@ -16,19 +16,20 @@
 namespace replan {
 
 /// Everything that a view shows of a run at one moment, and everything that a planner needs to go on from
-/// there. Copies are cheap, and for the same thread (see PagedArray). apply() is its own inverse.
+/// there. Copies are cheap, and for the same thread (see PagedArray). apply() is its own inverse, but for
+/// epochs.
 class SearchState {
  public:
   SearchState() = default;
   /// The state before the first event of a run over `nodes` nodes: nothing known, all costs infinite.
   explicit SearchState(std::size_t nodes);
   /// As above, with the robot's map (nonzero = obstacle) and the world (as EventKind::truth holds it) before
-  /// the run.
-  SearchState(std::span<const std::uint8_t> known, std::span<const std::uint8_t> truth);
+  /// the run. Both are read where they are: nothing is copied.
+  SearchState(SharedBytes known, SharedBytes truth);
 
   [[nodiscard]] std::size_t node_count() const { return narrow_[0].size(); }
 
-  /// Takes the state over the event, forwards or backwards alike.
+  /// Takes the state over the event, forwards or backwards alike; over an epoch forwards only.
   void apply(const Event& event) {
     const auto kind = static_cast<std::size_t>(event.kind);
     if (kind < kWideFields)
@@ -37,10 +38,13 @@ class SearchState {
       narrow_[kind - kWideFields].at(event.node) ^= static_cast<std::uint8_t>(event.delta);
     else if (event.kind == EventKind::scalar)
       scalars_[event.node] ^= event.delta;
+    else if (event.kind == EventKind::epoch)
+      forget_search();
   }
 
   /// The same over all of a stretch of the log at once, which is much cheaper where they are many: what they
-  /// come to together does not depend on their order, so that each page is written once.
+  /// come to together does not depend on their order, so that each page is written once. None may be an
+  /// epoch.
   void apply(std::span<const Event> events, PageOrder& order);
 
   [[nodiscard]] Cost g(NodeId n) const { return cost(EventKind::g, n); }
@@ -71,7 +75,16 @@ class SearchState {
   [[nodiscard]] Cost km() const { return {static_cast<std::int64_t>(scalar(Scalar::km))}; }
   /// Nodes held by scalars (start, goal, robot ...); kNoNode while unset.
   [[nodiscard]] NodeId node(Scalar which) const { return static_cast<NodeId>(scalar(which)) - 1u; }
+  /// Where the robot has to go: the search's goal, unless that is only the reachable cell nearest to it.
+  [[nodiscard]] NodeId wanted_goal() const {
+    return scalar(Scalar::wanted) != 0 ? node(Scalar::wanted) : node(Scalar::goal);
+  }
 
+  /// What a value per node is before anything is written.
+  [[nodiscard]] static constexpr std::uint64_t initial_value(EventKind kind) {
+    const bool is_cost = kind == EventKind::g || kind == EventKind::rhs;
+    return is_cost ? static_cast<std::uint64_t>(Cost::kInfinityRaw) : 0;
+  }
   /// The raw value of any kind, as events hold it; `node` is the Scalar for EventKind::scalar.
   [[nodiscard]] std::uint64_t value(EventKind kind, NodeId node) const;
   /// True if the page of `node` (kPage nodes) was ever written for that kind; false lets readers skip it.
@@ -84,8 +97,9 @@ class SearchState {
   [[nodiscard]] const std::uint8_t* map_page(EventKind kind, NodeId node) const {
     return narrow_[static_cast<std::size_t>(kind) - kWideFields].page(node);
   }
-  /// The robot's map as a whole; nonzero = obstacle.
-  [[nodiscard]] std::vector<std::uint8_t> known_map() const;
+  /// The robot's map as a whole; nonzero = obstacle. Shares what it has never changed with the map before the
+  /// run.
+  [[nodiscard]] SharedBytes known_map() const { return narrow_[0].values(); }
   static constexpr std::size_t kPage = PagedArray<std::uint64_t>::kPage;
 
   /// A hash over all values: equal states have equal hashes, whichever way they were reached.
@@ -98,6 +112,8 @@ class SearchState {
   [[nodiscard]] std::size_t table_bytes() const;
 
  private:
+  void forget_search();
+  [[nodiscard]] PagedArray<std::uint64_t> untouched(EventKind kind, std::size_t nodes) const;
   void apply_wide(const Event& event) {
     write(wide_[static_cast<std::size_t>(event.kind)].at(event.node), event);
   }

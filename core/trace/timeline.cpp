@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/disposal.hpp"
 #include "core/base/hash.hpp"
 
 namespace replan {
@@ -11,6 +12,12 @@ namespace {
 constexpr std::size_t kFrameShare = 4;
 constexpr std::size_t kLeastFrameBytes = std::size_t{64} << 20;
 constexpr std::size_t kFrameBytesPerEvent = 7;
+
+/// The part of the limit that is left for what comes and goes: a frame too many, the sorting of events.
+constexpr std::size_t kWorkShare = 16;
+
+/// The part of the distance of two frames from which on one is left before an epoch.
+constexpr std::size_t kEpochShare = 8;
 
 /// Events from which on it is worth while to sort them by page.
 constexpr std::size_t kSortedEvents = 2048;
@@ -31,7 +38,21 @@ Timeline::Timeline(SearchState initial, const LogLimits& limits)
 }
 
 void Timeline::append(std::span<const Event> events, const std::shared_ptr<const Checkpoint>& checkpoint) {
-  // Frames stand where the run can be taken up; only where that is far off also in between.
+  const auto is_epoch = [](const Event& event) { return event.kind == EventKind::epoch; };
+  while (!events.empty()) {
+    const auto epoch = std::find_if(events.begin(), events.end(), is_epoch);
+    append_search(events.first(static_cast<std::size_t>(epoch - events.begin())));
+    if (epoch == events.end()) break;
+    take_epoch(*epoch);
+    events = events.subspan(static_cast<std::size_t>(epoch - events.begin()) + 1);
+  }
+  if (size() - last_frame() >= frame_interval_) capture(checkpoint);
+  if (source_) events_.shrink(event_allowance(), events_.chunk_of(cursor_));
+}
+
+/// Takes events without an epoch. Frames stand where the run can be taken up; only where that is far off also
+/// in between.
+void Timeline::append_search(std::span<const Event> events) {
   while (size() + events.size() - last_frame() >= 2 * frame_interval_) {
     const std::size_t gap = last_frame() + frame_interval_ - std::min(size(), last_frame() + frame_interval_);
     const auto piece = events.first(std::min(gap, events.size()));
@@ -40,8 +61,6 @@ void Timeline::append(std::span<const Event> events, const std::shared_ptr<const
     capture(nullptr);
   }
   take(events);
-  if (size() - last_frame() >= frame_interval_) capture(checkpoint);
-  if (source_) events_.shrink(event_allowance(), events_.chunk_of(cursor_));
 }
 
 void Timeline::take(std::span<const Event> events) {
@@ -51,9 +70,25 @@ void Timeline::take(std::span<const Event> events) {
   events_.append(events);
 }
 
+/// Nobody walks back over an epoch, so unless a frame is near, one is left before it.
+void Timeline::take_epoch(const Event& epoch) {
+  if (size() - last_frame() >= frame_interval_ / kEpochShare) capture(nullptr);
+  epochs_.push_back(size());
+  head_.apply(epoch);
+  events_.append({&epoch, 1});
+}
+
 void Timeline::capture(const std::shared_ptr<const Checkpoint>& checkpoint) {
   frames_.emplace(size(), KeyFrame{head_, checkpoint});
+  while (frame_bytes() > frame_allowance() && tidy()) {
+  }
   while (frame_bytes() > frame_allowance() && frames_.size() > 2) drop_frame();
+}
+
+bool Timeline::tidy() {
+  if (untidy_.empty()) return false;
+  untidy_.pop_back();
+  return true;
 }
 
 /// Drops the frame that is missed least. One at a time, since whoever appends must not wait for long.
@@ -77,7 +112,8 @@ std::size_t Timeline::frame_allowance() const {
 }
 
 std::size_t Timeline::event_allowance() const {
-  return limits_.bytes - std::min(limits_.bytes, frame_bytes() + index_.bytes());
+  const std::size_t others = frame_bytes() + index_.bytes() + limits_.bytes / kWorkShare;
+  return limits_.bytes - std::min(limits_.bytes, others);
 }
 
 Event Timeline::fetch(std::size_t index) const {
@@ -102,25 +138,34 @@ void Timeline::truncate(std::size_t size) {
   if (size >= this->size()) return;
   const std::size_t back = std::min(cursor_, size);
   seek(size);
+  untidy_.push_back(std::move(head_));
   head_ = state_;
   seek(back);
-  frames_.erase(frames_.upper_bound(size), frames_.end());
+  for (auto frame = frames_.upper_bound(size); frame != frames_.end(); frame = frames_.erase(frame))
+    untidy_.push_back(std::move(frame->second.state));
+  epochs_.erase(std::lower_bound(epochs_.begin(), epochs_.end(), size), epochs_.end());
   if (size % events_.chunk_events() != 0)
     static_cast<void>(event(size - 1));  // the last chunk has to be held
-  events_.truncate(size);
+  dispose(events_.truncate(size));
   index_.truncate(size / NodeIndex::kBlock);
   for (std::size_t i = size - size % NodeIndex::kBlock; i < size; ++i) index_.add(i, event(i).node);
 }
 
+bool Timeline::reversible(std::size_t to, std::size_t from) const {
+  const auto epoch = std::lower_bound(epochs_.begin(), epochs_.end(), to);
+  return epoch == epochs_.end() || *epoch >= from;
+}
+
 std::pair<std::size_t, const SearchState*> Timeline::nearest(std::size_t position) const {
-  std::pair<std::size_t, const SearchState*> best{cursor_, &state_};
+  const auto before = std::prev(frames_.upper_bound(position));
+  std::pair<std::size_t, const SearchState*> best{before->first, &before->second.state};
   const auto offer = [&](std::size_t at, const SearchState& state) {
-    if (distance(at, position) < distance(best.first, position)) best = {at, &state};
+    if (distance(at, position) < distance(best.first, position) && reversible(position, at))
+      best = {at, &state};
   };
+  offer(cursor_, state_);
   offer(size(), head_);
-  const auto after = frames_.lower_bound(position);
-  if (after != frames_.end()) offer(after->first, after->second.state);
-  if (after != frames_.begin()) offer(std::prev(after)->first, std::prev(after)->second.state);
+  if (const auto after = std::next(before); after != frames_.end()) offer(after->first, after->second.state);
   return best;
 }
 
@@ -131,7 +176,7 @@ std::span<const Event> Timeline::events(std::size_t from, std::size_t to) const 
   return {events_.find(from), std::min(to, end) - from};
 }
 
-/// Takes the state over all of them.
+/// Takes the state over all of them; none of them is an epoch.
 void Timeline::apply(SearchState& state, std::span<const Event> events) const {
   if (events.size() < kSortedEvents)
     for (const Event& event : events) state.apply(event);
@@ -141,14 +186,22 @@ void Timeline::apply(SearchState& state, std::span<const Event> events) const {
 
 void Timeline::walk(SearchState& state, std::size_t from, std::size_t to) const {
   // Backwards it is the same events, and what they come to together does not depend on their order.
+  auto epoch = std::lower_bound(epochs_.begin(), epochs_.end(), std::min(from, to));
   for (std::size_t at = std::min(from, to), end = std::max(from, to); at < end;) {
-    const std::span<const Event> stretch = events(at, end);
+    if (epoch != epochs_.end() && *epoch == at) {
+      state.apply(event(at++));
+      ++epoch;
+      continue;
+    }
+    const std::size_t until = epoch == epochs_.end() ? end : std::min(end, *epoch);
+    const std::span<const Event> stretch = events(at, until);
     apply(state, stretch);
     at += stretch.size();
   }
 }
 
 void Timeline::seek(std::size_t position) {
+  if (position == cursor_) return;
   const auto [from, state] = nearest(position);
   if (state != &state_) state_ = *state;
   walk(state_, from, position);
@@ -163,7 +216,7 @@ SearchState Timeline::state_at(std::size_t position) const {
   return copy;
 }
 
-std::optional<std::size_t> Timeline::last_event(NodeId node, KindSet kinds, std::size_t before) const {
+std::optional<std::size_t> Timeline::last_of_node(NodeId node, KindSet kinds, std::size_t before) const {
   for (std::size_t end = std::min(before, size()); end > 0;) {
     const auto block = index_.last_block(node, (end - 1) / NodeIndex::kBlock + 1);
     if (!block) break;
@@ -175,7 +228,7 @@ std::optional<std::size_t> Timeline::last_event(NodeId node, KindSet kinds, std:
   return std::nullopt;
 }
 
-std::optional<std::size_t> Timeline::next_event(NodeId node, KindSet kinds, std::size_t from) const {
+std::optional<std::size_t> Timeline::next_of_node(NodeId node, KindSet kinds, std::size_t from) const {
   while (from < size()) {
     const auto block = index_.next_block(node, from / NodeIndex::kBlock);
     if (!block) break;
@@ -185,6 +238,29 @@ std::optional<std::size_t> Timeline::next_event(NodeId node, KindSet kinds, std:
     from = end;
   }
   return std::nullopt;
+}
+
+std::optional<std::size_t> Timeline::last_event(NodeId node, KindSet kinds, std::size_t before) const {
+  const auto found = last_of_node(node, kinds, before);
+  if (!kinds.meets(kForgotten)) return found;
+  const auto after = std::lower_bound(epochs_.begin(), epochs_.end(), before);
+  if (after == epochs_.begin()) return found;
+  return std::max(found.value_or(0), *std::prev(after));
+}
+
+std::optional<std::size_t> Timeline::next_event(NodeId node, KindSet kinds, std::size_t from) const {
+  const auto found = next_of_node(node, kinds, from);
+  if (!kinds.meets(kForgotten)) return found;
+  const auto epoch = std::lower_bound(epochs_.begin(), epochs_.end(), from);
+  if (epoch == epochs_.end()) return found;
+  return std::min(found.value_or(*epoch), *epoch);
+}
+
+bool Timeline::changes(std::size_t index, NodeId node, EventKind kind) const {
+  const Event e = event(index);
+  if (e.kind != EventKind::epoch) return e.delta != 0;
+  if (!last_of_node(node, {kind}, index)) return false;
+  return state_at(index).value(kind, node) != SearchState::initial_value(kind);
 }
 
 std::uint64_t Timeline::log_hash() const {

@@ -56,8 +56,14 @@ class Timeline {
   /// them, nullptr if it cannot be taken up there.
   void append(std::span<const Event> events, const std::shared_ptr<const Checkpoint>& checkpoint = nullptr);
   /// Forgets all events from position `size` on; a cursor beyond it goes there. The source is still asked for
-  /// the log as it was.
+  /// the log as it was. States that are no longer needed are let go of by tidy().
   void truncate(std::size_t size);
+  /// Lets go of one of them. False if there is none left.
+  bool tidy();
+  /// The state at the end of the log, for another thread to read while this one goes on, until the next call
+  /// or take_back(). The other one must not copy it, and the timeline must outlive its reading.
+  const SearchState& lend_head() { return lent_.emplace(head_); }
+  void take_back() { lent_.reset(); }
 
   [[nodiscard]] std::size_t size() const { return events_.size(); }
   [[nodiscard]] Event event(std::size_t index) const {
@@ -75,10 +81,16 @@ class Timeline {
   /// The state at any position, without moving the cursor.
   [[nodiscard]] SearchState state_at(std::size_t position) const;
   /// The latest event before `before` that is about the node and of one of the kinds, and the first from
-  /// `from` on. `node` is the Scalar for EventKind::scalar. Fast where the node is rare: only stretches of
-  /// the log where it occurs are looked at.
+  /// `from` on. `node` is the Scalar for EventKind::scalar. Epochs are about every node, where they forget
+  /// one of the kinds. Fast where the node is rare: only stretches of the log where it occurs are looked at.
   [[nodiscard]] std::optional<std::size_t> last_event(NodeId node, KindSet kinds, std::size_t before) const;
   [[nodiscard]] std::optional<std::size_t> next_event(NodeId node, KindSet kinds, std::size_t from) const;
+  /// Whether an event makes a value of the node another one: one that last_event() or next_event() named.
+  [[nodiscard]] bool changes(std::size_t index, NodeId node, EventKind kind) const;
+  /// The epochs: where searches were forgotten, by index in the log.
+  [[nodiscard]] std::span<const std::size_t> epochs() const { return epochs_; }
+  /// Whether a state can be walked back from a position to an earlier one: no epoch lies in between.
+  [[nodiscard]] bool reversible(std::size_t to, std::size_t from) const;
 
   /// A hash over all events of the log: equal runs have equal hashes.
   [[nodiscard]] std::uint64_t log_hash() const;
@@ -92,9 +104,13 @@ class Timeline {
   [[nodiscard]] bool dropped() const { return events_.bytes() < size() * sizeof(Event); }
 
  private:
+  void append_search(std::span<const Event> events);
   void take(std::span<const Event> events);
+  void take_epoch(const Event& epoch);
   void capture(const std::shared_ptr<const Checkpoint>& checkpoint);
   void drop_frame();
+  [[nodiscard]] std::optional<std::size_t> last_of_node(NodeId node, KindSet kinds, std::size_t before) const;
+  [[nodiscard]] std::optional<std::size_t> next_of_node(NodeId node, KindSet kinds, std::size_t from) const;
   [[nodiscard]] std::size_t last_frame() const { return frames_.rbegin()->first; }
   [[nodiscard]] std::size_t frame_allowance() const;
   [[nodiscard]] std::size_t event_allowance() const;
@@ -109,11 +125,14 @@ class Timeline {
   Source source_;
   mutable EventStore events_;  // what was dropped comes back when it is read
   NodeIndex index_;
+  std::vector<std::size_t> epochs_;
   mutable PageOrder order_;  // only memory to work in
   std::size_t cursor_ = 0;
   SearchState state_;
   SearchState head_;
   std::map<std::size_t, KeyFrame> frames_;  // by position
+  std::vector<SearchState> untidy_;         // no longer needed
+  std::optional<SearchState> lent_;
   std::size_t frame_interval_;
 };
 

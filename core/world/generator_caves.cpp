@@ -72,7 +72,7 @@ Result<GridMap> caves(int width, int height, const CavesShape& shape, std::uint6
   for (int i = 0; i < shape.rounds; ++i) map = smoothed(map);
   const std::vector<Cell> cave = largest_cave(map);
   if (cave.empty()) return Error{"all of it is rock: give a smaller fraction, fewer rounds or a larger map"};
-  std::fill(map.blocked.begin(), map.blocked.end(), kObstacle);
+  map.blocked.assign(map.blocked.size(), kObstacle);
   for (const Cell cell : cave) map.set(cell, false);
   dig_to_open(map, keep_free);
   return map;

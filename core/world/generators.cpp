@@ -42,7 +42,7 @@ class MazeBuilder {
         columns_((width - 1) / (corridor + 1)),
         rows_((height - 1) / (corridor + 1)),
         random_(seed) {
-    std::fill(map_.blocked.begin(), map_.blocked.end(), kObstacle);
+    map_.blocked.assign(map_.blocked.size(), kObstacle);
   }
 
   GridMap build(const MazeShape& shape) {
@@ -142,7 +142,8 @@ Result<GridMap> random_cells(int width, int height, double fraction, std::uint64
     return Error{checked.error()};
   GridMap map(width, height);
   Random random(seed);
-  for (std::uint8_t& cell : map.blocked) cell = random.chance(fraction) ? 1 : 0;
+  for (std::size_t cell = 0; cell < map.blocked.size(); ++cell)
+    if (random.chance(fraction)) map.blocked[cell] = kObstacle;
   for (const Cell cell : keep_free)
     if (map.contains(cell)) map.set(cell, false);
   return map;

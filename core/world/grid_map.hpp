@@ -3,9 +3,10 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include "core/base/cell.hpp"
+#include "core/base/shared_array.hpp"
 
 namespace replan {
 
@@ -25,11 +26,11 @@ inline constexpr std::uint8_t kUnmapped = 2;
 /// What files may say of a map's resolution and origin.
 inline constexpr double kMinResolution = 1e-6, kMaxResolution = 1e6, kMaxOrigin = 1e9;
 
-/// A rectangle of cells, row-major.
+/// A rectangle of cells, row-major. Copies share their cells until one of them is written to.
 struct GridMap {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> blocked;  ///< kFree, kObstacle or kUnmapped
+  SharedBytes blocked;    ///< kFree, kObstacle or kUnmapped
   double resolution = 1;  ///< length of a cell's side; metres in ROS maps, 1 where the source says nothing
   /// Pose of the lower left corner in the source's own frame (ROS): x and y in the resolution's unit, yaw in
   /// radians.
@@ -50,5 +51,10 @@ struct GridMap {
   void set(Cell c, bool value) { blocked[index(c)] = value ? kObstacle : kFree; }
   friend bool operator==(const GridMap&, const GridMap&) = default;
 };
+
+/// Whether a stretch of cells has kUnmapped in it.
+bool has_unmapped(std::span<const std::uint8_t> cells);
+/// The cells with another value for kUnmapped; chunks without any are shared.
+SharedBytes with_unmapped_as(SharedBytes cells, std::uint8_t value);
 
 }  // namespace replan

@@ -73,12 +73,12 @@ class MapParser {
     const auto line = lines_.next();
     if (!line)
       return wrong("the file ends after " + std::to_string(y) + " of " + std::to_string(height_) + " rows");
-    std::uint8_t* row = map.blocked.data() + map.index({0, y});
+    const std::size_t row = map.index({0, y});
     const std::size_t count = std::min(line->size(), static_cast<std::size_t>(map.width));
     for (std::size_t x = 0; x < count; ++x) {
       const MapLetter letter = map_letter((*line)[x]);
       if (letter == MapLetter::unknown) return unknown_letter(line->substr(x), x);
-      row[x] = letter == MapLetter::blocked ? 1 : 0;
+      if (letter == MapLetter::blocked) map.blocked[row + x] = kObstacle;
     }
     if (line->size() == count && count == static_cast<std::size_t>(map.width)) return {};
     return wrong("the row has " + std::to_string(line->size()) + " columns, not the " +

@@ -154,7 +154,7 @@ class SbplParser {
 
   Result<void> read_costs(MapFile& world, int threshold) {
     const auto count = static_cast<std::size_t>(world.map.width) * static_cast<std::size_t>(world.map.height);
-    std::vector<std::uint8_t>& cells = world.map.blocked;
+    std::vector<std::uint8_t> cells;
     std::int64_t lost = 0;
     while (cells.size() < count) {
       const std::string_view word = next_word();
@@ -168,6 +168,7 @@ class SbplParser {
       cells.push_back(*cost >= threshold ? kObstacle : kFree);
       lost += *cost > 0 && *cost < threshold ? 1 : 0;
     }
+    world.map.blocked = cells;
     if (const std::string_view word = next_word(); !word.empty())
       return wrong("the file goes on after its " + std::to_string(count) + " costs: " + shown(word));
     if (lost > 0)

@@ -27,6 +27,12 @@ enum class Motion : std::uint8_t {
   smooth,  ///< at a steady speed along the plan: a step takes as long as its way
 };
 
+/// What the robot does where its goal is an obstacle or cannot be reached.
+enum class UnreachableGoal : std::uint8_t {
+  wait,     ///< waits for a way to open
+  nearest,  ///< goes to the reachable cell nearest to the goal, and on to the goal once a way opens
+};
+
 /// The robot and its sensor.
 struct RobotSetup {
   Knowledge knowledge = Knowledge::map;
@@ -35,6 +41,8 @@ struct RobotSetup {
   Motion motion = Motion::steps;
   double speed = 4;      ///< cells per second
   double patience = 60;  ///< seconds that it waits for obstacles to move out of its way before it gives up
+  UnreachableGoal unreachable_goal = UnreachableGoal::wait;
+  bool robot_cell_blocks = false;  ///< an obstacle that comes onto the robot's own cell keeps it there
   friend bool operator==(const RobotSetup&, const RobotSetup&) = default;
 };
 
@@ -76,6 +84,9 @@ struct Surprise {
   std::optional<Cell> robot = {};  ///< where somebody puts it down
   friend bool operator==(const Surprise&, const Surprise&) = default;
 };
+
+/// Surprises in the order of their list. Versions of a scenario share them.
+using Surprises = SharedArray<Surprise, 32>;
 
 /// A planner by its registry id, with the settings that differ from its defaults.
 struct PlannerChoice {
@@ -130,7 +141,7 @@ struct Scenario {
   Cell goal;
   std::vector<PlannerChoice> planners;  ///< at least one
   RobotSetup robot;
-  std::vector<Surprise> surprises;
+  Surprises surprises;
   std::vector<MovingObstacle> movers;
   ViewSetup view;
   DebugSetup debug;

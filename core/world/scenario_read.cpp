@@ -189,7 +189,8 @@ class ScenarioReader {
   }
 
   void read_robot(const JsonNode& node) {
-    if (!node.expect_object({"knowledge", "sensor_radius", "sensor_blocked", "motion", "speed", "patience"}))
+    if (!node.expect_object({"knowledge", "sensor_radius", "sensor_blocked", "motion", "speed", "patience",
+                             "unreachable_goal", "robot_cell_blocks"}))
       return;
     RobotSetup& robot = scenario_.robot;
     if (const auto item = node.find("knowledge"))
@@ -200,6 +201,9 @@ class ScenarioReader {
       robot.motion = static_cast<Motion>(item->one_of({"steps", "smooth"}));
     if (const auto item = node.find("speed")) robot.speed = item->number(kMinSpeed, kMaxSpeed);
     if (const auto item = node.find("patience")) robot.patience = item->number(0, kMaxPatience);
+    if (const auto item = node.find("unreachable_goal"))
+      robot.unreachable_goal = static_cast<UnreachableGoal>(item->one_of({"wait", "nearest"}));
+    if (const auto item = node.find("robot_cell_blocks")) robot.robot_cell_blocks = item->toggle();
   }
 
   void read_mover(const JsonNode& node) {

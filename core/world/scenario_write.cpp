@@ -126,6 +126,8 @@ Json robot_json(const RobotSetup& robot) {
   if (robot.motion != usual.motion) result["motion"] = robot.motion == Motion::smooth ? "smooth" : "steps";
   if (robot.speed != usual.speed) result["speed"] = plain_number(robot.speed);
   if (robot.patience != usual.patience) result["patience"] = plain_number(robot.patience);
+  if (robot.unreachable_goal != usual.unreachable_goal) result["unreachable_goal"] = "nearest";
+  if (robot.robot_cell_blocks) result["robot_cell_blocks"] = true;
   return result;
 }
 

@@ -13,7 +13,8 @@ template <class Move>
 void move_places(Scenario& scenario, const Move& move) {
   scenario.start = move(scenario.start);
   scenario.goal = move(scenario.goal);
-  for (Surprise& surprise : scenario.surprises) {
+  for (std::size_t i = 0; i < scenario.surprises.size(); ++i) {
+    Surprise& surprise = scenario.surprises.edit(i);
     if (surprise.at.near) surprise.at.near = move(*surprise.at.near);
     if (surprise.goal) surprise.goal = move(*surprise.goal);
     if (surprise.robot) surprise.robot = move(*surprise.robot);
@@ -109,7 +110,8 @@ Scenario turned(const Scenario& scenario, Turn turn) {
       if (unknown) (*unknown)[to] = scenario.map_found.is_unknown(map, from);
     }
   move_places(after, move);
-  for (Surprise& surprise : after.surprises) {
+  for (std::size_t i = 0; i < after.surprises.size(); ++i) {
+    Surprise& surprise = after.surprises.edit(i);
     for (CellChange& change : surprise.cells) change.cell = move(change.cell);
     sort_rows(surprise.cells);
   }
@@ -163,17 +165,18 @@ Result<Resized> resized(const Scenario& scenario, const NewSize& size) {
   const auto falls_off = [&](Cell cell) { return !after.map.contains({cell.x + by.x, cell.y + by.y}); };
   done.ends_moved = falls_off(scenario.start) || falls_off(scenario.goal);
   move_places(after, move);
-  for (Surprise& surprise : after.surprises) {
+  for (std::size_t i = 0; i < after.surprises.size(); ++i) {
+    Surprise& surprise = after.surprises.edit(i);
     const std::size_t before = surprise.cells.size();
     for (CellChange& change : surprise.cells) change.cell = {change.cell.x + by.x, change.cell.y + by.y};
     std::erase_if(surprise.cells, [&](const CellChange& each) { return !after.map.contains(each.cell); });
     done.cells_lost += before - surprise.cells.size();
   }
   for (std::size_t i = after.surprises.size(); i-- > 0;) {
-    const Surprise& surprise = after.surprises[i];
+    const Surprise& surprise = std::as_const(after.surprises)[i];
     if (!surprise.cells.empty() || surprise.goal || surprise.robot) continue;
     done.surprises_lost.insert(done.surprises_lost.begin(), i);
-    after.surprises.erase(after.surprises.begin() + static_cast<std::ptrdiff_t>(i));
+    after.surprises.erase(i);
   }
   if (auto& camera = after.view.camera) {
     camera->x += by.x;

@@ -30,8 +30,8 @@ class VoxelMapParser {
     if (take_word(header) != "voxel" || !read_numbers(header, sides) || width == 0 || height == 0 ||
         depth == 0)
       return wrong("not a voxel map: the first line must be 'voxel X Y Z', three whole numbers from 1");
-    if (height > kMaxCells / width || depth > kMaxCells / (std::int64_t{width} * height))
-      return wrong("the map is too large: at most " + std::to_string(kMaxCells) + " voxels are read");
+    if (height > kMaxVoxels / width || depth > kMaxVoxels / (std::int64_t{width} * height))
+      return wrong("the map is too large: at most " + std::to_string(kMaxVoxels) + " voxels are read");
     VoxelMap map(width, height, depth);
     while (const auto line = lines_.next()) {
       if (line->empty()) continue;
@@ -129,8 +129,8 @@ Result<GridMap> voxel_slice(const VoxelMap& map, int z) {
     return Error{"there is no slice " + std::to_string(z) + ": z goes from 0 to " +
                  std::to_string(map.depth - 1)};
   GridMap slice(map.width, map.height);
-  const auto* from = map.blocked.data() + map.index({0, 0, z});
-  std::copy(from, from + slice.blocked.size(), slice.blocked.begin());
+  const auto from = map.blocked.begin() + static_cast<std::ptrdiff_t>(map.index({0, 0, z}));
+  slice.blocked = std::vector<std::uint8_t>(from, from + static_cast<std::ptrdiff_t>(slice.blocked.size()));
   return slice;
 }
 

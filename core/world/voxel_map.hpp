@@ -43,7 +43,7 @@ struct VoxelMap {
   friend bool operator==(const VoxelMap&, const VoxelMap&) = default;
 };
 
-/// Reads a `.3dmap`. More than kMaxCells voxels are refused before memory is taken for them; a voxel outside
+/// Reads a `.3dmap`. More than kMaxVoxels voxels are refused before memory is taken for them; a voxel outside
 /// the box is an error that names the line.
 Result<VoxelMap> read_voxel_map(const std::string& path);
 /// As read_voxel_map() from text; `origin` names it in errors.

@@ -10,13 +10,13 @@ namespace {
 
 /// A first plan of DLD* Lite through a large world, and the replans on the way.
 struct LongLog {
+  static constexpr int kSide = 700;
   Scenario scenario;
   PlannerChoice choice{"dld-star-lite", {}};
-  std::unique_ptr<Grid2> lattice;
+  Box lattice{kSide, kSide};
   Timeline log;
 
   LongLog() {
-    constexpr int kSide = 700;
     scenario.map = GridMap(kSide, kSide);
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) scenario.map.set({x, y}, (x * 37 + y * 91 + x * y) % 23 < 3);
@@ -25,14 +25,13 @@ struct LongLog {
     scenario.map.set(scenario.start, false);
     scenario.map.set(scenario.goal, false);
     scenario.robot.knowledge = Knowledge::map;
-    lattice = std::make_unique<Grid2>(Grid2::Coordinates{kSide, kSide}, scenario.map.blocked, MoveRules{});
     log = Timeline(SearchState(initial_knowledge(scenario), initial_truth(scenario)));
     Recorder recorder;
     Mission<Recorder> mission(scenario, choice, recorder);
     while (mission.advance(20000)) log.append(recorder.take());
     log.append(recorder.take());
   }
-  [[nodiscard]] LogView view() const { return {log, *lattice, *find_planner(choice.id), choice.settings}; }
+  [[nodiscard]] LogView view() const { return {log, lattice, *find_planner(choice.id), choice.settings}; }
 };
 
 const LongLog& long_log() {

@@ -53,7 +53,7 @@ double seconds() {
 void checked_plan(benchmark::State& state, const PlannerInfo& info, const Worlds& worlds) {
   const Scenario scenario = with_surprise(worlds, info);
   const Settings settings;
-  const Grid2 lattice({scenario.map.width, scenario.map.height}, move_rules(settings));
+  const Box lattice(scenario.map.width, scenario.map.height);
   double alone = 0, checks = 0;
   std::size_t events = 0, bytes = 0;
   for (auto _ : state) {
@@ -81,7 +81,7 @@ void checked_plan(benchmark::State& state, const PlannerInfo& info, const Worlds
 }  // namespace
 
 void bench::register_checks() {
-  for (const Worlds& worlds : all_worlds())
+  for (const Worlds& worlds : paper_worlds())
     for (const PlannerInfo& info : sound_planners()) {
       const std::string name = "checked_plan/" + worlds.name + "/" + std::string(info.id);
       benchmark::RegisterBenchmark(name.c_str(), [&info, &worlds](benchmark::State& state) {

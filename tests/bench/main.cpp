@@ -115,6 +115,7 @@ int main(int argc, char** argv) {
     if (std::string_view(argv[i]) == "--events") return run_events(parse(argc, argv));
   replan::bench::register_plans();
   replan::bench::register_checks();
+  replan::bench::register_sight();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

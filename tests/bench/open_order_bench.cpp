@@ -14,7 +14,7 @@ constexpr std::size_t kSteps = 20000;
 /// A log that puts a million vertices into the list, and then goes on as a search does: it takes one and
 /// gives its neighbours new keys.
 struct BigList {
-  Grid2 lattice{{kSide, kSide}};
+  Box lattice{kSide, kSide};
   Settings settings;
   Timeline log{SearchState(std::size_t{kSide} * kSide)};
   std::size_t full = 0;  // the position at which all are in

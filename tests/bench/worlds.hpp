@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace bench {
 // Called by main(): planners and their parameters are not there yet while the program's constants are made.
 void register_plans();
 void register_checks();
+void register_sight();
 }  // namespace bench
 
 /// Some worlds of one kind, and where to go in them.
@@ -23,8 +25,8 @@ struct Worlds {
   std::vector<GridMap> maps;
 };
 
-/// The DLD* Lite paper's kind (ten maps of random rectangles, Fig. 5), and its narrow mazes (Fig. 7), where
-/// it names the sight checks an open problem.
+/// The DLD* Lite paper's kind (ten maps of random rectangles, Fig. 5), its narrow mazes (Fig. 7), where it
+/// names the sight checks an open problem, and open ground, where they are long.
 inline const std::vector<Worlds>& all_worlds() {
   static const auto worlds = [] {
     Worlds rectangles{"rectangles", {15, 15}, {175, 175}, {}};
@@ -35,9 +37,17 @@ inline const std::vector<Worlds>& all_worlds() {
         "maze_1", {1, 1}, {499, 499}, {*maze(501, 501, {.corridor = 1, .braid = 0, .loops = 0.1}, 1)}};
     Worlds wide{
         "maze_7", {4, 4}, {493, 493}, {*maze(497, 497, {.corridor = 7, .braid = 0, .loops = 0.1}, 1)}};
-    return std::vector<Worlds>{rectangles, narrow, wide};
+    // Open ground, where rays are long.
+    Worlds empty{"empty_2048", {1, 1}, {2046, 2000}, {GridMap(2048, 2048)}};
+    Worlds field{"field_60000x40", {1, 20}, {59998, 25}, {GridMap(60000, 40)}};
+    return std::vector<Worlds>{rectangles, narrow, wide, empty, field};
   }();
   return worlds;
+}
+
+/// Those of the paper's kinds alone.
+inline std::span<const Worlds> paper_worlds() {
+  return std::span(all_worlds()).first(3);
 }
 
 }  // namespace replan

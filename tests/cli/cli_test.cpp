@@ -136,6 +136,54 @@ TEST_F(CommandLine, aRobotThatCannotArriveIsExitCodeOne) {
   }
 }
 
+TEST_F(CommandLine, aRobotIsToldOfByNameWhoseCellIsBlocked) {
+  const std::string rest = R"("map": {"rows": [".......", "......."]}, "start": [0, 0], "goal": [6, 0],
+ "planners": [{"id": "astar"}, {"id": "dstar-lite"}],
+ "surprises": [{"at": {"move": 2}, "add": {"cells": [[2, 0]]}}]})";
+  const auto free = folder_.with("free.json", "{\"replan\": 1, " + rest);
+  EXPECT_EQ(run_program({"run", free}).code, 0) << "it drives out";
+  EXPECT_NE(run_program({"show", free, "--at", "replan:1"}).out.find("S.@R..G"), std::string::npos);
+  const auto held =
+      folder_.with("held.json", "{\"replan\": 1, \"robot\": {\"robot_cell_blocks\": true}, " + rest);
+  const Outcome told = run_program({"run", held});
+  EXPECT_EQ(told.code, 1);
+  for (const char* planner : {"astar", "dstar-lite"})
+    EXPECT_NE(told.out.find(std::string(planner) + ": The robot did not arrive: its own cell is an obstacle"),
+              std::string::npos)
+        << told.out;
+  EXPECT_EQ(run_program({"run", held, "--json"}).json()["runs"][0]["robot"]["last_status"], "start-blocked");
+  const Outcome shown = run_program({"show", held, "--at", "end"});
+  EXPECT_NE(shown.out.find("an obstacle stands on the robot's cell and keeps it there"), std::string::npos);
+  EXPECT_NE(shown.out.find("S.X...G"), std::string::npos) << shown.out;
+}
+
+TEST_F(CommandLine, unreachableGoalSaysHowNearTheRobotComes) {
+  const auto closed = folder_.with("shut.json", R"({"replan": 1,
+ "map": {"rows": ["....@..", "....@.."]}, "start": [0, 0], "goal": [6, 0], "planners": [{"id": "astar"}]})");
+  EXPECT_EQ(run_program({"run", closed, "--json"}).json()["runs"][0]["status"], "no-path");
+  const Outcome near = run_program({"run", closed, "--unreachable-goal", "nearest", "--json"});
+  EXPECT_EQ(near.code, 1) << "the goal was not reached";
+  const json run = near.json()["runs"][0];
+  EXPECT_EQ(run["status"], "found-nearest");
+  EXPECT_EQ(run["path"].back(), json({3, 0}));
+  EXPECT_EQ(run["robot"]["ending"], "nearest");
+  EXPECT_EQ(run["robot"]["short_of_goal"], 3);
+  const std::string text = run_program({"run", closed, "--unreachable-goal", "nearest"}).out;
+  EXPECT_NE(
+      text.find("astar: The goal cannot be reached: the robot stands on the reachable cell nearest to it, "
+                "3.000 cells away."),
+      std::string::npos)
+      << text;
+  EXPECT_NE(run_program({"show", closed, "--at", "replan:1", "--unreachable-goal", "nearest"})
+                .out.find("it makes for (3, 0)"),
+            std::string::npos);
+  const std::string planned =
+      run_program(plan("0,0", "3,1", {"--planner", "astar", "--unreachable-goal", "nearest"})).out;
+  EXPECT_NE(planned.find("the path leads to ("), std::string::npos) << planned;
+  EXPECT_EQ(run_program({"run", closed, "--unreachable-goal", "nearst"}).err,
+            "replan: --unreachable-goal cannot be 'nearst'; did you mean 'nearest'?\n");
+}
+
 TEST_F(CommandLine, setGoesToEachPlannerThatHasTheSetting) {
   const auto length = [](const json& run) { return run["figures"]["length"].get<double>(); };
   const json all =

@@ -81,12 +81,12 @@ struct Writer {
 struct RandomLog {
   PlannerChoice choice;
   const PlannerInfo* info = nullptr;
-  std::unique_ptr<Grid2> lattice;
+  Box lattice;
   Timeline log;
   std::vector<std::size_t> breaches, disagreements;
 
-  [[nodiscard]] LogView view() const { return {log, *lattice, *info, choice.settings}; }
-  [[nodiscard]] WorldSize size() const { return {lattice->size()[0], lattice->size()[1]}; }
+  [[nodiscard]] LogView view() const { return {log, lattice, *info, choice.settings}; }
+  [[nodiscard]] WorldSize size() const { return {lattice.width(), lattice.height()}; }
 };
 
 RandomLog random_log(Random& random, const PlannerInfo& info) {
@@ -113,7 +113,7 @@ RandomLog random_log(Random& random, const PlannerInfo& info) {
   RandomLog result;
   result.info = &info;
   result.choice = {std::string(info.id), random_settings(random, info)};
-  result.lattice = std::make_unique<Grid2>(size, scenario.map.blocked, move_rules(result.choice.settings));
+  result.lattice = Box(size[0], size[1]);
   result.log = Timeline(SearchState(initial_knowledge(scenario), initial_truth(scenario)));
   Recorder recorder;
   Mission<Recorder> mission(scenario, result.choice, recorder);
@@ -169,7 +169,7 @@ class Plain {
     std::int64_t expansions = 0;
   };
   const Term& part(std::uint16_t index) const { return condition_.terms[index]; }
-  NodeId node(const Term& term) const { return log_.lattice->node(term.cell); }
+  NodeId node(const Term& term) const { return log_.lattice.node(term.cell); }
 
   bool changed(const Term& term) {
     if (term.type == ValueType::truth) return truth(term, now_) != truth(term, then_);
@@ -194,10 +194,10 @@ class Plain {
       case Happening::sight_failed:
         return e.kind == EventKind::sight && (e.delta >> 32) == 0;
       case Happening::no_path:
-        return e.kind == EventKind::plan_end && e.delta != static_cast<std::uint64_t>(PlanStatus::found);
+        return e.kind == EventKind::plan_end && !has_path(static_cast<PlanStatus>(e.delta));
       case Happening::blocked:
         return e.kind == EventKind::collision || e.kind == EventKind::gave_up ||
-               (e.kind == EventKind::waiting && e.node != state.node(Scalar::goal));
+               (e.kind == EventKind::waiting && e.node != state.wanted_goal());
       case Happening::surprise:
         return e.kind == EventKind::surprise;
       case Happening::move:

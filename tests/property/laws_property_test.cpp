@@ -22,7 +22,7 @@ constexpr std::size_t kMostEvents = 12000;
 struct Log {
   Scenario scenario;
   const PlannerInfo* info;
-  Grid2 lattice;
+  Box lattice;
   std::vector<Event> events;
 
   [[nodiscard]] Timeline timeline() const {
@@ -37,10 +37,7 @@ struct Log {
 
 Log drive(Scenario scenario) {
   const PlannerChoice& choice = scenario.planners[0];
-  Log log{scenario,
-          find_planner(choice.id),
-          Grid2({scenario.map.width, scenario.map.height}, move_rules(choice.settings)),
-          {}};
+  Log log{scenario, find_planner(choice.id), Box(scenario.map.width, scenario.map.height), {}};
   Recorder recorder;
   Mission<Recorder> mission(scenario, choice, recorder);
   while (mission.advance(64) && recorder.buffer().size() < kMostEvents) {

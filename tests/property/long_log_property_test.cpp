@@ -1,5 +1,8 @@
 // A log that exceeds its limit, against the same log in full: wherever one looks, in whatever order, dropped
 // events come back as they were. Also after edits that cut the log, and after undo.
+#include <chrono>
+#include <thread>
+
 #include <gtest/gtest.h>
 
 #include "core/session/session.hpp"
@@ -89,10 +92,10 @@ TEST_P(LongLogs, DroppedEventsComeBackAsTheyWere) {
 std::shared_ptr<const Scenario> with_other_surprises(const Scenario& scenario, Random& random,
                                                      std::size_t& common) {
   auto changed = std::make_shared<Scenario>(scenario);
-  std::vector<Surprise>& surprises = changed->surprises;
+  Surprises& surprises = changed->surprises;
   common = random.below(static_cast<std::uint32_t>(surprises.size()) + 1);
   if (random.chance(0.6)) common = surprises.size();
-  surprises.resize(common);
+  surprises.truncate(common);
   for (int n = random.between(common == scenario.surprises.size() ? 1 : 0, 2); n > 0; --n) {
     Surprise surprise = random_surprise(random, scenario.map);
     surprise.at = {.move = random.between(0, 30), .near = {}, .within = 0};
@@ -115,8 +118,9 @@ TEST_P(LongLogs, AfterACutTheLogIsThatOfTheNewScriptFromTheStart) {
       scenario = with_other_surprises(*scenario, random, common);
       SCOPED_TRACE("seed " + std::to_string(seed) + ", edit " + std::to_string(edit) + "\n" + before +
                    scenario_text(*scenario));
-      if (!tight.rebase(scenario, common)) break;
-      ++rebased;
+      const std::uint64_t whole = tight.log_id();
+      tight.rebase(scenario, common);
+      rebased += tight.common_with(whole) > 0 ? 1 : 0;  // else it begins afresh
       tight.finish(Target::end());
       replan::Run ample(scenario, 0);
       ample.finish(Target::end());
@@ -234,6 +238,53 @@ TEST_P(LongLogs, UndoBringsTheOldFutureBack) {
   }
   EXPECT_GT(compared, 500);
   EXPECT_LT(longer, compared / 4);
+}
+
+/// What a user may do while the background is at work, without waiting for it.
+void meddle(Session& session, Random& random, const GridMap& map) {
+  const std::uint32_t what = random.below(10);
+  if (what < 5) {
+    (void)session.apply(random_edit(random, map));
+  } else if (what == 5) {
+    (void)session.apply(Undo{});
+  } else if (what == 6) {
+    (void)session.apply(random.chance(0.5) ? Command(Redo{}) : Command(Cancel{}));
+  } else if (what == 7) {
+    (void)session.apply(SetGoal{random_cell(random, map), random.below(3)});
+  } else if (what == 8) {
+    (void)session.apply(Seek{random.below(static_cast<std::uint32_t>(session.run().timeline().size()) + 1)});
+  } else {
+    (void)session.apply(RunToEnd{});
+  }
+  if (random.chance(0.5)) session.update(0.01);
+  if (random.chance(0.3)) std::this_thread::sleep_for(std::chrono::microseconds(random.below(2000)));
+}
+
+// An edit that does not wait until the background stands still must lead to the same as one that does: to the
+// run of the scenario as it is then.
+TEST_P(LongLogs, EditsWhileTheBackgroundIsAtWorkLeadToTheRunOfTheirScenario) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    Random random(seed * 1000 + 700 + planner());
+    Scenario scenario = random_scenario(random, *GetParam());
+    if (seed % 3 == 0) scenario.planners.push_back({"dstar-lite", {}});
+    RunLimits limits;
+    limits.slice_iterations = random.between(1, 50);
+    Session session(scenario, {}, limits);
+    for (int i = 0; i < 20; ++i) meddle(session, random, scenario.map);
+    SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + scenario_text(session.scenario()));
+    session.settle();
+    const auto as_it_is = std::make_shared<const Scenario>(session.scenario());
+    for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
+      replan::Run& run = *session.runs()[pane];
+      run.finish(Target::end());
+      replan::Run fresh(as_it_is, pane);
+      fresh.finish(Target::end());
+      if (fresh.timeline().size() > kLongest) continue;
+      ASSERT_EQ(run.timeline().size(), fresh.timeline().size());
+      ASSERT_EQ(hash_of_first(run.timeline(), run.timeline().size()),
+                hash_of_first(fresh.timeline(), fresh.timeline().size()));
+    }
+  }
 }
 
 std::vector<const PlannerInfo*> every_planner() {

@@ -1,6 +1,8 @@
 // Random missions in worlds that change: with surprises, moving obstacles and sensors of every kind the robot
-// never enters an obstacle, and where it gives up there is no path on its map.
+// never enters an obstacle, and where it gives up there is no path on its map. Where it makes for the cell
+// nearest to its goal, that is the cell which brute force names, and none is nearer that it could reach.
 #include <cstdio>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -15,7 +17,8 @@ constexpr int kMissions = 20'004;  // a multiple of the number of planners, belo
 
 struct Totals {
   std::int64_t missions = 0, arrived = 0, no_path = 0, moves = 0, replans = 0, waits = 0, forgotten = 0,
-               put_down = 0, new_goals = 0, endless = 0, beside_movers = 0;
+               put_down = 0, new_goals = 0, endless = 0, beside_movers = 0, nearest = 0, nearest_plans = 0,
+               goal_again = 0, drove_out = 0;
 };
 
 /// Where a moving obstacle is after that many steps, by walking.
@@ -56,6 +59,7 @@ class Witness {
   /// What went wrong, or nothing.
   std::string run(Totals& totals) {
     robot_ = mission_.known().node(scenario_.start);
+    spared_ = walls_[robot_] == 0;
     for (int slices = 0;; ++slices) {
       if (slices > 300000) return "the mission does not end";
       const bool more = mission_.advance(64);
@@ -82,10 +86,18 @@ class Witness {
       case EventKind::surprise:
         for (const CellChange& change : scenario_.surprises[event.delta].cells)
           walls_[scenario_.map.index(change.cell)] = change.blocked ? 1 : 0;
+        // A wall that comes onto its cell does not hold it; one that it was in before does.
+        spared_ = spared_ || walls_[robot_] == 0;
         break;
       case EventKind::put_down:
         robot_ = event.node;
+        spared_ = walls_[robot_] == 0;
         ++totals.put_down;
+        break;
+      case EventKind::plan_end:
+        return plan_fault(static_cast<PlanStatus>(event.delta), totals);
+      case EventKind::aim:
+        totals.goal_again += event.delta != 0 ? 1 : 0;
         break;
       case EventKind::new_goal:
         ++totals.new_goals;
@@ -107,13 +119,43 @@ class Witness {
     world_.blocked.clear();
     for (NodeId n = 0; n < walls_.size(); ++n) world_.blocked.push_back(state_.truly_blocked(n) ? 1 : 0);
     const oracle::Place a = world_.place(robot_), b = world_.place(to);
-    // A robot that was put into an obstacle has no moves, so it never leaves one.
+    // A robot that was put into a wall has no moves, so it never leaves one.
+    if (world_.blocked[robot_] != 0) ++totals.drove_out;
+    if (!scenario_.robot.robot_cell_blocks && (walls_[robot_] == 0 || spared_)) world_.blocked[robot_] = 0;
     if (!oracle::may_move(world_, rules_, a, {b[0] - a[0], b[1] - a[1], 0})) return "that is not a move";
     for (int y = std::max(0, b[1] - 1); y <= std::min(world_.size[1] - 1, b[1] + 1); ++y)
       for (int x = std::max(0, b[0] - 1); x <= std::min(world_.size[0] - 1, b[0] + 1); ++x)
         totals.beside_movers += state_.moving(static_cast<NodeId>(world_.index({x, y, 0}))) ? 1 : 0;
     robot_ = to;
+    spared_ = true;
     return "";
+  }
+
+  /// Where brute force makes for: the nearest to the goal of the cells that the robot can reach on its map.
+  [[nodiscard]] NodeId brute_force_aim() {
+    world_.blocked.clear();
+    for (NodeId n = 0; n < walls_.size(); ++n) world_.blocked.push_back(state_.known_blocked(n) ? 1 : 0);
+    const auto costs = oracle::costs_to(world_, move_rules(scenario_.planners[0].settings), {}, robot_);
+    const auto goal = world_.place(state_.wanted_goal());
+    std::tuple<std::int64_t, oracle::Raw, NodeId> best{INT64_MAX, 0, kNoNode};
+    for (NodeId n = 0; n < walls_.size(); ++n) {
+      const auto at = world_.place(n);
+      const std::int64_t dx = at[0] - goal[0], dy = at[1] - goal[1];
+      if (n == robot_ || (world_.blocked[robot_] == 0 && costs[n] < oracle::kNever))
+        best = std::min(best, {dx * dx + dy * dy, costs[n], n});
+    }
+    return std::get<2>(best);
+  }
+
+  std::string plan_fault(PlanStatus status, Totals& totals) {
+    const NodeId aim = state_.node(Scalar::goal), goal = state_.wanted_goal();
+    if (status == PlanStatus::found)
+      return aim == goal ? "" : "a path to another cell counts as one to the goal";
+    if (status != PlanStatus::found_nearest) return "";
+    ++totals.nearest_plans;
+    if (scenario_.robot.unreachable_goal != UnreachableGoal::nearest)
+      return "nobody asked for the nearest cell";
+    return aim == brute_force_aim() && aim != goal ? "" : "brute force makes for another cell";
   }
 
   /// The log's world against walls and moving obstacles counted here.
@@ -137,7 +179,7 @@ class Witness {
   }
 
   std::string end_fault(Totals& totals) {
-    const NodeId goal = state_.node(Scalar::goal);
+    const NodeId goal = state_.wanted_goal();
     if (state_.node(Scalar::robot) != robot_) return "the robot is not where it drove";
     if (mission_.state() == MissionState::arrived) {
       ++totals.arrived;
@@ -147,11 +189,18 @@ class Witness {
       ++totals.endless;
       return "";
     }
+    if (mission_.state() == MissionState::nearest) {
+      ++totals.nearest;
+      return robot_ == brute_force_aim() && robot_ != goal ? "" : "it could have come nearer";
+    }
     if (mission_.state() != MissionState::no_path) return "it ends neither by arriving nor without a path";
     ++totals.no_path;
     world_.blocked.clear();
     for (NodeId n = 0; n < walls_.size(); ++n) world_.blocked.push_back(state_.known_blocked(n) ? 1 : 0);
-    if (world_.blocked[robot_] != 0 || world_.blocked[goal] != 0) return "";
+    if (world_.blocked[robot_] != 0) return "";
+    if (scenario_.robot.unreachable_goal == UnreachableGoal::nearest)
+      return "it did not look for the nearest cell";
+    if (world_.blocked[goal] != 0) return "";
     const MoveRules rules = move_rules(scenario_.planners[0].settings);
     return oracle::costs_to(world_, rules, {}, goal)[robot_] == oracle::kNever ? "" : "there is a path";
   }
@@ -164,6 +213,7 @@ class Witness {
   oracle::World world_;
   std::vector<std::uint8_t> walls_;
   NodeId robot_ = kNoNode;
+  bool spared_ = false;  // what wall there is came onto the robot's cell while it stood there
 };
 
 class RandomMissions : public ::testing::TestWithParam<const PlannerInfo*> {};
@@ -184,17 +234,22 @@ TEST_P(RandomMissions, endWithoutACollision) {
   std::printf(
       "%s: %lld missions, %lld arrived, %lld without a path; %lld moves (%lld beside something moving), %lld "
       "replans, %lld turned back for ever, %lld waits, %lld sightings forgotten, %lld times put down, %lld "
-      "new goals\n",
+      "new goals; %lld plans to the nearest cell, %lld ends there, %lld times on to the goal again, %lld "
+      "moves "
+      "out of an obstacle\n",
       std::string(info.id).c_str(), static_cast<long long>(totals.missions),
       static_cast<long long>(totals.arrived), static_cast<long long>(totals.no_path),
       static_cast<long long>(totals.moves), static_cast<long long>(totals.beside_movers),
       static_cast<long long>(totals.replans), static_cast<long long>(totals.endless),
       static_cast<long long>(totals.waits), static_cast<long long>(totals.forgotten),
-      static_cast<long long>(totals.put_down), static_cast<long long>(totals.new_goals));
+      static_cast<long long>(totals.put_down), static_cast<long long>(totals.new_goals),
+      static_cast<long long>(totals.nearest_plans), static_cast<long long>(totals.nearest),
+      static_cast<long long>(totals.goal_again), static_cast<long long>(totals.drove_out));
   EXPECT_LT(totals.endless, 10);
   // Each of them has to occur, or the test says nothing of it.
-  for (const std::int64_t count_of : {totals.arrived, totals.no_path, totals.beside_movers, totals.waits,
-                                      totals.forgotten, totals.put_down, totals.new_goals})
+  for (const std::int64_t count_of :
+       {totals.arrived, totals.no_path, totals.beside_movers, totals.waits, totals.forgotten, totals.put_down,
+        totals.new_goals, totals.nearest_plans, totals.nearest, totals.goal_again, totals.drove_out})
     EXPECT_GT(count_of, 20);
 }
 

@@ -30,7 +30,7 @@ Means means_of(const char* id) {
   Means sum;
   for (std::uint64_t seed = 1; seed <= kWorlds; ++seed) {
     const GridMap map = *random_rectangles(200, 200, 0.17, 5, 15, seed, ends);
-    const Grid2 lattice({map.width, map.height}, map.blocked, move_rules(settings));
+    const Grid2 lattice({map.width, map.height}, map.blocked.plain(), move_rules(settings));
     NoTrace tracer;
     const auto planner = make_planner(info, lattice, settings, tracer);
     planner->begin(lattice.node(ends[0]), lattice.node(ends[1]));

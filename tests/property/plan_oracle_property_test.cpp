@@ -19,7 +19,7 @@ struct Tally {
 /// All plans of a mission, asked about.
 void ask_all(const Scenario& scenario, const PlannerInfo& info, Tally& tally) {
   const PlannerChoice& choice = scenario.planners[0];
-  const Grid2 lattice({scenario.map.width, scenario.map.height}, move_rules(choice.settings));
+  const Box lattice(scenario.map.width, scenario.map.height);
   Recorder recorder;
   Mission<Recorder> mission(scenario, choice, recorder);
   for (int slices = 0; mission.advance(64) && slices < 2000; ++slices) {
@@ -33,12 +33,12 @@ void ask_all(const Scenario& scenario, const PlannerInfo& info, Tally& tally) {
     const PlanQuestion question = ask_about(view, plan++, i + 1);
     oracle::World world;
     world.size = {lattice.width(), lattice.height(), 1};
-    world.blocked = question.known;
+    world.blocked = question.known.plain();
     const bool buried = world.blocked[question.start] != 0;
-    const oracle::Raw right =
-        buried ? oracle::kNever
-               : oracle::costs_to(world, lattice.rules(), expected_penalties(info, choice.settings, world),
-                                  question.goal)[question.start];
+    const oracle::Raw right = buried ? oracle::kNever
+                                     : oracle::costs_to(world, move_rules(choice.settings),
+                                                        expected_penalties(info, choice.settings, world),
+                                                        question.goal)[question.start];
     ASSERT_EQ(right_cost(question).raw, right) << "plan " << plan - 1;
     const auto wrong = judge(question, {right});
     ++tally.plans;

@@ -40,7 +40,7 @@ void check_file(const std::filesystem::path& path, const char* id) {
   ASSERT_TRUE(map_path.ok()) << map_path.error();
   const auto map = read_movingai_map(*map_path);
   ASSERT_TRUE(map.ok()) << map.error();
-  const Grid2 lattice({map->width, map->height}, map->blocked);
+  const Grid2 lattice({map->width, map->height}, map->blocked.plain());
   NoTrace trace;
   const auto planner = make_planner(*find_planner(id), lattice, {}, trace);
   const auto problems = chosen_problems(*scen, std::count(map->blocked.begin(), map->blocked.end(), 0));
@@ -235,7 +235,7 @@ void check_workload(const std::filesystem::path& path) {
   in >> map_name >> start.x >> start.y >> goal.x >> goal.y >> optimum >> events;
   const auto map = read_movingai_map((path.parent_path() / map_name).string());
   ASSERT_TRUE(map.ok()) << map.error();
-  Grid2 lattice({map->width, map->height}, map->blocked);
+  Grid2 lattice({map->width, map->height}, map->blocked.plain());
   NoTrace trace;
   const auto planner = make_planner(*find_planner("dstar-lite"), lattice, {}, trace);
   const auto fresh = make_planner(*find_planner("astar"), lattice, {}, trace);

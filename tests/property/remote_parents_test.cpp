@@ -14,8 +14,11 @@ constexpr int kSide = 60;
 constexpr int kTrials = 300;
 
 struct Faults {
-  int crossings = 0, loops = 0, replanned = 0;
+  int crossings = 0, loops = 0, longer = 0, replanned = 0;
 };
+
+/// How a leap is known to be clear.
+enum class Way : std::uint8_t { printed, checked, along_path };
 
 /// Axis-parallel rectangles with sides 3 to 8 until 17 % is covered: the paper's world, smaller.
 std::vector<std::uint8_t> rectangles(Random& random, NodeId start, NodeId goal) {
@@ -67,10 +70,11 @@ bool crosses(const oracle::World& world, const Path& path, SightRule sight) {
 }
 
 /// Plans, drives a little, has a block dropped on the path ahead and replans.
-void surprise(const PlannerInfo& info, bool checked, std::uint64_t seed, Faults& faults) {
+void surprise(const PlannerInfo& info, Way way, std::uint64_t seed, Faults& faults) {
   Random random(seed);
   Settings settings;
-  settings.set("remote_parents", checked ? 0 : 1);
+  settings.set("remote_parents", way == Way::printed ? 1 : 0);
+  settings.set("sight_checks", way == Way::along_path ? 1 : 0);
   settings.set("heuristic", 1);  // Euclidean, as in the paper
   settings.set("sight", static_cast<double>(SightRule::bresenham));
   NodeId start = 5 * kSide + 5;
@@ -78,7 +82,10 @@ void surprise(const PlannerInfo& info, bool checked, std::uint64_t seed, Faults&
   TwinWorld<2> world({kSide, kSide}, rectangles(random, start, goal), {});
   NoTrace trace;
   const auto planner = make_planner(info, world.lattice, settings, trace);
+  const auto twin = make_planner(lattice_twin(info), world.lattice, settings, trace);
   planner->begin(start, goal);
+  twin->begin(start, goal);
+  finish(*twin);
   if (finish(*planner) != PlanStatus::found) return;
   const Path before = planner->path();
   if (before.loops || before.nodes.size() < 4) return;
@@ -90,34 +97,43 @@ void surprise(const PlannerInfo& info, bool checked, std::uint64_t seed, Faults&
   const auto edits = block_on(world.lattice, on_path, start, goal);
   const auto moves = world.apply(edits);
   planner->update({.cells = edits, .moves = moves}, start);
+  twin->update({.cells = edits, .moves = moves}, start);
+  finish(*twin);
   if (finish(*planner) != PlanStatus::found) return;
   const Path path = planner->path();
   ++faults.replanned;
   faults.crossings += crosses(world.plain, path, SightRule::bresenham) ? 1 : 0;
   faults.loops += path.loops ? 1 : 0;
+  faults.longer += !path.loops && !fault_of_length(world.plain, path, twin->path()).empty() ? 1 : 0;
 }
 
-Faults surprises(const char* id, bool checked) {
+Faults surprises(const char* id, Way way) {
+  constexpr const char* kWays[] = {"remote parents as printed", "remote parents checked",
+                                   "sight along the path"};
   Faults faults;
-  for (std::uint64_t seed = 1; seed <= kTrials; ++seed) surprise(*find_planner(id), checked, seed, faults);
-  std::printf("%s, remote parents %s: %d replans, %d paths crossed an obstacle, %d looped\n", id,
-              checked ? "checked" : "as printed", faults.replanned, faults.crossings, faults.loops);
+  for (std::uint64_t seed = 1; seed <= kTrials; ++seed) surprise(*find_planner(id), way, seed, faults);
+  std::printf(
+      "%s, %s: %d replans, %d paths crossed an obstacle, %d looped, %d were longer than the lattice's\n", id,
+      kWays[static_cast<std::size_t>(way)], faults.replanned, faults.crossings, faults.loops, faults.longer);
   return faults;
 }
 
 class RemoteParents : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(RemoteParents, printedOnesCrossObstaclesOrLoopInSomeSurprises) {
-  const Faults faults = surprises(GetParam(), false);
+  const Faults faults = surprises(GetParam(), Way::printed);
   EXPECT_GT(faults.replanned, kTrials / 2);
   EXPECT_GT(faults.crossings + faults.loops, 0);
 }
 
-TEST_P(RemoteParents, checkedOnesNeverCrossAnObstacleOrLoop) {
-  const Faults faults = surprises(GetParam(), true);
-  EXPECT_GT(faults.replanned, kTrials / 2);
-  EXPECT_EQ(faults.crossings, 0);
-  EXPECT_EQ(faults.loops, 0);
+TEST_P(RemoteParents, checkedOrAlongThePathNeverCrossAnObstacleLoopOrGoALongerWay) {
+  for (const Way way : {Way::checked, Way::along_path}) {
+    const Faults faults = surprises(GetParam(), way);
+    EXPECT_GT(faults.replanned, kTrials / 2);
+    EXPECT_EQ(faults.crossings, 0);
+    EXPECT_EQ(faults.loops, 0);
+    EXPECT_EQ(faults.longer, 0);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Family, RemoteParents, ::testing::Values("los-dstar-lite", "dld-star-lite"),

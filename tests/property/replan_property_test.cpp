@@ -40,21 +40,28 @@ class Trial {
         world_(size_, random_cells<D>(random_, size_), move_rules(settings_)),
         start_(random_free(random_, world_.plain)),
         goal_(random_free(random_, world_.plain)),
-        planner_(make_planner(info, world_.lattice, settings_, trace_)) {
+        planner_(make_planner(info, world_.lattice, settings_, trace_)),
+        twin_(make_planner(lattice_twin(info), world_.lattice, settings_, trace_)) {
     planner_->begin(start_, goal_);
+    twin_->begin(start_, goal_);
   }
 
   /// What is wrong with the first plan, or empty.
   std::string plan() {
     finish(*planner_);
-    return fault_of_plan<D>(info_, settings_, world_.plain, start_, goal_, *planner_);
+    const std::string fault = fault_of_plan<D>(info_, settings_, world_.plain, start_, goal_, *planner_);
+    if (!fault.empty() || !info_.any_angle) return fault;
+    finish(*twin_);
+    return fault_of_length(world_.plain, planner_->path(), twin_->path());
   }
 
   /// Edits, moves, replans; what is wrong with the new plan, or empty.
   std::string replan(Tally& tally) {
     // Now and then a change comes while the search is under way.
     while (random_.chance(0.1)) {
-      planner_->advance(random_.between(1, 20));
+      const int iterations = random_.between(1, 20);
+      planner_->advance(iterations);
+      twin_->advance(iterations);
       change();
     }
     change();
@@ -84,6 +91,7 @@ class Trial {
     const auto moves = world_.apply(edits);
     if (random_.chance(0.6)) start_ = next_start();
     planner_->update({.cells = edits, .moves = moves}, start_);
+    twin_->update({.cells = edits, .moves = moves}, start_);
   }
 
   /// Start and goal are covered now and then, and most often uncovered by the next change.
@@ -111,6 +119,7 @@ class Trial {
   NodeId start_, goal_;
   NoTrace trace_;
   std::unique_ptr<Planner<BoxLattice<D>>> planner_;
+  std::unique_ptr<Planner<BoxLattice<D>>> twin_;  // the same search without sight
 };
 
 template <int D>

@@ -30,7 +30,7 @@ class Bench {
       state_.apply(event);
       if (event.kind == EventKind::queue) written_.insert(event.node);
       if (event.kind == EventKind::known) map_stale_ = true;
-      if (event.kind == EventKind::sight && event.line == 106 && event.delta >> 32 != 0)
+      if (event.kind == EventKind::sight && (event.line == 106 || event.line > 200) && event.delta >> 32 != 0)
         seen_[event.node] = static_cast<NodeId>(event.delta);
       if (!stands) continue;
       if (const auto wrong = plan_fault(static_cast<PlanStatus>(event.delta))) return Fault{i + 1, {*wrong}};
@@ -128,16 +128,21 @@ class Bench {
     const bool free =
         on_map(start) && on_map(goal) && world_.blocked[start] == 0 && world_.blocked[goal] == 0;
     const Raw promised = lookahead ? state_.rhs(start).raw : state_.g(goal).raw;
-    if ((status == PlanStatus::found) != (free && promised < kNever)) return end;
-    if (status != PlanStatus::found) return std::nullopt;
+    if (has_path(status) != (free && promised < kNever)) return end;
+    if (!has_path(status)) return std::nullopt;
     const NodeId other_end = lookahead ? goal : start;
-    for (NodeId s = end; s != other_end; s = state_.lp(s))
+    Raw way = 0;
+    for (NodeId s = end; s != other_end; s = state_.lp(s)) {
       if (!is_move(s, state_.lp(s)) || state_.g(state_.lp(s)) >= state_.g(s)) return s;
-    return view_.info.sight ? path_fault() : std::nullopt;
+      way += step_between(world_, s, state_.lp(s));
+    }
+    return view_.info.sight ? path_fault(way) : std::nullopt;
   }
 
-  std::optional<NodeId> path_fault() {
-    const bool printed = view_.settings.get("remote_parents", 0) != 0;
+  std::optional<NodeId> path_fault(Raw way) {
+    const bool printed =
+        view_.settings.get("remote_parents", 0) != 0 && view_.settings.get("sight_checks", 0) == 0;
+    Raw length = 0;
     const auto sight = static_cast<SightRule>(static_cast<int>(view_.settings.get("sight", 0)));
     std::set<NodeId> passed;
     for (NodeId s = state_.node(Scalar::start); s != state_.node(Scalar::goal);) {
@@ -146,9 +151,18 @@ class Bench {
       const NodeId next = printed ? state_.rp(s) : remote != seen_.end() ? remote->second : state_.lp(s);
       if (!on_map(next)) return s;
       if (!is_move(s, next) && !sees(world_, world_.blocked, rules_.corners, sight, s, next)) return s;
+      length += segment(s, next);
       s = next;
     }
+    if (!printed && length > way) return state_.node(Scalar::start);
     return std::nullopt;
+  }
+
+  /// The length of a straight segment, rounded down.
+  [[nodiscard]] Raw segment(NodeId a, NodeId b) const {
+    const Place p = world_.place(a), q = world_.place(b);
+    const std::int64_t x = p[0] - q[0], y = p[1] - q[1];
+    return root_floor(x * x + y * y);
   }
 
   LogView view_;

@@ -33,6 +33,20 @@ inline Surprise random_surprise(Random& random, const GridMap& map) {
   return surprise;
 }
 
+/// Walls that shoot up where the robot is, or close to it.
+inline Surprise random_wall_on_the_robot(Random& random, const GridMap& map) {
+  Surprise surprise;
+  surprise.at.near = random_cell(random, map);
+  surprise.at.within = random.between(0, 2);
+  surprise.announced = random.chance(0.5);
+  const Cell low = *surprise.at.near;
+  const Cell high{std::min(map.width - 1, low.x + random.between(0, 1)),
+                  std::min(map.height - 1, low.y + random.between(0, 1))};
+  for (int y = low.y; y <= high.y; ++y)
+    for (int x = low.x; x <= high.x; ++x) surprise.cells.push_back({{x, y}, true});
+  return surprise;
+}
+
 inline MovingObstacle random_mover(Random& random, const GridMap& map) {
   constexpr double kSpeeds[] = {0.3, 1, 2, 4, 11};
   MovingObstacle mover;
@@ -55,8 +69,8 @@ inline Scenario random_scenario(Random& random, const PlannerInfo& info,
   const auto size = random_size<2>(random, {4, 3}, largest);
   scenario.map = GridMap(size[0], size[1]);
   scenario.map.blocked = random_cells<2>(random, size);
-  for (std::uint8_t& cell : scenario.map.blocked)
-    if (cell != 0 && random.chance(0.1)) cell = kUnmapped;
+  for (std::size_t cell = 0; cell < scenario.map.blocked.size(); ++cell)
+    if (scenario.map.blocked[cell] != 0 && random.chance(0.1)) scenario.map.blocked[cell] = kUnmapped;
   scenario.start = random_cell(random, scenario.map);
   scenario.goal = random_cell(random, scenario.map);
   if (random.chance(0.9)) {
@@ -74,6 +88,10 @@ inline Scenario random_scenario(Random& random, const PlannerInfo& info,
   for (int n = random.between(0, 4); n > 0; --n)
     scenario.movers.push_back(random_mover(random, scenario.map));
   scenario.planners = {{std::string(info.id), random_settings(random, info)}};
+  for (int n = random.between(0, 3); n > 0; --n)
+    scenario.surprises.push_back(random_wall_on_the_robot(random, scenario.map));
+  if (random.chance(0.4)) scenario.robot.unreachable_goal = UnreachableGoal::nearest;
+  scenario.robot.robot_cell_blocks = random.chance(0.2);
   return scenario;
 }
 

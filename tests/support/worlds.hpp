@@ -161,6 +161,34 @@ inline std::vector<oracle::Raw> expected_penalties(const PlannerInfo& info, cons
                                    .border_is_obstacle = settings.get("border", 0) != 0});
 }
 
+/// The planner whose search the given one makes its any-angle paths of.
+inline const PlannerInfo& lattice_twin(const PlannerInfo& info) {
+  return *find_planner(info.clearance ? "dist-dstar-lite" : "dstar-lite");
+}
+
+/// How long a path is: the roots rounded down, so that a step of it is never longer than a move.
+inline oracle::Raw length_of(const oracle::World& world, const Path& path) {
+  oracle::Raw sum = 0;
+  for (std::size_t i = 1; i < path.nodes.size(); ++i) {
+    const auto p = world.place(path.nodes[i - 1]), q = world.place(path.nodes[i]);
+    std::int64_t squared = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      squared += std::int64_t{p[axis] - q[axis]} * (p[axis] - q[axis]);
+    sum += oracle::root_floor(squared);
+  }
+  return sum;
+}
+
+/// Why an any-angle path is wrong beside the lattice path of the same search, or empty.
+inline std::string fault_of_length(const oracle::World& world, const Path& any_angle, const Path& lattice) {
+  oracle::Raw way = 0;
+  for (std::size_t i = 1; i < lattice.nodes.size(); ++i)
+    way += oracle::step_between(world, lattice.nodes[i - 1], lattice.nodes[i]);
+  const oracle::Raw length = length_of(world, any_angle);
+  if (length <= way) return "";
+  return "a path of length " + std::to_string(length) + " where the lattice path has " + std::to_string(way);
+}
+
 /// Why a checked plan is wrong, or empty: cost against a fresh plan of the oracle, status, and the path's
 /// nodes, segments and sum.
 template <int D>

@@ -199,6 +199,19 @@ TEST_F(ToolsTest, TheRobotIsGrabbedOnItsWay) {
   EXPECT_TRUE(cells_of<PaintCells>().empty());
 }
 
+TEST_F(ToolsTest, WhatIsPaintedOverTheRobotIsThereAsItWouldBeByAScript) {
+  ASSERT_TRUE(session_->apply(Step{StepUnit::move, 5}).ok());
+  session_->update(0);
+  frame();
+  state_.tool = Tool::line;
+  drag({7, 2}, {7, 8});  // over the robot at (7, 5)
+  const auto cells = cells_of<PaintCells>();
+  EXPECT_EQ(cells.size(), 7u);
+  EXPECT_TRUE(std::any_of(cells.begin(), cells.end(), [](const CellChange& each) {
+    return each.cell == Cell{7, 5} && each.blocked;
+  }));
+}
+
 TEST_F(ToolsTest, AnotherSizeOfTheWorldForgetsPlaces) {
   state_.tool = Tool::select;
   drag({5, 3}, {9, 6});

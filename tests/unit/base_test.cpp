@@ -67,6 +67,17 @@ TEST(Cost, SumsSaturateAtInfinity) {
   EXPECT_LT(Cost::cells(5), Cost::infinity());
 }
 
+TEST(Cell, DistancesAreRightInTheWidestWorlds) {
+  const Cell a{0, 0}, b{60'000, 40}, far{1 << 26, 0};
+  EXPECT_EQ(squared_distance(a, b), 3'600'001'600);
+  EXPECT_EQ(squared_distance(b, a), 3'600'001'600);
+  EXPECT_EQ(squared_distance(a, far), std::int64_t{1} << 52);
+  EXPECT_EQ(scalar_product(a, b, b), 3'600'001'600);
+  EXPECT_EQ(scalar_product(b, a, {b.x, 0}), 40 * 40);
+  EXPECT_EQ(distance(a, {3, 4}), 5);
+  EXPECT_EQ(distance(a, far), 1 << 26);
+}
+
 TEST(Random, IsTheSameEverywhere) {
   Random random(42);
   const std::array<std::uint64_t, 4> drawn = {random.next(), random.next(), random.next(), random.next()};

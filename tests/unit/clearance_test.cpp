@@ -50,6 +50,8 @@ TEST(ClearanceField, equalsTheTwoPassTransformAndBruteForceIn2d) {
   check_full<2>({30, 1}, 2);
   check_full<2>({1, 1}, 3);
   check_full<2>({2, 2}, 4);
+  // Rows that are gathered many cells at a time, of a whole number of times and not.
+  for (const int width : {31, 32, 33, 64, 97}) check_full<2>({width, 9}, static_cast<std::uint64_t>(width));
 }
 
 TEST(ClearanceField, equalsTheTwoPassTransformAndBruteForceIn3d) {
@@ -58,6 +60,7 @@ TEST(ClearanceField, equalsTheTwoPassTransformAndBruteForceIn3d) {
   check_full<3>({1, 1, 20}, 8);
   check_full<3>({1, 20, 1}, 9);
   check_full<3>({1, 1, 1}, 10);
+  check_full<3>({40, 6, 5}, 11);
 }
 
 TEST(ClearanceField, tellsAllDistancesApartThatOccurWithinTheLargestRange) {

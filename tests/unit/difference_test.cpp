@@ -169,5 +169,17 @@ TEST(FirstDifference, WaitsForALogThatGrowsAndComesToTheSame) {
   EXPECT_EQ(search.alike(), std::to_string(entries(*pair.a, Compare::expansions).size()) + " expansions");
 }
 
+TEST(FirstDifference, SaysWhichPaneChecksSightInTheSearchAndWhichAlongThePath) {
+  PlannerChoice search{"dld-star-lite", {}}, path = search;
+  path.settings.set("sight_checks", 1);
+  const Pair pair("demo.json", search, path);
+  EXPECT_FALSE(pair.difference(Compare::expansions).has_value()) << "the search does not depend on sight";
+  EXPECT_FALSE(pair.difference(Compare::costs).has_value());
+  const auto found = pair.difference(Compare::events);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NE(found->words.find("DLD* Lite (sight checked in the search)"), std::string::npos) << found->words;
+  EXPECT_NE(found->words.find("DLD* Lite (sight checked along the path)"), std::string::npos) << found->words;
+}
+
 }  // namespace
 }  // namespace replan

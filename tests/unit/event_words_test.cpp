@@ -11,7 +11,7 @@ constexpr std::uint64_t raw(std::int64_t cells) {
 }
 
 TEST(EventWords, tellWhatEachKindOfEventDid) {
-  const Grid2 lattice({10, 8});
+  const Box lattice(10, 8);
   const auto text = [&](EventKind kind, NodeId node, std::uint64_t delta, std::uint64_t after = 0) {
     return event_text(lattice, {delta, node, kind, 0, 0}, after);
   };
@@ -36,7 +36,7 @@ TEST(EventWords, tellAnyPositionOfALog) {
       std::vector<Event>{{raw(3) ^ static_cast<std::uint64_t>(Cost::kInfinityRaw), 5, EventKind::g, 49, 0},
                          {0, 6, EventKind::pop, 44, 0},
                          {raw(3) ^ raw(1), 5, EventKind::g, 49, 0}});
-  const Grid2 lattice({10, 8});
+  const Box lattice(10, 8);
   const Settings settings;
   const LogView view{log, lattice, planners().front(), settings};
   EXPECT_EQ(event_text(view, 0), "");

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/sim/nearest.hpp"
 #include "core/trace/search_state.hpp"
 
 namespace replan {
@@ -188,6 +189,203 @@ TEST(Mission, TakesUnmappedObstaclesForFreeUntilItSeesThem) {
   Driven knowing(scenario);
   while (!knowing.mission.settled()) knowing.step();
   EXPECT_EQ(knowing.mission.route().status, PlanStatus::no_path);
+}
+
+TEST(Route, IsRightInAWorldThatIsVeryWide) {
+  const Grid2 lattice({60'000, 40});
+  const NodeId from = lattice.node(Cell{0, 0}), to = lattice.node(Cell{59'999, 39});
+  const Route route = lay_out(lattice, {.nodes = {from, to}}, PlanStatus::found, SightRule::supercover);
+  EXPECT_TRUE(std::is_sorted(route.along.begin(), route.along.end()));
+  EXPECT_NEAR(route.along.back(), distance({0, 0}, {59'999, 39}), 1e-6);
+  for (const PlanePoint& point : route.points) ASSERT_TRUE(point.x > 0 && point.x < 60'000) << point.x;
+}
+
+TEST(Senses, DoNotReachToTheOtherEndOfAWorldThatIsVeryWide) {
+  const Grid2 known({60'000, 1});
+  const std::vector<std::uint8_t> truth(60'000);
+  const RobotSetup setup{.sensor_radius = 6};
+  const Senses senses(known, truth, setup, 0);
+  EXPECT_TRUE(senses.in_sight(6));
+  for (const NodeId node : {7u, 46'340u, 46'341u, 59'999u}) EXPECT_FALSE(senses.in_sight(node)) << node;
+}
+
+TEST(Mover, IsToldAtMostTwiceItsCellsHoweverFastItIs) {
+  Scenario scenario = corridor(8);
+  scenario.robot.speed = kMinSpeed;  // a step takes 100 s
+  scenario.robot.patience = 0;
+  for (std::size_t i = 0; i < kMaxMovers; ++i)
+    scenario.movers.push_back({.way = {{9, static_cast<int>(i % 3)}, {17, 0}, {12, 2}},
+                               .width = 2,
+                               .height = 2,
+                               .speed = kMaxSpeed});
+  Driven driven(scenario);
+  driven.run();
+  EXPECT_EQ(driven.count(EventKind::move), 13);
+  EXPECT_GT(driven.mission.now().movers[0].steps, 1'000'000) << "it did move all the while";
+  EXPECT_LE(driven.count(EventKind::truth), 13 * static_cast<int>(kMaxMovers) * 2 * 4);
+}
+
+TEST(Mission, EndsEvenIfItsScriptIsForAStepThatNoneLivesToSee) {
+  Scenario scenario = corridor(8);
+  for (int y = 0; y < 9; ++y) scenario.map.set({5, y}, true);
+  scenario.movers = {{.way = {{14, 1}, {14, 7}}}};
+  Surprise late;
+  late.at.move = 1'000'000'000'000;
+  late.cells = {{{5, 4}, false}};
+  scenario.surprises = {late};
+  NoTrace nobody;
+  Mission<NoTrace> waiting(scenario, scenario.planners[0], nobody);
+  while (waiting.advance(1 << 20)) {
+  }
+  EXPECT_EQ(waiting.state(), MissionState::endless);
+  EXPECT_GE(waiting.now().clock, kMostWaits);
+  // With nothing that moves it can wait for it at once, even at a pace at which time has no number for it.
+  scenario.movers.clear();
+  scenario.robot.speed = kMinSpeed;
+  Driven patient(scenario);
+  patient.run();
+  EXPECT_EQ(patient.mission.state(), MissionState::arrived);
+  EXPECT_GT(patient.mission.now().time, 0);
+}
+
+/// An open field that the robot crosses from left to right.
+Scenario field() {
+  Scenario scenario;
+  scenario.map = GridMap(7, 3);
+  scenario.start = {0, 1};
+  scenario.goal = {6, 1};
+  scenario.planners = {{"dstar-lite", {}}};
+  return scenario;
+}
+Surprise wall_at(std::int64_t move, std::vector<Cell> cells, bool announced = false) {
+  Surprise surprise;
+  surprise.at.move = move;
+  surprise.announced = announced;
+  for (const Cell cell : cells) surprise.cells.push_back({cell, true});
+  return surprise;
+}
+
+TEST(Mission, DrivesOutOfAnObstacleThatComesOntoItsCell) {
+  for (const PlannerInfo& info : sound_planners())
+    for (const bool announced : {false, true})
+      for (const Knowledge knowledge : {Knowledge::all, Knowledge::map, Knowledge::nothing}) {
+        Scenario scenario = field();
+        scenario.planners = {{std::string(info.id), {}}};
+        scenario.robot.knowledge = knowledge;
+        scenario.surprises = {wall_at(2, {{2, 1}}, announced)};
+        Driven driven(scenario);
+        driven.run();
+        EXPECT_EQ(driven.mission.state(), MissionState::arrived) << info.id;
+        EXPECT_LE(driven.count(EventKind::move), 7) << info.id;
+        const NodeId cell = driven.mission.known().node(Cell{2, 1});
+        EXPECT_TRUE(driven.mission.known().blocked(cell)) << info.id << ": when it has left it knows of it";
+        scenario.robot.robot_cell_blocks = true;
+        Driven held(scenario);
+        held.run();
+        EXPECT_EQ(held.mission.state(), MissionState::no_path) << info.id;
+        EXPECT_EQ(held.mission.route().status, PlanStatus::start_blocked) << info.id;
+        EXPECT_EQ(held.count(EventKind::move), 2) << info.id;
+      }
+}
+
+TEST(Mission, DoesNotDriveOutThroughAnotherObstacle) {
+  Scenario scenario = field();
+  scenario.surprises = {wall_at(2, {{1, 0}, {2, 0}, {3, 0}, {1, 1}, {2, 1}, {3, 1}, {1, 2}, {2, 2}, {3, 2}})};
+  Driven walled_in(scenario);
+  walled_in.run();
+  EXPECT_EQ(walled_in.mission.state(), MissionState::no_path);
+  EXPECT_EQ(walled_in.mission.route().status, PlanStatus::no_path);
+  EXPECT_TRUE(walled_in.mission.covered());
+  // Only a corner is open, past which the corner rule does not let it.
+  scenario.surprises = {wall_at(2, {{1, 0}, {2, 0}, {1, 1}, {2, 1}, {3, 1}, {1, 2}, {2, 2}, {3, 2}})};
+  Driven at_a_corner(scenario);
+  at_a_corner.run();
+  EXPECT_EQ(at_a_corner.mission.state(), MissionState::no_path);
+  ASSERT_TRUE(
+      set_from_text(scenario.planners[0].settings, find_planner("dstar-lite")->parameters, "corners", "any")
+          .ok());
+  Driven past_it(scenario);
+  past_it.run();
+  EXPECT_EQ(past_it.mission.state(), MissionState::arrived);
+}
+
+TEST(Mission, StaysInAWallThatItStartsInOrIsPutInto) {
+  for (const Knowledge knowledge : {Knowledge::all, Knowledge::map, Knowledge::nothing})
+    for (const std::uint8_t kind : {kObstacle, kUnmapped}) {
+      Scenario scenario = field();
+      scenario.robot.knowledge = knowledge;
+      scenario.map.blocked[scenario.map.index({0, 1})] = kind;
+      Driven started(scenario);
+      started.run();
+      EXPECT_EQ(started.mission.state(), MissionState::no_path);
+      EXPECT_EQ(started.mission.route().status, PlanStatus::start_blocked);
+      scenario = field();
+      scenario.robot.knowledge = knowledge;
+      scenario.map.blocked[scenario.map.index({4, 0})] = kind;
+      Surprise put;
+      put.at.move = 2;
+      put.robot = Cell{4, 0};
+      scenario.surprises = {put};
+      Driven was_put(scenario);
+      was_put.run();
+      EXPECT_EQ(was_put.mission.state(), MissionState::no_path);
+      EXPECT_EQ(was_put.mission.route().status, PlanStatus::start_blocked);
+      put.at.move = 3;
+      put.robot = Cell{1, 1};
+      scenario.surprises.push_back(put);
+      Driven put_out(scenario);
+      put_out.run();
+      EXPECT_EQ(put_out.mission.state(), MissionState::arrived);
+    }
+}
+
+TEST(Mission, GoesToTheNearestCellAndOnToTheGoalOnceTheMapOpens) {
+  for (const PlannerInfo& info : sound_planners()) {
+    Scenario scenario = corridor(8);
+    scenario.planners = {{std::string(info.id), {}}};
+    for (int y = 0; y < 9; ++y) scenario.map.set({13, y}, true);  // the corridor is shut at its far end
+    scenario.robot.unreachable_goal = UnreachableGoal::nearest;
+    Driven shut(scenario);
+    while (!shut.mission.settled()) shut.step();
+    EXPECT_EQ(shut.mission.route().status, PlanStatus::found_nearest) << info.id;
+    EXPECT_EQ(shut.state.wanted_goal(), shut.mission.known().node(scenario.goal));
+    shut.run();
+    EXPECT_EQ(shut.mission.state(), MissionState::nearest) << info.id;
+    EXPECT_EQ(shut.mission.known().position(shut.state.node(Scalar::robot)), (Cell{12, 4})) << info.id;
+    EXPECT_EQ(shut.count(EventKind::gave_up), 1);
+    Surprise open;
+    open.at.move = 30;
+    open.cells = {{{13, 4}, false}};
+    scenario.surprises = {open};
+    Driven opened(scenario);
+    opened.run();
+    EXPECT_EQ(opened.mission.state(), MissionState::arrived) << info.id;
+    EXPECT_EQ(opened.mission.now().figures.collisions, 0);
+    EXPECT_EQ(opened.count(EventKind::aim), 2) << info.id << ": to the nearest cell, and to the goal again";
+    EXPECT_EQ(opened.state.node(Scalar::goal), opened.state.wanted_goal());
+    scenario.robot.unreachable_goal = UnreachableGoal::wait;
+    Driven waits(scenario);
+    waits.run();
+    EXPECT_EQ(waits.count(EventKind::aim), 0);
+    EXPECT_EQ(waits.state.scalar(Scalar::wanted), 0u) << "its log is what it was";
+  }
+}
+
+TEST(Nearest, PrefersTheShorterWayAndThenTheSmallerIndex) {
+  // The goal stands in the middle of a block; the cells around that are nearest to it are equally far.
+  Grid2 map({9, 9});
+  std::vector<CellEdit> block;
+  for (int y = 3; y <= 5; ++y)
+    for (int x = 3; x <= 5; ++x) block.push_back({map.node(Cell{x, y}), true});
+  map.apply(block);
+  const NodeId goal = map.node(Cell{4, 4});
+  const auto from = [&](Cell robot) { return map.position(nearest_reachable(map, map.node(robot), goal)); };
+  EXPECT_EQ(from({0, 4}), (Cell{2, 4}));
+  EXPECT_EQ(from({8, 4}), (Cell{6, 4}));
+  EXPECT_EQ(from({4, 8}), (Cell{4, 6}));
+  EXPECT_EQ(from({8, 8}), (Cell{6, 4})) << "(4, 6) is as near and as far: the smaller index";
+  EXPECT_EQ(from({4, 4}), (Cell{4, 4})) << "in an obstacle it stays where it is";
+  EXPECT_EQ(map.position(nearest_reachable(map, map.node(Cell{0, 0}), map.node(Cell{8, 8}))), (Cell{8, 8}));
 }
 
 }  // namespace

@@ -17,10 +17,12 @@ constexpr int kWorlds = 12;
 std::unique_ptr<Run> random_run(const PlannerInfo& info, Random& random) {
   Scenario scenario;
   scenario.map = GridMap(random.between(8, 16), random.between(6, 12));
-  for (std::uint8_t& cell : scenario.map.blocked) cell = random.chance(0.25) ? 1 : 0;
+  for (std::size_t cell = 0; cell < scenario.map.blocked.size(); ++cell)
+    scenario.map.blocked[cell] = random.chance(0.25) ? 1 : 0;
   scenario.start = {0, 0};
   scenario.goal = {scenario.map.width - 1, scenario.map.height - 1};
-  scenario.map.blocked.front() = scenario.map.blocked.back() = 0;
+  scenario.map.set(scenario.start, false);
+  scenario.map.set(scenario.goal, false);
   scenario.planners = {{std::string(info.id), test::random_settings(random, info)}};
   for (std::int64_t move : {1, 3, 4}) {
     Surprise surprise;
@@ -113,7 +115,7 @@ TEST(OpenOrder, ManyEntriesAreSortedAsByComparison) {
 TEST(OpenOrder, BlocksSplitAndEmpty) {
   constexpr std::size_t kNodes = 6000;
   Random random(14);
-  const Grid2 lattice({100, 60});
+  const Box lattice(100, 60);
   const PlannerInfo& info = *find_planner("dstar-lite");
   const Settings settings;
   Timeline log{SearchState(kNodes)};

@@ -36,8 +36,9 @@ Scenario eventful_scenario(const std::string& planner) {
 }
 
 /// The pseudo-code lines of all events of a whole mission.
-std::set<int> recorded_lines(const std::string& planner) {
-  const Scenario scenario = eventful_scenario(planner);
+std::set<int> recorded_lines(const std::string& planner, const Settings& settings = {}) {
+  Scenario scenario = eventful_scenario(planner);
+  scenario.planners.front().settings = settings;
   Recorder recorder;
   Mission<Recorder> mission(scenario, scenario.planners.front(), recorder);
   while (mission.advance(1000)) {
@@ -72,6 +73,19 @@ TEST(Pages, HoldEveryLineThatIsRecorded) {
       ASSERT_NE(line, nullptr) << info.id << " records line " << number << ", which its page does not have";
       EXPECT_FALSE(line->unused) << info.id << " records line " << number << ", which its page calls unused";
     }
+  }
+}
+
+TEST(Pages, HoldEveryLineOfSightCheckedAlongThePath) {
+  Settings settings;
+  settings.set("sight_checks", 1);
+  for (const char* planner : {"los-dstar-lite", "dld-star-lite"}) {
+    const std::set<int> lines = recorded_lines(planner, settings);
+    for (const int number : {204, 207, 210}) EXPECT_TRUE(lines.contains(number)) << planner << ' ' << number;
+    for (const int number : {36, 37, 54}) EXPECT_FALSE(lines.contains(number)) << planner << ' ' << number;
+    const Result<PlannerPage> page = read_page(planner);
+    ASSERT_TRUE(page.ok()) << page.error();
+    for (const int number : lines) EXPECT_NE(page->line(number), nullptr) << planner << ' ' << number;
   }
 }
 

@@ -150,6 +150,7 @@ TEST(Status, HasANameAndASentenceEach) {
   EXPECT_STREQ(status_name(PlanStatus::no_path), "no-path");
   EXPECT_STREQ(status_name(PlanStatus::start_blocked), "start-blocked");
   EXPECT_STREQ(status_name(PlanStatus::goal_blocked), "goal-blocked");
+  EXPECT_STREQ(status_name(PlanStatus::found_nearest), "found-nearest");
   for (int i = 0; i <= 4; ++i)
     EXPECT_GT(std::string(status_sentence(static_cast<PlanStatus>(i))).size(), 10u);
 }

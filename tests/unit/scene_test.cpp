@@ -125,6 +125,34 @@ TEST(Scene, PathRunsThroughTheRoutesVertices) {
   }
 }
 
+TEST(Scene, TheNearestCellStandsBesideTheGoalWhileTheRobotMakesForIt) {
+  Scenario scenario = world();
+  for (int y = 0; y < 10; ++y) scenario.map.set({10, y}, true);
+  scenario.surprises = {};
+  const auto built = [](const Scenario& each) {
+    replan::Run run(std::make_shared<const Scenario>(each), 0);
+    run.finish(Target::plan());
+    run.timeline().seek(run.timeline().size());
+    return build_scene(run, plain_view(), kView, palette());
+  };
+  const auto disc_at = [](const Scene& scene, Point at, Glyph glyph) {
+    const auto discs = shapes_of<Disc>(scene);
+    return std::any_of(discs.begin(), discs.end(),
+                       [&](const Disc& disc) { return disc.centre == at && disc.glyph == glyph; });
+  };
+  const Point goal{17.5, 7.5}, nearest{9.5, 7.5};
+  EXPECT_FALSE(built(scenario).shows(Sign::nearest)) << "a robot that waits makes for its goal";
+  scenario.robot.unreachable_goal = UnreachableGoal::nearest;
+  const Scene shut = built(scenario);
+  EXPECT_TRUE(shut.shows(Sign::nearest));
+  EXPECT_TRUE(disc_at(shut, goal, Glyph::target)) << "the goal stays where it is";
+  EXPECT_TRUE(disc_at(shut, nearest, Glyph::none));
+  scenario.map.set({10, 2}, false);
+  const Scene open = built(scenario);
+  EXPECT_FALSE(open.shows(Sign::nearest));
+  EXPECT_FALSE(disc_at(open, nearest, Glyph::none));
+}
+
 TEST(Scene, CellsHaveTheColourOfWhatTheyAre) {
   Session session(world());
   session.settle();

@@ -48,6 +48,23 @@ TEST(ShippedWorlds, CheckedPlannersArriveWithoutACollision) {
   }
 }
 
+TEST(ShippedWorlds, ShowSightCheckedInTheSearchBesideSightCheckedAlongThePath) {
+  NoTrace nobody;
+  const auto maze = read_scenario(REPLAN_SOURCE_DIR "/maps/sight-along-path.json");
+  ASSERT_TRUE(maze.ok()) << maze.error();
+  ASSERT_EQ(maze->planners.size(), 2u);
+  const auto search = driven(*maze, maze->planners[0], nobody),
+             path = driven(*maze, maze->planners[1], nobody);
+  const auto &in_search = search.now().figures, &along = path.now().figures;
+  std::printf("sight checks %lld and %lld, nodes %zu and %zu\n",
+              static_cast<long long>(in_search.counters.sight_checks),
+              static_cast<long long>(along.counters.sight_checks), search.route().path.nodes.size(),
+              path.route().path.nodes.size());
+  EXPECT_EQ(in_search.counters.expansions, along.counters.expansions);
+  EXPECT_GT(in_search.counters.sight_checks, 5 * along.counters.sight_checks);
+  EXPECT_LE(along.travelled, in_search.travelled);
+}
+
 TEST(ShippedWorlds, DemonstrateBothFaultsOfThePrintedPseudoCode) {
   NoTrace nobody;
   const std::string maps = REPLAN_SOURCE_DIR "/maps/";

@@ -21,11 +21,14 @@ void check_all_pairs(typename BoxLattice<D>::Coordinates size, CornerRule corner
   for (std::uint8_t& cell : cells) cell = random.chance(density) ? 1 : 0;
   const TwinWorld<D> world(size, cells, {.corners = corners});
   const auto bad = [&](NodeId n) { return cells[n] != 0; };
+  const SightMap<D> map(world.lattice, bad);
   for (NodeId a = 0; a < cells.size(); ++a)
     for (NodeId b = 0; b < cells.size(); ++b) {
       const bool seen = line_of_sight(world.lattice, rule, a, b, bad);
       ASSERT_EQ(seen, line_of_sight(world.lattice, rule, b, a, bad))
           << a << " and " << b << ": not symmetric";
+      ASSERT_EQ(seen, line_of_sight(world.lattice, rule, a, b, bad, map))
+          << a << " to " << b << " by the map";
       ASSERT_EQ(seen, oracle::sees(world.plain, cells, corners, rule, a, b)) << a << " to " << b;
     }
 }
@@ -42,6 +45,50 @@ TEST(LineOfSight, isThatOfBruteForceAndSymmetricIn3d) {
     for (const SightRule rule : kSights)
       for (std::uint64_t seed = 0; seed < 12; ++seed)
         check_all_pairs<3>({6, 5, 4}, corners, rule, 0.02 + 0.02 * static_cast<double>(seed % 12), seed);
+}
+
+/// Long rays over open ground: leaps over tiles and runs over many words say what a walk cell by cell does.
+TEST(LineOfSight, byTheMapIsThatOfEveryCellOverLongDistances) {
+  std::size_t checks = 0, clear = 0;
+  for (std::uint64_t seed = 0; seed < 120; ++seed) {
+    Random random(seed);
+    constexpr int kShapes[][4] = {{100, 900, 100, 700}, {1, 9, 300, 5000}, {300, 5000, 1, 80}};
+    const auto& shape = kShapes[seed % 3];
+    const Grid2::Coordinates size{random.between(shape[0], shape[1]), random.between(shape[2], shape[3])};
+    std::vector<std::uint8_t> cells(cell_count<2>(size));
+    const auto any = [&] { return random.below(static_cast<std::uint32_t>(cells.size())); };
+    for (int few = random.between(0, 40); few > 0; --few) cells[any()] = 1;
+    const Grid2 lattice(size, cells, {.corners = kCorners[random.below(3)]});
+    const auto bad = [&](NodeId n) { return cells[n] != 0; };
+    SightMap<2> map(lattice, bad);
+    for (int edits = 0; edits < 30; ++edits) {
+      const NodeId n = any();
+      cells[n] ^= 1;
+      map.change(lattice.coordinates(n), cells[n] != 0);
+    }
+    for (int ray = 0; ray < 1000; ++ray) {
+      const NodeId a = any();
+      auto there = lattice.coordinates(any());
+      if (random.chance(0.3)) {  // through corners
+        const int far = random.between(1, 300);
+        there = lattice.coordinates(a);
+        there[0] += far;
+        there[1] += random.chance(0.5) ? far : -far;
+      }
+      const NodeId b = lattice.contains(there) ? lattice.node(there) : any();
+      for (const SightRule rule : kSights) {
+        const bool seen = line_of_sight(lattice, rule, a, b, bad);
+        ASSERT_EQ(seen, line_of_sight(lattice, rule, a, b, bad, map))
+            << a << " to " << b << ", seed " << seed;
+        ASSERT_EQ(seen, line_of_sight(lattice, rule, b, a, bad, map))
+            << b << " to " << a << ", seed " << seed;
+        ++checks;
+        clear += seen ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(clear, checks / 4);
+  EXPECT_LT(clear, checks * 3 / 4);
 }
 
 TEST(LineOfSight, holdsOnLatticesOfOneRowColumnOrCell) {

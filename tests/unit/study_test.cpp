@@ -219,5 +219,63 @@ TEST(RunReport, csvHasOneColumnForEachName) {
   EXPECT_TRUE(names.ends_with("robot_moves,robot_travelled,robot_collisions,robot_replans"));
 }
 
+/// What is said of an open field whose script goes wrong at the robot's second step.
+std::string told_of(Surprise surprise, bool robot_cell_blocks = true) {
+  Scenario world;
+  world.map = GridMap(7, 2);
+  world.goal = {6, 0};
+  world.planners = {{"astar", {}}};
+  world.robot.robot_cell_blocks = robot_cell_blocks;
+  surprise.at.move = 2;
+  world.surprises = {std::move(surprise)};
+  return explanation(drive(world, world.planners.front()));
+}
+
+TEST(RunReport, saysByNameWhichCellIsBlocked) {
+  Surprise on_robot, on_goal, put_into_wall, around;
+  on_robot.cells = {{{2, 0}, true}};
+  on_goal.cells = {{{6, 0}, true}};
+  put_into_wall.cells = {{{4, 1}, true}};
+  put_into_wall.robot = Cell{4, 1};
+  for (int x = 1; x <= 3; ++x)
+    for (int y = 0; y < 2; ++y) around.cells.push_back({{x, y}, true});
+  EXPECT_EQ(told_of(on_robot),
+            "The robot did not arrive: its own cell is an obstacle, and it cannot leave it.");
+  EXPECT_EQ(told_of(on_robot, false), "");
+  EXPECT_EQ(told_of(put_into_wall, false), told_of(on_robot));
+  EXPECT_EQ(told_of(on_goal), "The robot did not arrive: the goal's cell has become an obstacle.");
+  EXPECT_EQ(told_of(around, false),
+            "The robot did not arrive: an obstacle covers its own cell, and no way leads out of it.");
+  around.cells = {{{3, 0}, true}, {{3, 1}, true}};
+  EXPECT_EQ(told_of(around), "The robot did not arrive: the way to the goal was cut off while it drove.");
+}
+
+TEST(RunReport, saysHowNearToTheGoalTheRobotCame) {
+  Scenario world;
+  world.map = GridMap(7, 2);
+  world.map.set({6, 0}, true);
+  world.map.set({5, 0}, true);
+  world.goal = {6, 0};
+  world.planners = {{"astar", {}}};
+  EXPECT_EQ(explanation(drive(world, world.planners.front())), status_sentence(PlanStatus::goal_blocked));
+  world.robot.unreachable_goal = UnreachableGoal::nearest;
+  const RunReport driven[] = {drive(world, world.planners.front())};
+  EXPECT_EQ(driven[0].status, "found-nearest");
+  EXPECT_EQ(driven[0].path.back(), (Cell{6, 1}));
+  EXPECT_FALSE(driven[0].succeeded());
+  EXPECT_EQ(driven[0].robot->short_of_goal, 1);
+  EXPECT_EQ(explanation(driven[0]),
+            "The goal cannot be reached: the robot stands on the reachable cell nearest to it, 1.000 cells "
+            "away.");
+  for (const char* part :
+       {"\"ending\": \"nearest\"", "\"last_status\": \"found-nearest\"", "\"short_of_goal\": 1"})
+    EXPECT_NE(runs_json(driven).find(part), std::string::npos) << runs_json(driven);
+  const RunReport planned =
+      plan_once(world.map, world.start, world.goal, world.planners.front(), UnreachableGoal::nearest);
+  EXPECT_EQ(planned.status, "found-nearest");
+  EXPECT_EQ(planned.path, driven[0].path);
+  EXPECT_FALSE(planned.succeeded());
+}
+
 }  // namespace
 }  // namespace replan::test

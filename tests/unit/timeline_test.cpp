@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.hpp"
+#include "core/trace/tracer.hpp"
 
 namespace replan {
 namespace {
@@ -106,6 +107,93 @@ TEST(Timeline, TruncatingForgetsAndAppendingGoesOn) {
     timeline.seek(timeline.size());
     ASSERT_EQ(timeline.state().hash(), timeline.head().hash());
   }
+}
+
+/// A log with searches that are forgotten now and then, some of them soon after they began.
+std::vector<Event> log_with_epochs(std::size_t size, std::uint64_t seed) {
+  std::vector<Event> log = random_log(size, seed);
+  Random random(seed + 1);
+  for (std::size_t i = 0; i < log.size(); i += 1 + random.below(random.chance(0.5) ? 50 : 20000))
+    log[i] = {0, log[i].node, EventKind::epoch, 1, 0};
+  return log;
+}
+
+TEST(Timeline, GoesBackOverEpochsToWhatTheyForgot) {
+  const std::vector<Event> log = log_with_epochs(300000, 11);
+  Timeline timeline{SearchState(kNodes)};
+  timeline.append(log);
+  std::map<std::size_t, std::uint64_t> hashes;
+  Random random(12);
+  for (int i = 0; i < 60; ++i) hashes[random.below(static_cast<std::uint32_t>(log.size()) + 1)] = 0;
+  for (const std::size_t epoch : timeline.epochs())
+    for (const std::size_t near : {epoch, epoch + 1}) hashes[near] = 0;
+  ASSERT_GT(timeline.epochs().size(), 20u);
+  SearchState state(kNodes);
+  std::size_t at = 0;
+  for (auto& [position, hash] : hashes) {
+    for (; at < position; ++at) state.apply(log[at]);
+    hash = state.hash();
+  }
+  for (auto each = hashes.rbegin(); each != hashes.rend(); ++each) {  // from the end to the beginning
+    timeline.seek(each->first);
+    ASSERT_EQ(timeline.state().hash(), each->second) << "at " << each->first;
+  }
+  for (int i = 0; i < 300; ++i) {
+    const auto& [position, hash] =
+        *std::next(hashes.begin(), random.below(static_cast<std::uint32_t>(hashes.size())));
+    timeline.seek(position);
+    ASSERT_EQ(timeline.state().hash(), hash) << "at " << position;
+    ASSERT_EQ(timeline.state_at(position).hash(), hash);
+  }
+}
+
+TEST(Timeline, CutsBeforeAndBehindEpochsAndGoesOn) {
+  const std::vector<Event> log = log_with_epochs(100000, 13);
+  Timeline whole{SearchState(kNodes)}, cut{SearchState(kNodes)};
+  whole.append(log);
+  cut.append(log);
+  const std::vector<std::size_t> epochs(whole.epochs().begin(), whole.epochs().end());
+  for (auto epoch = epochs.rbegin(); epoch != epochs.rend(); ++epoch)
+    for (const std::size_t size : {*epoch + 1, *epoch}) {
+      cut.truncate(size);
+      ASSERT_EQ(cut.head().hash(), whole.state_at(size).hash()) << "at " << size;
+      cut.append(std::span(log).subspan(size, std::min<std::size_t>(50, log.size() - size)));
+      cut.truncate(size);
+      ASSERT_EQ(cut.head().hash(), whole.state_at(size).hash()) << "again at " << size;
+    }
+}
+
+TEST(Timeline, AnEpochIsALastAndNextEventOfEveryNodeThatItForgets) {
+  Timeline timeline{SearchState(kNodes)};
+  Recorder recorder;
+  recorder.change(EventKind::g, 7, 5, 6);     // 0
+  recorder.change(EventKind::dist, 7, 0, 1);  // 1
+  recorder.note(EventKind::epoch, 3);         // 2
+  recorder.change(EventKind::g, 8, 5, 6);     // 3
+  recorder.note(EventKind::epoch, 3);         // 4
+  timeline.append(recorder.take());
+  EXPECT_EQ(timeline.last_event(7, {EventKind::g}, 5), 4u);
+  EXPECT_FALSE(timeline.changes(4, 7, EventKind::g));  // it was forgotten before
+  EXPECT_TRUE(timeline.changes(4, 8, EventKind::g));
+  EXPECT_TRUE(timeline.changes(2, 7, EventKind::g));
+  EXPECT_EQ(timeline.last_event(7, {EventKind::g}, 2), 0u);
+  EXPECT_EQ(timeline.last_event(7, {EventKind::dist}, 5), 1u);  // not forgotten
+  EXPECT_EQ(timeline.next_event(7, {EventKind::g}, 1), 2u);
+  EXPECT_EQ(timeline.next_event(7, {EventKind::dist}, 2), std::nullopt);
+}
+
+TEST(EventStore, ADroppedChunkGivesItsMemoryBack) {
+  EventStore store(1024);
+  const std::vector<Event> events(64 * 1024);
+  store.append(events);
+  const std::size_t whole = store.bytes();
+  EXPECT_GE(whole, events.size() * sizeof(Event));
+  store.shrink(whole / 8, 0);
+  EXPECT_LE(store.bytes(), whole / 8);  // of memory: bytes() counts what the chunks have taken
+  EXPECT_TRUE(store.holds(0));
+  EXPECT_FALSE(store.holds(10));
+  store.put_back(10, std::span(events).first(1024));
+  EXPECT_TRUE(store.holds(10));
 }
 
 TEST(Timeline, CountsTheOpenListInBothDirections) {

@@ -43,8 +43,8 @@ std::shared_ptr<const Scenario> random_mission(std::uint32_t seed, const std::st
   Scenario scenario;
   scenario.name = "mission \"" + std::to_string(seed) + "\"";
   scenario.map = GridMap(random.between(5, 14), random.between(5, 14));
-  for (std::uint8_t& cell : scenario.map.blocked)
-    cell = random.chance(0.25) ? (random.chance(0.2) ? kUnmapped : kObstacle) : kFree;
+  for (std::size_t cell = 0; cell < scenario.map.blocked.size(); ++cell)
+    scenario.map.blocked[cell] = random.chance(0.25) ? (random.chance(0.2) ? kUnmapped : kObstacle) : kFree;
   scenario.start = {0, 0};
   scenario.goal = {scenario.map.width - 1, scenario.map.height - 1};
   scenario.map.set(scenario.start, false);
@@ -143,6 +143,7 @@ class Rebuilt {
 
   /// False if the line's `before` is not what stood there.
   bool take(const Json& line) {
+    if (line["kind"] == "epoch") state_.apply(Event{.kind = EventKind::epoch});
     if (!line.contains("before")) return true;
     Event event;
     event.kind = kind(line["kind"]);

@@ -56,7 +56,7 @@ TEST(Transform, ATurnCarriesEverythingAlong) {
 
 TEST(Transform, SurpriseCellsStayInTheOrderOfRows) {
   for (const Turn turn : {Turn::left, Turn::right, Turn::left_right, Turn::top_bottom}) {
-    const auto cells = turned(furnished(), turn).surprises[0].cells;
+    const auto cells = turned(furnished(), turn).surprises.front().cells;
     EXPECT_TRUE(std::is_sorted(cells.begin(), cells.end(), [](const CellChange& a, const CellChange& b) {
       return std::pair(a.cell.y, a.cell.x) < std::pair(b.cell.y, b.cell.x);
     }));

@@ -32,8 +32,7 @@ MapFile full_world() {
 
 /// The same with what `format` cannot hold taken out.
 MapFile as_held(MapFile world, const MapFormat& format) {
-  for (std::uint8_t& cell : world.map.blocked)
-    if (cell == kUnmapped && !format.unmapped) cell = kObstacle;
+  if (!format.unmapped) world.map.blocked = with_unmapped_as(world.map.blocked, kObstacle);
   if (!format.resolution) world.map.resolution = 1;
   if (!format.resolution) world.map.origin = {};
   if (!format.ends) world.start = world.goal = std::nullopt;
@@ -88,7 +87,7 @@ TEST(MapFormats, SayWhatTheyLoseOfAScenario) {
   Scenario scenario;
   scenario.map = GridMap(3, 3);
   scenario.planners = {{"astar", {}}};
-  scenario.surprises.resize(2);
+  scenario.surprises.assign(2, {});
   EXPECT_TRUE(lost_in(".json", scenario).empty());
   EXPECT_EQ(lost_in(".txt", scenario),
             (std::vector<std::string>{".txt cannot hold the goal, which is the start",

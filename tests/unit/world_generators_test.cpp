@@ -16,7 +16,8 @@ double covered(const GridMap& map) {
 }
 
 std::uint64_t hash(const GridMap& map) {
-  return hash_bytes({reinterpret_cast<const char*>(map.blocked.data()), map.blocked.size()});
+  const std::vector<std::uint8_t> cells = map.blocked.plain();
+  return hash_bytes({reinterpret_cast<const char*>(cells.data()), cells.size()});
 }
 
 /// Free cells, moves between free straight neighbours, and connected parts.

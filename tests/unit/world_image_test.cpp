@@ -15,7 +15,7 @@ const std::string kGreys = std::string("P5\n4 1\n255\n") + '\0' + '\x7F' + '\x80
 
 std::vector<std::uint8_t> cells(const ImageMapOptions& options) {
   const auto map = decode_image_map(kGreys, "g.pgm", options);
-  return map.ok() ? map->blocked : std::vector<std::uint8_t>{};
+  return map.ok() ? map->blocked.plain() : std::vector<std::uint8_t>{};
 }
 
 TEST(ImageMap, DarkerThanTheThresholdIsAnObstacle) {

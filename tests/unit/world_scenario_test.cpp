@@ -27,7 +27,8 @@ json full_document() {
     "planners": [{"id": "dld-star-lite", "settings": {"heuristic": "euclidean", "range": 2.5, "border": true}},
                  {"id": "dstar-lite"}],
     "robot": {"knowledge": "nothing", "sensor_radius": 4.5, "sensor_blocked": true,
-              "motion": "smooth", "speed": 2.5, "patience": 10},
+              "motion": "smooth", "speed": 2.5, "patience": 10,
+              "unreachable_goal": "nearest", "robot_cell_blocks": true},
     "surprises": [
       {"at": {"move": 12}, "add": {"cells": [[2, 0]], "rectangles": [[2, 1, 2, 2]]}, "announced": true},
       {"at": {"move": 0}, "remove": {"cells": [[1, 1]]}},
@@ -74,7 +75,8 @@ TEST(Scenario, ReadsEveryKey) {
   EXPECT_EQ(scenario->planners[0].settings.get("border", 0), 1);
   EXPECT_EQ(scenario->map.blocked[scenario->map.index({3, 2})], kUnmapped);
   EXPECT_EQ(scenario->map.origin, (std::array{-10.0, 2.5, 0.1}));
-  EXPECT_EQ(scenario->robot, (RobotSetup{Knowledge::nothing, 4.5, true, Motion::smooth, 2.5, 10}));
+  EXPECT_EQ(scenario->robot, (RobotSetup{Knowledge::nothing, 4.5, true, Motion::smooth, 2.5, 10,
+                                         UnreachableGoal::nearest, true}));
   ASSERT_EQ(scenario->surprises.size(), 4u);
   EXPECT_EQ(scenario->surprises[3].goal, (Cell{0, 2}));
   EXPECT_EQ(scenario->surprises[3].robot, (Cell{3, 0}));

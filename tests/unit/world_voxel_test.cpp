@@ -45,8 +45,8 @@ TEST(VoxelMap, RefusesBrokenOnes) {
                            "voxel 1 1 1.5", "voxel 1 1 99999999999", "box 1 1 1"})
     EXPECT_EQ(map_error(text).substr(9), header.substr(9)) << text;
   EXPECT_EQ(map_error("voxel 1000000000 1000000000 1000000000\n"),
-            "m.3dmap:1: the map is too large: at most 67108864 voxels are read");
-  EXPECT_NE(map_error("voxel 407 407 407\n").find("too large"), std::string::npos);
+            "m.3dmap:1: the map is too large: at most 134217728 voxels are read");
+  EXPECT_NE(map_error("voxel 513 512 512\n").find("too large"), std::string::npos);
   EXPECT_EQ(map_error("voxel 2 2 2\n0 0 0\n0 0 2\n"),
             "m.3dmap:3: voxel '0 0 2' lies outside the box of 2 x 2 x 2");
   for (const char* line : {"0 0", "0 0 0 0", "0 0 x", "-1 0 0", "0 0 1e0"})

@@ -3,8 +3,10 @@
 #include <bit>
 #include <vector>
 
+#include "core/plan/common_parameters.hpp"
 #include "ui/shell/cell_view.hpp"
 #include "ui/shell/format.hpp"
+#include "ui/shell/panels.hpp"
 #include "ui/shell/term_hint.hpp"
 
 namespace replan::ui {
@@ -18,7 +20,7 @@ struct Offer {
 
 /// Moves from the cell on the robot's map at the cursor: of a window of 3 x 3 cells under the same rules.
 std::vector<Offer> offers(const CellView& view) {
-  const Grid2& lattice = view.run.lattice();
+  const Box& lattice = view.run.lattice();
   const int left = std::max(view.cell.x - 1, 0), top = std::max(view.cell.y - 1, 0);
   const int right = std::min(view.cell.x + 1, lattice.width() - 1),
             bottom = std::min(view.cell.y + 1, lattice.height() - 1);
@@ -26,7 +28,8 @@ std::vector<Offer> offers(const CellView& view) {
   for (int y = top; y <= bottom; ++y)
     for (int x = left; x <= right; ++x)
       blocked.push_back(view.state.known_blocked(lattice.node(Cell{x, y})) ? 1 : 0);
-  const Grid2 window({right - left + 1, bottom - top + 1}, std::move(blocked), lattice.rules());
+  const Grid2 window({right - left + 1, bottom - top + 1}, std::move(blocked),
+                     move_rules(view.run.choice().settings));
   const NodeId middle = window.node(Cell{view.cell.x - left, view.cell.y - top});
   std::vector<Offer> all;
   for (auto rest = static_cast<std::uint32_t>(window.moves(middle)); rest != 0; rest &= rest - 1) {
@@ -80,6 +83,20 @@ void offer_table(Frame& frame, const CellView& view, const std::vector<Offer>& a
   table_row(look, -1, columns, cells);
 }
 
+/// What is known of the way straight to the remote parent; nothing for planners without sight.
+const char* remote_words(const CellView& view) {
+  if (!view.run.info().sight) return "";
+  const NodeId local = view.state.lp(view.node), remote = view.state.rp(view.node);
+  if (parameters::checks_along_path(view.run.choice().settings))
+    return remote == kNoNode ? "Sight is checked along the path alone, and this cell is no vertex of the "
+                               "last one: it has no rp."
+                             : "Its rp is the farthest cell that was found in sight along the path.";
+  if (remote == kNoNode || remote == view.node) return "";
+  if (remote == local) return "Its rp is its lp, which needs no sight check.";
+  return view.state.queued(view.node) ? "Sight to its rp is assumed. It is checked when the cell is taken."
+                                      : "Sight to its rp was checked when the cell was taken.";
+}
+
 /// Who wrote the value last; a click goes there.
 void written_line(Frame& frame, const CellView& view) {
   const Look& look = frame.look;
@@ -110,6 +127,8 @@ void draw_why(Frame& frame, const CellView& view) {
   }
   offer_table(frame, view, all);
   written_line(frame, view);
+  if (const std::string_view words = remote_words(view); !words.empty())
+    paragraph(look.fonts.ui, look.theme.dim, words);
   if (all.front().sum == value) return;
   ImGui::Dummy({0, look.px.xs});
   paragraph(look.fonts.ui, look.theme.warning,

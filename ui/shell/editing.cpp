@@ -34,13 +34,12 @@ std::vector<CellChange> placed(const GridMap& cells, Cell at, const GridMap& wor
   return changes;
 }
 
-/// Where start, goal and robot stand now.
+/// Where start and goal stand now.
 std::vector<Cell> standing(const Session& session) {
   std::vector<Cell> cells = {session.scenario().start, session.scenario().goal};
   const Run& run = session.run();
-  for (const Scalar which : {Scalar::robot, Scalar::goal})
-    if (const NodeId node = run.timeline().state().node(which); node != kNoNode)
-      cells.push_back(run.lattice().position(node));
+  if (const NodeId node = run.timeline().state().wanted_goal(); node != kNoNode)
+    cells.push_back(run.lattice().position(node));
   return cells;
 }
 

@@ -27,7 +27,8 @@ const PathFigures& figures_of(PanelState& panels, const Run& run, std::size_t pa
   if (panels.figures.size() <= pane) panels.figures.resize(pane + 1);
   FigureCache& cache = panels.figures[pane];
   if (cache.route == mark.route || map_changed_since(run, mark)) return cache.figures;
-  const Grid2 lattice(run.lattice().size(), run.timeline().state().known_map(), run.lattice().rules());
+  const Grid2 lattice(run.lattice().size(), run.timeline().state().known_map().plain(),
+                      move_rules(run.choice().settings));
   cache = {mark.route, path_figures(lattice, mark.route->path.nodes)};
   return cache.figures;
 }

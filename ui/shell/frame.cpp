@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/trace/search_state.hpp"
+#include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
 
 namespace replan::ui {

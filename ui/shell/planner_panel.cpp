@@ -159,6 +159,26 @@ bool drive_settings(Frame& frame, RobotSetup& robot) {
          changed;
 }
 
+/// What it does where it cannot go on; true if something was changed.
+bool trouble_settings(const Look& look, RobotSetup& robot) {
+  static constexpr std::array<const char*, 2> kUnreachable = {"wait for a way", "go as near as it can"};
+  int unreachable = static_cast<int>(robot.unreachable_goal);
+  bool changed = labelled_control(
+      look, "If there is no way",
+      {"Where the goal cannot be reached", "",
+       "Wait: until a way opens. As near as it can: to the reachable cell nearest to the goal, and on to the "
+       "goal once a way opens."},
+      robot.unreachable_goal != RobotSetup{}.unreachable_goal,
+      [&](float width) { return combo(look, "##unreachable", kUnreachable, unreachable, width); });
+  robot.unreachable_goal = static_cast<UnreachableGoal>(unreachable);
+  changed |= toggle(look, "Held by an obstacle on its own cell", robot.robot_cell_blocks);
+  hint(look,
+       {"An obstacle on its own cell", "",
+        "Off: what comes onto the cell where it stands is in nobody's way, and it drives out. On: it is "
+        "held there. A robot that starts in a wall or is put into one is held in any case."});
+  return changed;
+}
+
 void robot_settings(Frame& frame) {
   const Look& look = frame.look;
   static constexpr std::array<const char*, 3> kKnowledge = {"everything, at once", "the map, not surprises",
@@ -189,6 +209,7 @@ void robot_settings(Frame& frame) {
   hint(look,
        {"Blocked view", "", "On: what stands behind an obstacle is hidden. Off: the sensor sees through."});
   changed |= drive_settings(frame, robot);
+  changed |= trouble_settings(look, robot);
   if (changed) frame.commands.push_back(SetRobot{robot});
 }
 

@@ -42,17 +42,21 @@ Verdict verdict(const Theme& theme, const Run& run) {
       return {theme.bad, "goes round in a circle", "unchecked-parent"};
     case MissionState::endless:
       return {theme.bad, "turned back again and again", "moving-obstacle"};
+    case MissionState::nearest:
+      return {theme.warning, "as near to the goal as it can get", "nearest-goal"};
     case MissionState::no_path:
     case MissionState::driving:
       break;
   }
   switch (mark->route->status) {
     case PlanStatus::start_blocked:
-      return {theme.bad, "the start is blocked", "no-path"};
+      return {theme.bad, mark->clock > 0 ? "the robot's cell is blocked" : "the start is blocked", "no-path"};
     case PlanStatus::goal_blocked:
       return {theme.bad, "the goal is blocked", "no-path"};
     case PlanStatus::no_path:
       return {theme.bad, "no path", "no-path"};
+    case PlanStatus::found_nearest:
+      return {theme.warning, "plan to the nearest reachable cell", "nearest-goal"};
     default:
       return {theme.good, "plan stands", "plan"};
   }
@@ -236,8 +240,9 @@ void draw_status_bar(Frame& frame) {
   const replan::Mark* mark = run.mark_at(run.timeline().cursor());
   if (mark != nullptr && mark->state == MissionState::arrived)
     line.pair("travelled", fixed(mark->figures.travelled, 1), term_hint("travelled"));
-  else if (mark != nullptr && mark->route->status == PlanStatus::found)
-    line.pair("path", fixed(path_length(run.lattice(), mark->route->path.nodes), 1), term_hint("length"));
+  else if (mark != nullptr && has_path(mark->route->status))
+    line.pair("path", fixed(mark->route->along.empty() ? 0 : mark->route->along.back(), 1),
+              term_hint("length"));
   line.pair("|U|", grouped(run.timeline().state().queue_size()), term_hint("open-list"));
   if (run.info().from_goal) line.pair("km", cost_text(run.timeline().state().km(), 2), term_hint("km"));
   const double zoom = frame.panels.zoom / static_cast<double>(look.px.scale);

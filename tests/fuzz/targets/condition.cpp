@@ -15,7 +15,7 @@ const Timeline& some_log() {
     Timeline made{SearchState(static_cast<std::size_t>(kWorld.width * kWorld.height))};
     std::vector<Event> events;
     for (std::uint32_t i = 0; i < 300; ++i) {
-      const auto kind = static_cast<EventKind>(i % (static_cast<std::uint32_t>(EventKind::forgotten) + 1));
+      const auto kind = static_cast<EventKind>(i % static_cast<std::uint32_t>(kEventKinds));
       const NodeId node = i * 7 % (kind == EventKind::scalar ? static_cast<NodeId>(Scalar::count) : 48);
       // What a cell is takes one bit; a log never holds more of it.
       const bool bit = kind == EventKind::known || kind == EventKind::truth;
@@ -30,7 +30,7 @@ const Timeline& some_log() {
 
 /// Counts the stops in both directions; they are the same ones.
 void walk(const Condition& condition) {
-  static const Grid2 lattice({kWorld.width, kWorld.height});
+  static const Box lattice(kWorld.width, kWorld.height);
   static const Settings settings;
   const Timeline& log = some_log();
   const LogView view{log, lattice, planners().front(), settings};

@@ -1,0 +1,213 @@
+#include "core/session/run_worker.hpp"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+namespace replan {
+namespace {
+
+/// Decisions of the robot per batch.
+constexpr int kBatchDecisions = 64;
+/// Events of one batch: some milliseconds of work.
+constexpr std::size_t kBatchEvents = 100000;
+/// Batches that wait to be taken. With more the thread waits too.
+constexpr std::size_t kMostReady = 16;
+
+}  // namespace
+
+RunWorker::RunWorker(std::shared_ptr<const Scenario> scenario, std::size_t planner, const RunLimits& limits)
+    : planner_(planner), limits_(limits), scenario_(std::move(scenario)) {
+  thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
+}
+
+RunWorker::~RunWorker() {
+  hurry_ = true;
+  thread_.request_stop();
+}
+
+// Orders.
+
+void RunWorker::go(Target target) {
+  const std::scoped_lock lock(mutex_);
+  if (!failure_.empty()) return;
+  target_ = target;
+  wanted_ = true;
+  wake_.notify_all();
+}
+
+void RunWorker::stop() {
+  const std::scoped_lock lock(mutex_);
+  wanted_ = false;
+  hurry_ = true;
+  room_.notify_all();
+}
+
+void RunWorker::begin_afresh(std::shared_ptr<const Scenario> scenario) {
+  stop();
+  const std::scoped_lock lock(mutex_);
+  ++begun_;
+  orders_ = {.fresh = std::move(scenario), .script = {}, .back = {}};
+  ready_.clear();
+  failure_.clear();
+}
+
+void RunWorker::set_script(std::shared_ptr<const Scenario> scenario) {
+  const std::scoped_lock lock(mutex_);
+  orders_.script = std::move(scenario);
+}
+
+void RunWorker::go_back(const Mark& mark, std::shared_ptr<Timeline> log) {
+  const SearchState* head = &log->lend_head();
+  const std::scoped_lock lock(mutex_);
+  orders_.back = Back{mark, std::move(log), head};
+  lent_ = true;
+}
+
+// What the owner asks.
+
+bool RunWorker::head_returned() const {
+  const std::scoped_lock lock(mutex_);
+  return !lent_;
+}
+
+std::optional<RunWorker::Batch> RunWorker::take() {
+  const std::scoped_lock lock(mutex_);
+  if (ready_.empty()) return std::nullopt;
+  Batch batch = std::move(ready_.front());
+  ready_.pop_front();
+  room_.notify_all();
+  return batch;
+}
+
+void RunWorker::give_back(std::vector<Event> memory) {
+  const std::scoped_lock lock(mutex_);
+  if (spare_.size() < kMostReady / 2) spare_.push_back(std::move(memory));
+}
+
+bool RunWorker::working() const {
+  const std::scoped_lock lock(mutex_);
+  return wanted_ || at_work_;
+}
+
+bool RunWorker::at_rest() const {
+  const std::scoped_lock lock(mutex_);
+  return !wanted_ && !at_work_ && ready_.empty();
+}
+
+std::string RunWorker::failure() const {
+  const std::scoped_lock lock(mutex_);
+  return failure_;
+}
+
+void RunWorker::wait() {
+  std::unique_lock lock(mutex_);
+  news_.wait(lock, [this] { return !ready_.empty() || (!wanted_ && !at_work_); });
+}
+
+// The thread.
+
+void RunWorker::work(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  while (wake_.wait(lock, stop, [this] { return wanted_; }) && !stop.stop_requested()) {
+    Orders orders = std::exchange(orders_, {});
+    const std::uint64_t begun = begun_;
+    const Target target = target_;
+    at_work_ = true;
+    hurry_ = false;
+    lock.unlock();
+    Batch batch;
+    std::string failure = work_on(std::move(orders), target, batch);
+    lock.lock();
+    at_work_ = false;
+    if (!orders_.back) lent_ = false;
+    if (begun == begun_) {
+      if (!batch.events.empty() || !batch.marks.empty()) ready_.push_back(std::move(batch));
+      if (!orders_.any() && (!failure.empty() || reached(target_))) wanted_ = false;
+      failure_ = std::move(failure);
+    }
+    news_.notify_all();
+    room_.wait(lock, stop, [this] { return ready_.size() < kMostReady || !wanted_; });
+  }
+}
+
+/// Why it could not be done, or nothing.
+std::string RunWorker::work_on(Orders orders, Target target, Batch& batch) {
+  try {
+    carry_out(std::move(orders));
+    fill(batch, target);
+  } catch (const std::bad_alloc&) {
+    recorder_.clear();
+    batch = {};
+    return "the memory does not suffice for this run: choose a smaller world, or a planner that expands less";
+  }
+  recorded_ += batch.events.size();
+  static_assert(kMostEvents == 1'073'741'824);
+  if (recorded_ > kMostEvents)
+    return "the log of this run has reached its limit of 1 073 741 824 events: choose a smaller world";
+  return {};
+}
+
+void RunWorker::carry_out(Orders orders) {
+  if (orders.fresh) {
+    mission_.reset();
+    scenario_ = std::move(orders.fresh);
+    recorder_ = {};
+    recorded_ = 0;
+  }
+  if (orders.back) {
+    make_mission();
+    recorder_.clear();
+    mission_->restore(orders.back->mark, *orders.back->head);
+    recorded_ = orders.back->mark.event;
+  }
+  if (orders.script) {
+    scenario_ = std::move(orders.script);
+    if (mission_) mission_->set_surprises(scenario_->surprises);
+  }
+}
+
+void RunWorker::make_mission() {
+  if (!mission_) mission_ = std::make_unique<Mission<Recorder>>(*scenario_, choice(), recorder_);
+}
+
+void RunWorker::fill(Batch& batch, Target target) {
+  make_mission();
+  // Several to a key frame, so that one stands wherever the timeline wants one.
+  const std::size_t checkpoint_events = std::max<std::size_t>(1, limits_.log.frame_interval / 8);
+  const auto recorded = [this] { return recorder_.buffer().size(); };
+  std::size_t next_checkpoint = 0;
+  for (int i = 0; i < kBatchDecisions && recorded() < kBatchEvents && !hurry_ && !reached(target); ++i) {
+    if (!mission_->advance(limits_.slice_iterations)) i = kBatchDecisions;
+    if (mission_->standing()) {
+      batch.marks.push_back(mission_->now());
+      batch.marks.back().event = recorded();
+    }
+    if (recorded() < next_checkpoint) continue;
+    auto checkpoint = std::make_shared<Checkpoint>(mission_->checkpoint());
+    checkpoint->line = recorder_.current_line();
+    batch.checkpoints.emplace_back(recorded(), std::move(checkpoint));
+    next_checkpoint = recorded() + checkpoint_events;
+  }
+  batch.events = recorder_.take(spare());
+}
+
+bool RunWorker::reached(Target target) const {
+  if (!mission_) return false;
+  if (target.kind == Target::Kind::length && recorded_ + recorder_.buffer().size() >= target.length)
+    return true;
+  if (!mission_->standing()) return false;
+  if (mission_->state() != MissionState::driving) return true;
+  if (target.kind == Target::Kind::plan) return mission_->settled();
+  return target.kind == Target::Kind::clock && mission_->now().clock >= target.clock;
+}
+
+std::vector<Event> RunWorker::spare() {
+  const std::scoped_lock lock(mutex_);
+  if (spare_.empty()) return {};
+  std::vector<Event> memory = std::move(spare_.back());
+  spare_.pop_back();
+  return memory;
+}
+
+}  // namespace replan
