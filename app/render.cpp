@@ -99,6 +99,11 @@ bool is_film(const std::string& output) {
   return is_frame_folder(output) || film_format(output).has_value();
 }
 
+FrameSize written_size(const RenderRequest& request) {
+  const FrameSize frames{request.width, request.height};
+  return is_frame_folder(request.output) ? frames : film_size(request.output, frames);
+}
+
 Result<void> write_drawing(const std::string& path, const Run& run, const ui::ViewState& state,
                            Viewport size) {
   const Palette palette = ui::scene_palette(state.dark ? ui::dark() : ui::light());

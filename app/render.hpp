@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/film/film_writer.hpp"
 #include "core/scene/scene.hpp"
 #include "core/scene/view.hpp"
 #include "core/session/film_plan.hpp"
@@ -52,6 +53,9 @@ bool is_film(const std::string& output);
 
 /// Draws what is asked for. The same request gives the same pixels each time.
 Result<void> render(const RenderRequest& request);
+
+/// The size of the file that render() writes: that of the request but for an .mp4, whose sides are even.
+FrameSize written_size(const RenderRequest& request);
 
 /// Writes what a canvas of that size shows of a run as a vector drawing (.svg).
 Result<void> write_drawing(const std::string& path, const Run& run, const ui::ViewState& state,

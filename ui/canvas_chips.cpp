@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/world/ends.hpp"
 #include "ui/colormap.hpp"
 #include "ui/icons.hpp"
 #include "ui/replan_card.hpp"
@@ -176,6 +177,10 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
     return {"The robot stands in an obstacle: clear its cell, or put it elsewhere.", true};
   if (mark->route->status == PlanStatus::no_path && state.truly_blocked(robot))
     return {"An obstacle stands on the robot's cell, and no way leads out of it.", true};
+  const bool start = mark->route->status == PlanStatus::start_blocked;
+  if (start || mark->route->status == PlanStatus::goal_blocked)
+    if (std::string unknown = unknown_end_sentence(run.scenario(), start); !unknown.empty())
+      return {std::move(unknown), true};
   return {status_sentence(mark->route->status), true};
 }
 

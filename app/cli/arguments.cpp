@@ -1,6 +1,7 @@
 #include "app/cli/arguments.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <CLI/CLI.hpp>
 
@@ -9,6 +10,7 @@
 #include "core/plan/registry.hpp"
 #include "core/world/generator_list.hpp"
 #include "core/world/map_file.hpp"
+#include "core/world/number_cells.hpp"
 #include "core/world/text_lines.hpp"
 
 namespace replan::cli {
@@ -120,6 +122,7 @@ Result<Scenario> plain_world(const WorldArguments& arguments) {
   world.map = std::move(file->map);
   world.start = *file->start;
   world.goal = *file->goal;
+  world.map_found = std::move(file->found);
   world.name = is_generator_spec(arguments.map) ? arguments.map : file_stem(arguments.map);
   return world;
 }
@@ -182,6 +185,19 @@ void ReadingArguments::declare(CLI::App& command) {
           "Of a ROS map: what unknown cells are: blocked (default), free, or unmapped, which are obstacles "
           "that the robot does not know of")
       ->type_name("WHAT");
+  command
+      .add_option("--occupied", occupied,
+                  "Of a file of numbers: the one that is the obstacle (default: 1, or of 0 and another "
+                  "number that one)")
+      ->type_name("VALUE");
+}
+
+Result<std::optional<double>> ReadingArguments::occupied_number() const {
+  if (occupied.empty()) return std::optional<double>();
+  const auto number = cell_number(occupied);
+  if (number && std::abs(*number) <= kMaxOccupied) return number;
+  return Error{"--occupied cannot be '" + occupied +
+               "': give the number that stands for an obstacle, for example 1"};
 }
 
 Result<MapReading> ReadingArguments::reading() const {
@@ -192,6 +208,9 @@ Result<MapReading> ReadingArguments::reading() const {
   if (number < 1 || number > 255)
     return Error{"--threshold cannot be '" + threshold + "': give a whole number from 1 to 255"};
   result.image.threshold = number;
+  const auto obstacle = occupied_number();
+  if (!obstacle) return Error{obstacle.error()};
+  result.occupied = *obstacle;
   if (unknown.empty()) return result;
   const auto found = std::find(std::begin(kUnknown), std::end(kUnknown), unknown);
   if (found == std::end(kUnknown))
@@ -250,7 +269,9 @@ Result<Scenario> WorldArguments::load() const {
     return Error{"'" + scenario + "' is no scenario file (.json); give a map with --map FILE"};
   if (map.empty() && reading.given())
     return Error{
-        "--threshold, --invert and --unknown are for a map; a scenario says itself how its map is read"};
+        "--threshold, --invert, --unknown and --occupied are for a map; a scenario says itself how its map "
+        "is "
+        "read"};
   Result<Scenario> world = map.empty() ? read_scenario(scenario) : plain_world(*this);
   if (!world) return world;
   for (const auto& [option, text, cell] :

@@ -1,6 +1,7 @@
 // What several commands are told in the same words: a world, planners, settings.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,15 +28,21 @@ struct PlannerArguments {
   [[nodiscard]] Result<std::vector<PlannerChoice>> choose(std::span<const PlannerChoice> own = {}) const;
 };
 
-/// `--threshold`, `--invert` and `--unknown`: how a map file is read, as typed.
+/// `--threshold`, `--invert`, `--unknown` and `--occupied`: how a map file is read, as typed.
 struct ReadingArguments {
   std::string threshold;
   bool invert = false;
   std::string unknown;
+  std::string occupied;
 
   void declare(CLI::App& command);
   [[nodiscard]] Result<MapReading> reading() const;
-  [[nodiscard]] bool given() const { return invert || !threshold.empty() || !unknown.empty(); }
+  [[nodiscard]] bool given() const {
+    return invert || !threshold.empty() || !unknown.empty() || !occupied.empty();
+  }
+
+ private:
+  [[nodiscard]] Result<std::optional<double>> occupied_number() const;
 };
 
 /// A scenario, or a map with `--start` and `--goal`, as typed.

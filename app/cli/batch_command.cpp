@@ -16,6 +16,7 @@ struct BatchArguments {
   std::string scen;
   std::string map;
   std::string limit;
+  ReadingArguments reading;
   PlannerArguments planners;
   bool json = false;
 };
@@ -86,10 +87,18 @@ Result<ScenFile> read_problems(const std::string& path, const ScenFile*) {
 Result<VoxelScen> read_problems(const std::string& path, const VoxelScen*) {
   return read_voxel_scen(path);
 }
-Result<GridMap> read_map_for(const std::string& path, const GridMap*) {
-  return read_map(path);
+Result<GridMap> read_map_for(const std::string& path, const BatchArguments& arguments, const GridMap*) {
+  const auto how = arguments.reading.reading();
+  if (!how) return Error{how.error()};
+  auto file = read_map_file(path, *how);
+  if (!file) return Error{file.error()};
+  tell_notes(file->found.notes);
+  return std::move(file->map);
 }
-Result<VoxelMap> read_map_for(const std::string& path, const VoxelMap*) {
+Result<VoxelMap> read_map_for(const std::string& path, const BatchArguments& arguments, const VoxelMap*) {
+  if (arguments.reading.given())
+    return Error{"--threshold, --invert, --unknown and --occupied are for a map of two dimensions; '" + path +
+                 "' has three"};
   return read_voxel_map(path);
 }
 
@@ -106,7 +115,7 @@ Result<Input> load(const BatchArguments& arguments) {
   input.scen = std::move(scen.value());
   const auto path = arguments.map.empty() ? map_beside(arguments.scen, input.scen.map_name) : arguments.map;
   if (!path) return Error{path.error()};
-  auto map = read_map_for(input.map_path = *path, &input.map);
+  auto map = read_map_for(input.map_path = *path, arguments, &input.map);
   if (!map) return Error{map.error()};
   input.map = std::move(map.value());
   if (const auto fits = check_scen_fits(input.scen, input.map, *path); !fits) return Error{fits.error()};
@@ -170,6 +179,7 @@ Command add_batch(CLI::App& program) {
   const auto arguments = std::make_shared<BatchArguments>();
   app->add_option("FILE", arguments->scen, "A problem file (.scen or .3dscen)")->required();
   app->add_option("--map", arguments->map, "The map, if it is not beside the file")->type_name("FILE");
+  arguments->reading.declare(*app);
   arguments->planners.declare(*app);
   app->add_option("--limit", arguments->limit, "Only an even sample of N problems")->type_name("N");
   app->add_flag("--json", arguments->json, "Print the results as JSON");

@@ -70,8 +70,8 @@ Result<int> write_problem(const ConvertArguments& arguments, const MapFile& file
   problem.start = *file.start;
   problem.goal = *file.goal;
   problem.printed = decimals(plan.figures.length, 8);
-  if (map_name.find_first_of(" \t\r\n") != std::string::npos)
-    return Error{"a .scen cannot name the map '" + map_name + "': its name holds a blank"};
+  if (map_name.find_first_of("\t\r\n") != std::string::npos)
+    return Error{"a .scen cannot name the map '" + map_name + "': its name holds a tab or a line's end"};
   const auto written =
       write_file_atomically(arguments.out, scen_text({arguments.out, map_name, {problem}, {}}));
   if (!written) return Error{written.error()};
@@ -95,12 +95,12 @@ Result<int> from_map(ConvertArguments& arguments) {
   const auto file = arguments.world.load_map();
   if (!file) return Error{file.error()};
   const std::string extension = file_extension(arguments.out);
-  std::vector<std::string> notes = file->notes;
+  std::vector<std::string> notes = file->found.notes;
+  const auto lost = lost_in(extension, *file);
+  notes.insert(notes.end(), lost.begin(), lost.end());
   if (extension != ".json") {
     if (!arguments.world.planners.ids.empty() || !arguments.world.planners.settings.empty())
       return Error{"--planner and --set are for a scenario (.json), not for '" + arguments.out + "'"};
-    const auto lost = lost_in(extension, *file);
-    notes.insert(notes.end(), lost.begin(), lost.end());
     return write_as_map(arguments, *file, notes);
   }
   if (arguments.world.planners.ids.empty()) arguments.world.planners.ids = {kUsualPlanner};
@@ -118,13 +118,16 @@ Result<int> from_scenario(ConvertArguments& arguments) {
   arguments.world.scenario = arguments.in;
   auto world = arguments.world.load();
   if (!world) return Error{world.error()};
-  const std::string extension = file_extension(arguments.out);
-  if (extension != ".json")
-    return write_as_map(arguments, {world->map, world->start, world->goal}, lost_in(extension, *world));
   world->map_file.clear();
   world->map_reading = {};
+  const std::string extension = file_extension(arguments.out);
+  std::vector<std::string> notes = world->map_found.notes;
+  const auto lost = lost_in(extension, *world);
+  notes.insert(notes.end(), lost.begin(), lost.end());
+  if (extension != ".json")
+    return write_as_map(arguments, {world->map, world->start, world->goal, world->map_found}, notes);
   if (const auto written = write_scenario(*world, arguments.out); !written) return Error{written.error()};
-  return done(arguments, described(world->map) + ", the map inside", {});
+  return done(arguments, described(world->map) + ", the map inside", notes);
 }
 
 /// A box of voxels stays one, or one plane of it becomes a map.
@@ -145,8 +148,7 @@ Result<int> from_voxels(const ConvertArguments& arguments) {
   if (!slice) return Error{"--slice " + arguments.slice + ": " + slice.error()};
   if (extension == ".json" || extension == ".scen")
     return Error{"a slice becomes a map, not a scenario: convert it to .map first, then that one"};
-  const MapFile file{std::move(slice.value()), std::nullopt, std::nullopt};
-  return write_as_map(arguments, file, {});
+  return write_as_map(arguments, {std::move(slice.value())}, {});
 }
 
 Result<int> convert(ConvertArguments& arguments) {
@@ -171,6 +173,8 @@ std::string footer() {
          "      A new map; 'replan list generators' shows what there is.\n"
          "  replan convert env1.cfg env1.json\n"
          "      SBPL's start and end cell become the scenario's.\n"
+         "  replan convert costs.npy costs.map --occupied 254\n"
+         "      Of numpy's array, the cells that are 254 become obstacles.\n"
          "  replan convert Complex.3dmap floor.map --slice 40\n"
          "      One plane of a box of voxels.\n"
          "  replan convert maps/demo.json demo.txt\n"

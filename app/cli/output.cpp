@@ -16,6 +16,14 @@ void remember_failure() {
   if (first_failure == 0) first_failure = errno != 0 ? errno : EIO;
 }
 
+/// One line on stderr, behind what stands on stdout.
+void print_error_line(std::string line, std::string_view message) {
+  for (const char c : message) line += c == '\n' ? ' ' : c;
+  line += '\n';
+  std::fflush(stdout);
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
 }  // namespace
 
 void print(std::string_view text) {
@@ -33,11 +41,11 @@ int finish_output(int code) {
 }
 
 void complain(std::string_view message) {
-  std::string line = "replan: ";
-  for (const char c : message) line += c == '\n' ? ' ' : c;
-  line += '\n';
-  std::fflush(stdout);
-  std::fwrite(line.data(), 1, line.size(), stderr);
+  print_error_line("replan: ", message);
+}
+
+void tell_notes(std::span<const std::string> notes) {
+  for (const std::string& note : notes) print_error_line("note: ", note);
 }
 
 std::string decimals(double value, int count) {

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,10 @@ void print(std::string_view text);
 int finish_output(int code);
 /// One line on stderr: "replan: MESSAGE".
 void complain(std::string_view message);
+
+/// What the reader of a file has to say, a line each on stderr: "note: SENTENCE". So it does not get into
+/// results that a program reads.
+void tell_notes(std::span<const std::string> notes);
 
 /// A number with that many decimals.
 std::string decimals(double value, int count);

@@ -143,6 +143,7 @@ Result<void> read_film(const RenderArguments& arguments, app::RenderRequest& req
 Result<int> render(const RenderArguments& arguments) {
   auto world = arguments.world.load();
   if (!world) return Error{world.error()};
+  tell_notes(world->map_found.notes);
   app::RenderRequest request;
   request.scenario = std::move(world.value());
   request.output = arguments.out;
@@ -166,8 +167,11 @@ Result<int> render(const RenderArguments& arguments) {
   if (!drawn) return Error{drawn.error()};
   const std::string count =
       frames > 0 ? counted(static_cast<std::int64_t>(frames), "frame") + " into " : std::string();
-  print("wrote " + count + arguments.out + ", " + std::to_string(request.width) + " x " +
-        std::to_string(request.height) + " pixels\n");
+  const app::FrameSize size = app::written_size(request);
+  print("wrote " + count + arguments.out + ", " + std::to_string(size.width) + " x " +
+        std::to_string(size.height) + " pixels\n");
+  if (size.width != request.width || size.height != request.height)
+    print("note: an .mp4 has even sides, so there is a black edge of one pixel at the right or the bottom\n");
   return kDone;
 }
 

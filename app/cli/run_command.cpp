@@ -11,6 +11,7 @@
 #include "app/cli/run_trace.hpp"
 #include "core/base/file.hpp"
 #include "core/study/figures_table.hpp"
+#include "core/world/ends.hpp"
 
 namespace replan::cli {
 namespace {
@@ -69,6 +70,14 @@ std::string robots_table(std::span<const RunReport> reports) {
   return table.text();
 }
 
+/// Why a run did not succeed; empty if it did. That an end is unknown on the map only the world can tell.
+std::string why_not(const Scenario& world, const RunReport& report) {
+  const bool start = report.status == status_name(PlanStatus::start_blocked);
+  if (start || report.status == status_name(PlanStatus::goal_blocked))
+    if (std::string unknown = unknown_end_sentence(world, start); !unknown.empty()) return unknown;
+  return explanation(report);
+}
+
 std::string summary(const WorldArguments& arguments, const Scenario& world,
                     std::span<const RunReport> reports) {
   std::string text = arguments.source() + ": " + std::to_string(world.map.width) + " x " +
@@ -77,7 +86,7 @@ std::string summary(const WorldArguments& arguments, const Scenario& world,
   if (reports.front().robot) text += "\n" + robots_table(reports);
   std::string failures;
   for (const RunReport& report : reports)
-    if (const std::string why = explanation(report); !why.empty())
+    if (const std::string why = why_not(world, report); !why.empty())
       failures += report.planner + ": " + why + "\n";
   return text + (failures.empty() ? "" : "\n" + failures);
 }
@@ -134,6 +143,7 @@ Result<void> write_tables(const RunArguments& arguments, std::span<const RunRepo
 Result<int> run(const RunArguments& arguments) {
   const auto world = arguments.world.load();
   if (!world) return Error{world.error()};
+  tell_notes(world->map_found.notes);
   if (arguments.check) return check_runs(*world, arguments.json);
   if (arguments.stops.given()) {
     if (const auto good = check_stops(arguments); !good) return Error{good.error()};

@@ -52,11 +52,12 @@ Words raw_frames(const FilmSettings& film) {
 }
 
 /// Every player shows it: even sizes, colours at half resolution, and the table of contents in front.
-Words mp4() {
-  constexpr const char* kFrames =
-      "pad=ceil(iw/2)*2:ceil(ih/2)*2,"
-      "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,format=yuv420p";
-  Words words = {"-vf", kFrames};
+Words mp4(const FilmSettings& film) {
+  const FrameSize size = film_size(film.path, {film.width, film.height});
+  const std::string frames =
+      "pad=" + std::to_string(size.width) + ":" + std::to_string(size.height) +
+      ",scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,format=yuv420p";
+  Words words = {"-vf", frames};
   words += {"-c:v", "libx264", "-preset", "veryfast", "-tune", "animation", "-crf", "18"};
   words += {"-colorspace", "bt709", "-color_primaries", "bt709"};
   words += {"-color_trc", "bt709", "-color_range", "tv"};
@@ -83,6 +84,11 @@ std::optional<FilmFormat> film_format(const std::string& path) {
   if (extension == ".webp") return FilmFormat::webp;
   if (extension == ".mp4") return FilmFormat::mp4;
   return std::nullopt;
+}
+
+FrameSize film_size(const std::string& path, FrameSize frames) {
+  if (film_format(path) != FilmFormat::mp4) return frames;
+  return {frames.width + frames.width % 2, frames.height + frames.height % 2};
 }
 
 Result<std::unique_ptr<FilmWriter>> FilmWriter::open(const FilmSettings& settings) {
@@ -116,7 +122,7 @@ FilmWriter::~FilmWriter() {
 Result<void> FilmWriter::start() {
   Words words = ffmpeg();
   words += raw_frames(settings_);
-  words += format_ == FilmFormat::mp4 ? mp4() : webp();
+  words += format_ == FilmFormat::mp4 ? mp4(settings_) : webp();
   words += reproducible();
   words.push_back(as_path(kFilm));
   const std::array files = {std::pair{file_.descriptor(), kFilm}};

@@ -34,22 +34,22 @@ _replan_settings() {
 
 _replan_options() {
   case "$1" in
-    run) echo "-h --help --map --start --goal --unreachable-goal --threshold --invert --unknown --planner --set --json --csv --markdown --latex --check --trace --trace-map --break" ;;
-    batch) echo "-h --help --map --planner --set --limit --json" ;;
+    run) echo "-h --help --map --start --goal --unreachable-goal --threshold --invert --unknown --occupied --planner --set --json --csv --markdown --latex --check --trace --trace-map --break" ;;
+    batch) echo "-h --help --map --threshold --invert --unknown --occupied --planner --set --limit --json" ;;
     render)
-      echo "-h --help --map --start --goal --unreachable-goal --threshold --invert --unknown --planner --set -o --output --size --scale" \
+      echo "-h --help --map --start --goal --unreachable-goal --threshold --invert --unknown --occupied --planner --set -o --output --size --scale" \
         "--at --at-end --at-plan" \
         "--overlay --theme --action --pin --camera --canvas-only --panes --fps --speed --hold --from --to"
       ;;
-    convert) echo "-h --help --start --goal --threshold --invert --unknown --slice --planner --set" ;;
-    show) echo "-h --help --map --start --goal --unreachable-goal --threshold --invert --unknown --planner --set --at --cell" ;;
+    convert) echo "-h --help --start --goal --threshold --invert --unknown --occupied --slice --planner --set" ;;
+    show) echo "-h --help --map --start --goal --unreachable-goal --threshold --invert --unknown --occupied --planner --set --at --cell" ;;
     list) echo "-h --help --json" ;;
     *) echo "-h --help --version" ;;
   esac
 }
 
 _replan() {
-  local maps="map yaml yml cfg txt png bmp tga pgm ppm jpg jpeg" commands="run batch render convert show list"
+  local maps="map yaml yml cfg txt csv npy png bmp tga pgm ppm pbm pnm gif jpg jpeg" commands="run batch render convert show list"
   local cur="${COMP_WORDS[COMP_CWORD]}" before="${COMP_WORDS[COMP_CWORD - 1]}" command=""
   COMPREPLY=()
   [ "$COMP_CWORD" -gt 1 ] && command="${COMP_WORDS[1]}"
@@ -72,7 +72,7 @@ _replan() {
     --trace-map) _replan_files map; return ;;
     -o | --output) _replan_files png svg gif webp mp4; return ;;
     --action) _replan_list "$(_replan_ids actions)"; return ;;
-    --start | --goal | --break | --cell | --pin | --camera | --size | --scale | --limit | --threshold | --slice | --fps | --hold) return ;;
+    --start | --goal | --break | --cell | --pin | --camera | --size | --scale | --limit | --threshold | --occupied | --slice | --fps | --hold) return ;;
     --panes) COMPREPLY=($(compgen -W "1 2 4 all" -- "$cur")); return ;;
     --speed) COMPREPLY=($(compgen -W "auto expansion move" -- "$cur")); return ;;
     --at | --from | --to) COMPREPLY=($(compgen -W "start plan end replan: move:" -- "$cur")); return ;;

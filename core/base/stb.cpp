@@ -1,6 +1,6 @@
-// The one place where the stb headers are compiled. PNG, BMP and TGA are read by them (JPEG in
-// core/world/jpeg.cpp, PGM and PPM in core/world/pnm.cpp); the rest stays out. The headers are system
-// headers, so their warnings are not ours.
+// The one place where the stb headers are compiled. PNG, BMP, TGA and GIF are read by them (JPEG
+// in core/world/jpeg.cpp, PBM, PGM and PPM in core/world/pnm.cpp); the rest stays out. The headers are
+// system headers, so their warnings are not ours.
 #include "core/base/stb.hpp"
 
 #include <cstdint>
@@ -40,6 +40,7 @@ PictureMemory::~PictureMemory() {
 #define STBI_ONLY_PNG
 #define STBI_ONLY_BMP
 #define STBI_ONLY_TGA
+#define STBI_ONLY_GIF
 #define STBI_NO_STDIO
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO

@@ -3,6 +3,7 @@
 
 #include "core/export/case_text.hpp"
 #include "core/world/json_reader.hpp"
+#include "core/world/text_lines.hpp"
 
 namespace replan {
 namespace {
@@ -11,6 +12,7 @@ constexpr const char* kNoFolder = "/nonexistent";  // a text from elsewhere has 
 
 /// The rest of the first line that begins so, past what mail puts before a line; nothing if there is none.
 std::optional<std::string_view> find_line(std::string_view text, std::string_view beginning) {
+  text = without_byte_order_mark(text);
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);

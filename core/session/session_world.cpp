@@ -137,6 +137,7 @@ Result<void> Session::replace_map(std::string label, GridMap map, std::optional<
   Scenario changed = *scenario_;
   changed.map = std::move(map);
   changed.map_file.clear();
+  changed.map_found = {};
   changed.caption.clear();
   changed.surprises.clear();
   changed.movers.clear();

@@ -3,97 +3,178 @@
 #include <algorithm>
 
 #include "core/base/file.hpp"
+#include "core/world/number_cells.hpp"
+#include "core/world/text_cells.hpp"
 #include "core/world/text_lines.hpp"
 
 namespace replan {
 namespace {
 
-constexpr std::int64_t kMaxTextBytes = 3 * kMaxCells + 4096;
+/// Numbers as numpy.savetxt() prints them take 25 bytes a cell.
+constexpr std::int64_t kMaxTextBytes = 26 * kMaxCells + 4096;
 
-constexpr std::string_view kFreeLetters = ".0-_ SG", kObstacleLetters = "@#Xx1";
-
-/// The next row without its end, blanks at the end kept: they are cells.
-std::string_view take_row(std::string_view& rest) {
-  const std::size_t end = std::min(rest.find('\n'), rest.size());
-  std::string_view row = rest.substr(0, end);
-  rest.remove_prefix(std::min(end + 1, rest.size()));
-  if (row.ends_with('\r')) row.remove_suffix(1);
-  return row;
-}
+constexpr std::string_view kFreeLetters = ".-_ ", kObstacleLetters = "@#Xx";
+constexpr std::string_view kKnown =
+    "; known are . 0 - _ and blank (free), @ # X 1 (obstacle), ? (unmapped), S (start) and G (goal)";
 
 /// Reads one text, keeping the place for errors.
 class AsciiParser {
  public:
-  AsciiParser(std::string_view text, const std::string& origin) : rest_(text), origin_(origin) {}
+  AsciiParser(std::string_view text, const std::string& origin, std::optional<double> occupied)
+      : text_(text),
+        layout_(find_layout(text)),
+        scanner_(text, layout_),
+        origin_(origin),
+        occupied_(occupied),
+        cells_(occupied) {}
 
   Result<MapFile> parse() {
-    std::vector<std::uint8_t> cells;
-    std::size_t width = 0;
-    int height = 0;
-    for (bool ended = false; !rest_.empty();) {
-      const std::string_view row = take_row(rest_);
-      ++line_;
-      if (row.empty()) {
-        ended = height > 0;
+    if (Result<void> around = check_around(); !around) return Error{around.error()};
+    bool ended = false;
+    for (piece_ = scanner_.next(); piece_.kind != CellPiece::Kind::end; piece_ = scanner_.next()) {
+      if (piece_.kind == CellPiece::Kind::wrong) return wrong(column_text() + std::string(piece_.text));
+      if (piece_.kind == CellPiece::Kind::row_end) {
+        if (x_ > 0 || layout_.nested) {
+          if (Result<void> row = end_row(); !row) return Error{row.error()};
+        } else {
+          ended = y_ > 0;
+        }
         continue;
       }
       if (ended) return wrong("a row after an empty line: the rows must follow each other");
-      if (height == 0) width = row.size();
-      if (row.size() != width)
-        return wrong("the row has " + std::to_string(row.size()) + " cells, the rows before it have " +
-                     std::to_string(width) +
-                     ": make them equally long (blanks at the end count as free cells)");
-      if (cells.size() + width > static_cast<std::size_t>(kMaxCells))
-        return wrong("the map is too large: at most " + std::to_string(kMaxCells) + " cells are read");
-      if (Result<void> read = read_row(row, height, cells); !read) return Error{read.error()};
-      ++height;
+      if (Result<void> cell = read_cell(); !cell) return Error{cell.error()};
+      ++x_;
     }
-    if (height == 0) return Error{origin_ + ": there is no row of cells in it"};
-    world_.map.width = static_cast<int>(width);
-    world_.map.height = height;
-    world_.map.blocked = std::move(cells);
-    return std::move(world_);
+    return finish();
   }
 
  private:
-  Error wrong(const std::string& what) const { return {origin_ + ":" + std::to_string(line_) + ": " + what}; }
+  [[nodiscard]] Error wrong(const std::string& what) const {
+    return {origin_ + ":" + std::to_string(piece_.line) + ": " + what};
+  }
+  [[nodiscard]] std::string column_text() const { return "column " + std::to_string(piece_.column) + ": "; }
 
-  Result<void> read_row(std::string_view row, int y, std::vector<std::uint8_t>& cells) {
-    for (std::size_t x = 0; x < row.size(); ++x) {
-      const char letter = row[x];
-      const bool is_free = kFreeLetters.find(letter) != std::string_view::npos;
-      const bool is_obstacle = kObstacleLetters.find(letter) != std::string_view::npos;
-      if (!is_free && !is_obstacle && letter != '?')
-        return wrong(
-            "column " + std::to_string(x + 1) + ": unknown cell letter " + shown(row.substr(x, 1)) +
-            "; known are . 0 - _ and blank (free), @ # X 1 (obstacle), ? (unmapped), S (start) and G (goal)");
-      cells.push_back(is_free ? kFree : is_obstacle ? kObstacle : kUnmapped);
-      if (letter != 'S' && letter != 'G') continue;
-      std::optional<Cell>& end = letter == 'S' ? world_.start : world_.goal;
-      if (end)
-        return wrong("column " + std::to_string(x + 1) + ": a second " + letter + ": there can be only one " +
-                     (letter == 'S' ? "start" : "goal"));
-      end = Cell{static_cast<int>(x), y};
-    }
+  [[nodiscard]] std::ptrdiff_t line_at(std::size_t place) const {
+    return 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(place), '\n');
+  }
+
+  /// Around a matrix there may be what a program puts there, such as "grid = np.array(" and ")", no cells.
+  [[nodiscard]] Result<void> check_around() const {
+    if (layout_.parting != Parting::brackets) return {};
+    const auto blank = [](char c) { return is_blank(c) || c == '\n'; };
+    std::string_view before = text_.substr(0, layout_.begin), after = text_.substr(layout_.end);
+    while (!before.empty() && blank(before.back())) before.remove_suffix(1);
+    while (!after.empty() && blank(after.front())) after.remove_prefix(1);
+    if (!before.empty() && std::string_view("=(:").find(before.back()) == std::string_view::npos)
+      return Error{origin_ + ":1: " + shown(before) +
+                   " stands before the brackets: only a matrix, or a name and =, is read"};
+    if (after.find_first_of("[]{}") != std::string_view::npos ||
+        (!after.empty() && std::string_view("),;").find(after.front()) == std::string_view::npos))
+      return Error{origin_ + ":" + std::to_string(line_at(text_.size() - after.size())) +
+                   ": the text goes on after the matrix: " + shown(after)};
     return {};
   }
 
-  std::string_view rest_;
+  Result<void> end_row() {
+    if (y_ == 0) width_ = x_;
+    if (x_ != width_)
+      return wrong("the row has " + std::to_string(x_) + " cells, the rows before it have " +
+                   std::to_string(width_) + ": make them equally long" +
+                   (layout_.parting == Parting::nothing ? " (blanks at the end count as free cells)" : ""));
+    x_ = 0;
+    ++y_;
+    return {};
+  }
+
+  Result<void> read_cell() {
+    if (cells_.size() >= static_cast<std::size_t>(kMaxCells))
+      return wrong("the map is too large: at most " + std::to_string(kMaxCells) + " cells are read");
+    const std::string_view word = piece_.text;
+    const char letter = word.size() == 1 ? word.front() : '\0';
+    if (letter == 'S' || letter == 'G') return read_end(letter);
+    if (letter >= '0' && letter <= '9') return read_number(letter - '0');
+    const bool is_free = kFreeLetters.find(letter) != std::string_view::npos;
+    const bool is_obstacle = !is_free && kObstacleLetters.find(letter) != std::string_view::npos;
+    if (!is_free && !is_obstacle && letter != '?') {
+      const auto number = cell_number(word);
+      return number ? read_number(*number) : unknown_cell(piece_);
+    }
+    cells_.add_known(is_free ? kFree : is_obstacle ? kObstacle : kUnmapped);
+    letters_ = true;
+    return odd_number_ ? unknown_cell(*odd_number_) : Result<void>{};
+  }
+
+  /// Letters and numbers but 0 and 1 do not go together.
+  Result<void> read_number(double number) {
+    cells_.add(number);
+    if (!odd_number_ && number != 0 && number != 1) odd_number_ = piece_;
+    return odd_number_ && letters_ ? unknown_cell(*odd_number_) : Result<void>{};
+  }
+
+  Result<void> read_end(char letter) {
+    cells_.add_known(kFree);
+    std::optional<Cell>& end = letter == 'S' ? world_.start : world_.goal;
+    if (end)
+      return wrong(column_text() + "a second " + letter + ": there can be only one " +
+                   (letter == 'S' ? "start" : "goal"));
+    end = Cell{static_cast<int>(x_), y_};
+    return {};
+  }
+
+  Error unknown_cell(const CellPiece& piece) {
+    piece_ = piece;
+    const std::string_view word = piece.text;
+    if (word == "...")
+      return wrong(column_text() +
+                   "'...' stands for cells that numpy left out: print them all with "
+                   "numpy.set_printoptions(threshold=sys.maxsize), or save the array as .npy");
+    if (word.size() == first_character(word))
+      return wrong(column_text() + "unknown cell letter " + shown_letter(word) + std::string(kKnown));
+    return wrong(column_text() + "unknown cell " + shown(word) + std::string(kKnown) + ", and numbers");
+  }
+
+  Result<MapFile> finish() {
+    if (y_ == 0) return Error{origin_ + ": there is no row of cells in it"};
+    if (width_ == 0) return Error{origin_ + ": the rows have no cells in them"};
+    world_.found.numbers = cells_.numbers();
+    if (occupied_ && world_.found.numbers.empty())
+      return Error{origin_ + ": its letters say themselves what is an obstacle; --occupied is for numbers"};
+    world_.map.width = static_cast<int>(width_);
+    world_.map.height = y_;
+    if (const std::string parted = parting_sentence(layout_); !parted.empty())
+      world_.found.notes.push_back(origin_ + ": " + parted + ": " + std::to_string(width_) + " x " +
+                                   std::to_string(y_) + " of them");
+    auto cells = cells_.finish(origin_, world_.found.notes);
+    if (!cells) return Error{cells.error()};
+    world_.map.blocked = std::move(cells.value());
+    return std::move(world_);
+  }
+
+  std::string_view text_;
+  TextLayout layout_;
+  CellScanner scanner_;
   const std::string& origin_;
-  int line_ = 0;
+  std::optional<double> occupied_;
+  NumberCells cells_;
+  CellPiece piece_;                      // read last
+  std::optional<CellPiece> odd_number_;  // the first one but 0 and 1
+  bool letters_ = false;                 // there are some but S and G
+  std::size_t x_ = 0, width_ = 0;
+  int y_ = 0;
   MapFile world_;
 };
 
 }  // namespace
 
-Result<MapFile> parse_ascii_map(std::string_view text, const std::string& origin) {
-  return AsciiParser(text, origin).parse();
+Result<MapFile> parse_ascii_map(std::string_view text, const std::string& origin,
+                                std::optional<double> occupied) {
+  return AsciiParser(without_byte_order_mark(text), origin, occupied).parse();
 }
 
-Result<MapFile> read_ascii_map(const std::string& path) {
+Result<MapFile> read_ascii_map(const std::string& path, std::optional<double> occupied) {
   const Result<std::string> text = read_file(path, kMaxTextBytes);
   if (!text) return Error{text.error()};
-  return parse_ascii_map(*text, path);
+  return parse_ascii_map(*text, path, occupied);
 }
 
 std::string ascii_text(const MapFile& world) {

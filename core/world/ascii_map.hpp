@@ -1,7 +1,8 @@
-// Worlds as plain text, to paste into a report or a test: one letter a cell, start and goal in place. Not the
-// MovingAI `.map`, where S is swamp and G is ground.
+// Worlds as plain text: one letter a cell, start and goal in place, to paste into a report or a test; or a
+// matrix of numbers as other programs print them. Not the MovingAI `.map`, where S is swamp and G is ground.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,13 +11,17 @@
 
 namespace replan {
 
-/// Reads rows of letters: `.` `0` `-` `_` and the blank are free, `@` `#` `X` `x` `1` obstacles, `?` an
-/// obstacle that nobody has mapped, `S` the start and `G` the goal (each at most once, on free cells). Empty
-/// lines before and after are passed over. All rows must be equally long: what a short one lacks is not
-/// guessed at. The error names line and column.
-Result<MapFile> parse_ascii_map(std::string_view text, const std::string& origin);
+/// Reads rows of cells. As letters: `.` `0` `-` `_` and the blank are free, `@` `#` `X` `x` `1` obstacles,
+/// `?` an obstacle that nobody has mapped, `S` the start and `G` the goal (each at most once, on free cells).
+/// As numbers, one digit a cell or parted (see text_cells.hpp), S and G among them: number_cells.hpp says
+/// which number is the obstacle if not `occupied`. A note tells what parts the cells if something does.
+///
+/// A byte order mark and empty lines before and after are passed over. All rows must be equally long: what a
+/// short one lacks is not guessed at. The error names line and column.
+Result<MapFile> parse_ascii_map(std::string_view text, const std::string& origin,
+                                std::optional<double> occupied = {});
 /// As parse_ascii_map() from a file.
-Result<MapFile> read_ascii_map(const std::string& path);
+Result<MapFile> read_ascii_map(const std::string& path, std::optional<double> occupied = {});
 
 /// A part of a map, in cells.
 struct MapRegion {

@@ -88,4 +88,14 @@ void place_ends(Scenario& scenario, const std::stop_token& stop) {
   scenario.goal = cell(ends.last);
 }
 
+std::string unknown_end_sentence(const Scenario& scenario, bool start) {
+  const std::size_t cell = scenario.map.index(start ? scenario.start : scenario.goal);
+  if (!scenario.map_found.is_unknown(scenario.map, cell) || scenario.map.blocked[cell] == kFree) return "";
+  return std::string(start ? "The start" : "The goal") +
+         " is unknown on the map, and unknown cells are obstacles here: move it, or read them as free (" +
+         (scenario.map_file.empty() ? "--unknown free, or in the Open dialog"
+                                    : "\"unknown\": \"free\" beside the map's \"file\"") +
+         ").";
+}
+
 }  // namespace replan

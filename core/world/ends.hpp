@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stop_token>
+#include <string>
 
 #include "core/world/scenario.hpp"
 
@@ -11,5 +12,9 @@ namespace replan {
 /// some free cells around them if the region has such places. A world without a free cell keeps what it has.
 /// A stop leaves the ends anywhere.
 void place_ends(Scenario& scenario, const std::stop_token& stop = {});
+
+/// Why a start or goal that cannot be planned from is inside an obstacle, if that is since the map's file
+/// calls its cell unknown, as a sentence for a user; else empty.
+std::string unknown_end_sentence(const Scenario& scenario, bool start);
 
 }  // namespace replan

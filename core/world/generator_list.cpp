@@ -207,7 +207,7 @@ Result<MapFile> open_map(const std::string& source, const MapReading& reading,
   if (!is_generator_spec(source)) return read_map_file(source, reading);
   Result<GridMap> map = generate_from_spec(source, keep_free);
   if (!map) return Error{map.error()};
-  return MapFile{std::move(map.value()), std::nullopt, std::nullopt};
+  return MapFile{std::move(map.value())};
 }
 
 }  // namespace replan

@@ -7,6 +7,7 @@
 #include "core/world/ascii_map.hpp"
 #include "core/world/image_map.hpp"
 #include "core/world/movingai.hpp"
+#include "core/world/npy_map.hpp"
 #include "core/world/ros_map.hpp"
 #include "core/world/sbpl_cfg.hpp"
 
@@ -18,19 +19,24 @@ constexpr std::array kFormats = {
     MapFormat{.extension = ".yaml", .name = "ROS map", .unknown = true, .resolution = true, .unmapped = true},
     MapFormat{.extension = ".yml", .name = "ROS map", .unknown = true, .resolution = true, .unmapped = true},
     MapFormat{.extension = ".cfg", .name = "SBPL environment", .ends = true},
-    MapFormat{.extension = ".txt", .name = "text map", .unmapped = true, .ends = true},
+    MapFormat{.extension = ".txt", .name = "text map", .numbers = true, .unmapped = true, .ends = true},
+    MapFormat{.extension = ".csv", .name = "text map", .writes = false, .numbers = true},
+    MapFormat{.extension = ".npy", .name = "numpy array", .writes = false, .numbers = true},
     MapFormat{.extension = ".png", .name = "picture", .picture = true},
     MapFormat{.extension = ".bmp", .name = "picture", .picture = true},
     MapFormat{.extension = ".tga", .name = "picture", .picture = true},
     MapFormat{.extension = ".pgm", .name = "picture", .picture = true},
     MapFormat{.extension = ".ppm", .name = "picture", .writes = false, .picture = true},
+    MapFormat{.extension = ".pbm", .name = "picture", .writes = false, .picture = true},
+    MapFormat{.extension = ".pnm", .name = "picture", .writes = false, .picture = true},
+    MapFormat{.extension = ".gif", .name = "picture", .writes = false, .picture = true},
     MapFormat{.extension = ".jpg", .name = "picture", .writes = false, .picture = true},
     MapFormat{.extension = ".jpeg", .name = "picture", .writes = false, .picture = true},
 };
 
 Result<MapFile> alone(Result<GridMap> map) {
   if (!map) return Error{map.error()};
-  return MapFile{std::move(map.value()), std::nullopt, std::nullopt};
+  return MapFile{std::move(map.value())};
 }
 
 }  // namespace
@@ -64,6 +70,9 @@ Result<void> check_reading(const std::string& path, const MapReading& reading) {
     return Error{"threshold and inversion are for pictures; '" + path + "' is none"};
   if (reading.unknown != UnknownCells::blocked && !format->unknown)
     return Error{"only a ROS map (.yaml) has unknown cells; '" + path + "' is none"};
+  if (reading.occupied && !format->numbers)
+    return Error{"only in a file of numbers (.txt, .csv, .npy) is one of them the obstacle; '" + path +
+                 "' is none"};
   return {};
 }
 
@@ -75,7 +84,8 @@ Result<MapFile> read_map_file(const std::string& path, const MapReading& reading
   if (format->picture) return alone(read_image_map(path, reading.image));
   if (format->unknown) return read_ros_map(path, reading.unknown);
   if (format->extension == ".cfg") return read_sbpl_cfg(path);
-  if (format->extension == ".txt") return read_ascii_map(path);
+  if (format->extension == ".npy") return read_npy_map(path, reading.occupied);
+  if (format->numbers) return read_ascii_map(path, reading.occupied);
   return alone(read_movingai_map(path));
 }
 
@@ -90,14 +100,14 @@ Result<void> write_map_file(const MapFile& file, const std::string& path) {
   if (format == nullptr || !format->writes)
     return Error{"cannot write a map to '" + path + "': its name must end in " + map_extensions(true)};
   if (format->picture) return write_image_map(file.map, path);
-  if (format->unknown) return write_ros_map(file.map, path);
+  if (format->unknown) return write_ros_map(file, path);
   if (format->extension == ".cfg") return write_sbpl_cfg(file, path);
   if (format->extension == ".txt") return write_file_atomically(path, ascii_text(file));
   return write_movingai_map(file.map, path);
 }
 
 Result<void> write_map(const GridMap& map, const std::string& path) {
-  return write_map_file({map, std::nullopt, std::nullopt}, path);
+  return write_map_file({map}, path);
 }
 
 }  // namespace replan

@@ -21,6 +21,7 @@ struct MapFormat {
   bool writes = true;          ///< all are read
   bool picture = false;        ///< MapReading::image applies
   bool unknown = false;        ///< MapReading::unknown applies
+  bool numbers = false;        ///< MapReading::occupied applies
   bool resolution = false;     ///< holds resolution and origin
   bool unmapped = false;       ///< holds kUnmapped cells
   bool ends = false;           ///< holds start and goal
@@ -51,7 +52,8 @@ Result<void> write_map(const GridMap& map, const std::string& path);
 /// What a file with that extension (of a map format, or .3dmap) cannot hold of a map, a sentence each: ".map
 /// cannot hold the resolution (0.05 per cell)". Empty if the file would hold it all.
 std::vector<std::string> lost_in(std::string_view extension, const MapFile& file);
-/// As lost_in() for a scenario: its planners, surprises and so on as well. A scenario file (.json) holds all.
+/// As lost_in() for a scenario: its planners, surprises and so on as well. A scenario file (.json) holds all
+/// but that cells were unknown in a map that is now inside it.
 std::vector<std::string> lost_in(std::string_view extension, const Scenario& scenario);
 
 }  // namespace replan

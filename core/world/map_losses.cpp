@@ -39,22 +39,44 @@ void lost_ends(const MapFile& file, const MapFormat& format, std::vector<std::st
     lost.push_back(cannot_hold(format.extension) + "the goal, which is the start");
 }
 
+/// Unknown cells stay unknown in a ROS map alone; in others they are what they were read as.
+void lost_unknown(const MapFile& file, const MapFormat& format, std::vector<std::string>& lost) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < file.map.blocked.size(); ++i)
+    count += file.found.is_unknown(file.map, i) ? 1 : 0;
+  if (count == 0 || format.unknown) return;
+  const std::uint8_t kind = file.found.unknown_as;
+  const bool one = count == 1;
+  const char* become = kind == kFree ? (one ? "a free cell" : "free cells")
+                       : kind == kUnmapped && format.unmapped
+                           ? (one ? "an unmapped obstacle" : "unmapped obstacles")
+                           : (one ? "an obstacle" : "obstacles");
+  lost.push_back(cannot_hold(format.extension) + "that " + many(count, "cell") + (one ? " is" : " are") +
+                 " unknown on the map: there " + (one ? "it is " : "they are ") + become);
+}
+
 }  // namespace
 
 std::vector<std::string> lost_in(std::string_view extension, const MapFile& file) {
   std::vector<std::string> lost;
   constexpr MapFormat kVoxels{.extension = ".3dmap", .name = "voxel map"};
-  const MapFormat* format =
-      extension == kVoxels.extension ? &kVoxels : find_map_format("x" + std::string(extension));
+  constexpr MapFormat kScenario{
+      .extension = ".json", .name = "scenario", .resolution = true, .unmapped = true, .ends = true};
+  const MapFormat* format = extension == kVoxels.extension ? &kVoxels
+                            : extension == kScenario.extension
+                                ? &kScenario
+                                : find_map_format("x" + std::string(extension));
   if (format == nullptr) return lost;
   const GridMap& map = file.map;
-  const auto unmapped =
-      static_cast<std::size_t>(std::count(map.blocked.begin(), map.blocked.end(), kUnmapped));
+  std::size_t unmapped = 0;  // but for the unknown ones, which are told apart
+  for (std::size_t i = 0; i < map.blocked.size(); ++i)
+    unmapped += map.blocked[i] == kUnmapped && !file.found.is_unknown(map, i) ? 1 : 0;
   if (!format->resolution && map.resolution != 1)
     lost.push_back(cannot_hold(extension) + "the resolution (" + number(map.resolution) + " a cell)");
   if (!format->resolution && map.origin != std::array<double, 3>{})
     lost.push_back(cannot_hold(extension) + "the origin (" + number(map.origin[0]) + ", " +
                    number(map.origin[1]) + ", " + number(map.origin[2]) + ")");
+  lost_unknown(file, *format, lost);
   if (unmapped > 0 && !format->unmapped)
     lost.push_back(cannot_hold(extension) + "that " + many(unmapped, "obstacle") + " " +
                    (unmapped == 1 ? "is" : "are") + " unmapped: there they are plain obstacles");
@@ -67,8 +89,10 @@ std::vector<std::string> lost_in(std::string_view extension, const MapFile& file
 }
 
 std::vector<std::string> lost_in(std::string_view extension, const Scenario& scenario) {
-  if (extension == ".json") return {};
-  std::vector<std::string> lost = lost_in(extension, MapFile{scenario.map, scenario.start, scenario.goal});
+  if (extension == ".json" && !scenario.map_file.empty()) return {};
+  std::vector<std::string> lost =
+      lost_in(extension, MapFile{scenario.map, scenario.start, scenario.goal, scenario.map_found});
+  if (extension == ".json") return lost;
   const std::string planners = many(scenario.planners.size(), "planner");
   std::string rest = "the " + (scenario.planners.size() == 1 ? "planner" : planners) + " and the robot";
   if (!scenario.surprises.empty()) rest = many(scenario.surprises.size(), "surprise") + ", " + rest;

@@ -1,7 +1,9 @@
 // How a map file is to be read, and what comes of it: shared by the readers of all formats.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,25 +29,43 @@ enum class UnknownCells : std::uint8_t {
   unmapped,  ///< kUnmapped: obstacles that the robot takes for free until it senses them
 };
 
+/// The largest number that MapReading::occupied can be, above and below 0: that of 64 bits.
+inline constexpr double kMaxOccupied = 18446744073709551615.0;
+
 /// The choices that a reader has. The defaults are right for most files.
 struct MapReading {
   ImageMapOptions image;                         ///< for pictures
   UnknownCells unknown = UnknownCells::blocked;  ///< for ROS maps
+  /// For files of numbers: the one that is the obstacle. Nothing: see number_cells.hpp.
+  std::optional<double> occupied = std::nullopt;
   friend bool operator==(const MapReading&, const MapReading&) = default;
+};
+
+/// What was found when a map was read and is not part of it: any two are equal.
+struct MapFindings {
+  /// What stands in the file and could not be kept, and what was taken for granted, a sentence each.
+  std::vector<std::string> notes = {};
+  /// Which cells the file calls unknown, one for each; nothing: none of them.
+  std::shared_ptr<const std::vector<bool>> unknown = nullptr;
+  std::uint8_t unknown_as = kObstacle;  ///< what these were read as
+  std::vector<double> numbers = {};     ///< where the cells are numbers: those there are, the smallest first
+
+  /// Whether a cell is unknown still: nobody has made it anything else since.
+  [[nodiscard]] bool is_unknown(const GridMap& map, std::size_t cell) const {
+    return unknown != nullptr && cell < unknown->size() && (*unknown)[cell] &&
+           map.blocked[cell] == unknown_as;
+  }
+  friend bool operator==(const MapFindings&, const MapFindings&) { return true; }
 };
 
 /// What a map file holds.
 struct MapFile {
   GridMap map;
-  std::optional<Cell> start;  ///< where the format has them
-  std::optional<Cell> goal;
-  /// What stands in the file and could not be kept, a sentence each. Not part of the map: two files are equal
-  /// if their maps and ends are.
-  std::vector<std::string> notes = {};
+  std::optional<Cell> start = std::nullopt;  ///< where the format has them
+  std::optional<Cell> goal = std::nullopt;
+  MapFindings found = {};
 
-  friend bool operator==(const MapFile& a, const MapFile& b) {
-    return a.map == b.map && a.start == b.start && a.goal == b.goal;
-  }
+  friend bool operator==(const MapFile&, const MapFile&) = default;
 };
 
 }  // namespace replan

@@ -18,9 +18,9 @@ enum class MapLetter : unsigned char { free, blocked, unknown };
 /// `.` `G` `S` are free; `@` `O` `T` `W` are obstacles.
 MapLetter map_letter(char letter);
 
-/// Reads a `.map`. Taken as they come: CR LF, trailing blanks, blank lines at the end, no final newline,
-/// `height` and `width` in either order. An error names file, line (and column) and what is wrong; a map of
-/// more than kMaxCells is refused before memory is taken for it.
+/// Reads a `.map`. Taken as they come: a byte order mark, CR LF, trailing blanks, blank lines at the end, no
+/// final newline, `height` and `width` in either order. An error names file, line (and column) and what is
+/// wrong; a map of more than kMaxCells is refused before memory is taken for it.
 Result<GridMap> read_movingai_map(const std::string& path);
 /// As read_movingai_map() from text; `origin` names it in errors.
 Result<GridMap> parse_movingai_map(std::string_view text, const std::string& origin);
@@ -86,7 +86,8 @@ struct ScenFile {
   }
 };
 
-/// Reads a `.scen` (version 1; fields parted by tabs or spaces). Errors name file, line and what is wrong.
+/// Reads a `.scen` (version 1). A line with a tab is parted at its tabs, so that the map's name may hold
+/// blanks; others at blanks. Errors name file, line and what is wrong.
 Result<ScenFile> read_scen(const std::string& path);
 /// As read_scen() from text; `origin` names it in errors.
 Result<ScenFile> parse_scen(std::string_view text, const std::string& origin);

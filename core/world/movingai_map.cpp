@@ -1,5 +1,3 @@
-#include <cstdio>
-
 #include "core/base/file.hpp"
 #include "core/world/movingai.hpp"
 #include "core/world/text_lines.hpp"
@@ -79,7 +77,7 @@ class MapParser {
     const std::size_t count = std::min(line->size(), static_cast<std::size_t>(map.width));
     for (std::size_t x = 0; x < count; ++x) {
       const MapLetter letter = map_letter((*line)[x]);
-      if (letter == MapLetter::unknown) return unknown_letter((*line)[x], x);
+      if (letter == MapLetter::unknown) return unknown_letter(line->substr(x), x);
       if (letter == MapLetter::blocked) map.blocked[row + x] = kObstacle;
     }
     if (line->size() == count && count == static_cast<std::size_t>(map.width)) return {};
@@ -87,11 +85,8 @@ class MapParser {
                  std::to_string(width_) + " that 'width' says");
   }
 
-  Error unknown_letter(char letter, std::size_t x) const {
-    char name[8];
-    std::snprintf(name, sizeof name, letter > ' ' && letter < '\x7F' ? "'%c'" : "0x%02X",
-                  static_cast<unsigned>(static_cast<unsigned char>(letter)));
-    return wrong("column " + std::to_string(x + 1) + ": unknown cell letter " + name +
+  Error unknown_letter(std::string_view letter, std::size_t x) const {
+    return wrong("column " + std::to_string(x + 1) + ": unknown cell letter " + shown_letter(letter) +
                  "; known are . G S (free) and @ O T W (obstacle)");
   }
 

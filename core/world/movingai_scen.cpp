@@ -4,6 +4,7 @@
 
 #include "core/base/file.hpp"
 #include "core/world/movingai.hpp"
+#include "core/world/scen_lines.hpp"
 #include "core/world/text_lines.hpp"
 
 namespace replan {
@@ -32,71 +33,49 @@ PrintedDigits printed_digits(std::string_view text) {
   return result;
 }
 
-/// Reads one `.scen` text, keeping the place for errors.
+/// Reads one `.scen` text.
 class ScenParser {
  public:
-  ScenParser(std::string_view text, const std::string& origin) : lines_(text) { scen_.path = origin; }
+  ScenParser(std::string_view text, const std::string& origin) : lines_(text, origin) { scen_.path = origin; }
 
   Result<ScenFile> parse() {
-    const auto first = lines_.next();
-    std::string_view rest = first.value_or("");
-    const bool versioned = take_word(rest) == "version";
-    const std::string_view version = take_word(rest);
-    if (!versioned) return wrong("not a MovingAI scenario: the first line must be 'version 1'");
-    if ((version != "1" && version != "1.0") || !take_word(rest).empty())
-      return wrong("scenario version " + shown(version) + " is not known: only 1 is");
-    while (const auto line = lines_.next()) {
-      if (line->empty()) continue;
-      if (Result<void> problem = read_problem(*line); !problem) return Error{problem.error()};
-    }
+    if (auto version = lines_.read_version("MovingAI scenario"); !version) return Error{version.error()};
+    while (auto fields = lines_.next_problem())
+      if (Result<void> problem = read_problem(*fields); !problem) return Error{problem.error()};
     scen_.lengths = LengthFormat::of(scen_.problems);
     return std::move(scen_);
   }
 
  private:
-  Error wrong(const std::string& what) const {
-    return {scen_.path + ":" + std::to_string(lines_.number()) + ": " + what};
-  }
-
-  Result<void> read_problem(std::string_view line) {
+  Result<void> read_problem(ScenFields& fields) {
     ScenProblem problem;
     problem.line = lines_.number();
-    std::string_view rest = line;
-    const auto bucket = number_from<int>(take_word(rest));
-    if (!bucket || *bucket < 0) return wrong("the first field, the bucket, must be a whole number from 0");
+    const auto bucket = number_from<int>(fields.next());
+    if (!bucket || *bucket < 0)
+      return lines_.wrong("the first field, the bucket, must be a whole number from 0");
     problem.bucket = *bucket;
-    if (Result<void> name = read_name(rest); !name) return name;
-    int* const fields[] = {&problem.width,   &problem.height, &problem.start.x,
-                           &problem.start.y, &problem.goal.x, &problem.goal.y};
+    if (Result<void> name = read_name(fields.next()); !name) return name;
+    int* const numbers[] = {&problem.width,   &problem.height, &problem.start.x,
+                            &problem.start.y, &problem.goal.x, &problem.goal.y};
     constexpr const char* kNames[] = {"map width", "map height", "start x", "start y", "goal x", "goal y"};
-    for (std::size_t i = 0; i < std::size(fields); ++i) {
-      const std::string_view word = take_word(rest);
-      const auto number = number_from<int>(word);
-      if (!number || *number < 0)
-        return wrong(std::string("the ") + kNames[i] + " must be a whole number from 0, not " + shown(word));
-      *fields[i] = *number;
-    }
-    problem.printed = take_word(rest);
-    const auto length = number_from<double>(problem.printed);
-    if (!length || !std::isfinite(*length) || *length < 0)
-      return wrong("the optimal length must be a number from 0, not " + shown(problem.printed));
-    if (const std::string_view extra = take_word(rest); !extra.empty())
-      return wrong("the line goes on after its 9 fields: " + shown(extra));
-    problem.length = *length;
+    for (std::size_t i = 0; i < std::size(numbers); ++i)
+      if (auto read = lines_.read_whole(fields, kNames[i], *numbers[i]); !read) return read;
+    if (auto read = lines_.read_length(fields, "optimal length", problem.length, problem.printed); !read)
+      return read;
+    if (auto end = lines_.check_end(fields, 9); !end) return end;
     scen_.problems.push_back(std::move(problem));
     return {};
   }
 
-  Result<void> read_name(std::string_view& rest) {
-    const std::string_view name = take_word(rest);
-    if (name.empty()) return wrong("the line ends before its 9 fields");
+  Result<void> read_name(std::string_view name) {
+    if (name.empty()) return lines_.wrong("the line ends before its 9 fields");
     if (scen_.map_name.empty()) scen_.map_name = name;
     if (name == scen_.map_name) return {};
-    return wrong("the line is for map " + shown(name) + ", the ones before it for " + shown(scen_.map_name) +
-                 ": one file must be for one map");
+    return lines_.wrong("the line is for map " + shown(name) + ", the ones before it for " +
+                        shown(scen_.map_name) + ": one file must be for one map");
   }
 
-  LineReader lines_;
+  ScenLines lines_;
   ScenFile scen_;
 };
 

@@ -30,13 +30,23 @@ struct Picture {
   friend bool operator==(const Picture&, const Picture&) = default;
 };
 
-/// Decodes a PNG, BMP or TGA, a JPEG (see jpeg.hpp), a PGM or PPM (see pnm.hpp). A picture of more than
-/// `most` pixels is refused before it is decoded, and one whose compressed data swell beyond what its pixels
-/// need while they do. The error begins with `origin` and gives the reason.
+/// How a picture lies that a camera has stored on its side or head (Exif in a JPEG).
+enum class Lying : std::uint8_t {
+  upright,    ///< turned as its file says: as every viewer shows it
+  as_stored,  ///< left as it is: as map_server takes the picture of a ROS map
+};
+
+/// Decodes a PNG, BMP, TGA or GIF (of which the first frame counts), a JPEG (see jpeg.hpp), a PBM, PGM or PPM
+/// (see pnm.hpp). A picture of more than `most` pixels is refused before it is decoded, and one whose
+/// compressed data swell beyond what its pixels need while they do. The error begins with `origin` and gives
+/// the reason.
 Result<Picture> decode_picture(std::string_view bytes, const std::string& origin,
-                               std::int64_t most = kMaxCells);
+                               std::int64_t most = kMaxCells, Lying lying = Lying::upright);
 /// As decode_picture() from a file.
-Result<Picture> read_picture(const std::string& path);
+Result<Picture> read_picture(const std::string& path, Lying lying = Lying::upright);
+
+/// A picture turned and mirrored as a value of Exif's Orientation, 1 to 8, says that it has to be.
+Picture turned_by_exif(Picture stored, int orientation);
 
 /// Encodes a grey picture for a file name's extension (.png, .bmp, .tga or .pgm); nothing else is known.
 Result<std::string> encode_grey(const Picture& picture, std::string_view extension);

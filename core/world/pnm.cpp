@@ -1,8 +1,8 @@
 #include "core/world/pnm.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
-#include <tuple>
 
 #include "core/base/cell.hpp"
 #include "core/world/text_lines.hpp"
@@ -11,8 +11,9 @@ namespace replan {
 namespace {
 
 constexpr std::int64_t kDeepest = 65535;
+constexpr std::int64_t kAnySide = INT64_MAX;  // what is too large is told by number of pixels
 
-/// Reads one PGM or PPM, keeping the place for errors.
+/// Reads one PBM, PGM or PPM, keeping the place for errors.
 class PnmParser {
  public:
   PnmParser(std::string_view bytes, const std::string& origin, std::int64_t most)
@@ -21,20 +22,22 @@ class PnmParser {
   Result<Picture> parse() {
     const char kind = bytes_[1];
     at_ = 2;
-    const bool plain = kind == '2' || kind == '3';
+    bits_ = kind == '1' || kind == '4';
+    if (bits_) deepest_ = 1;
     std::int64_t width = 0, height = 0;
-    for (const auto& [name, value, high] :
-         {std::tuple{"width", &width, kMaxCells}, std::tuple{"height", &height, kMaxCells},
-          std::tuple{"largest value", &deepest_, kDeepest}}) {
-      if (Result<void> read = read_header(name, *value, high); !read) return Error{read.error()};
-      if (value == &height && width > most_ / height) return too_many_pixels(origin_, width, height, most_);
-    }
+    if (Result<void> read = read_header("width", width, kAnySide); !read) return Error{read.error()};
+    if (Result<void> read = read_header("height", height, kAnySide); !read) return Error{read.error()};
+    if (width > most_ / height) return too_many_pixels(origin_, width, height, most_);
+    if (!bits_)
+      if (Result<void> read = read_header("largest value", deepest_, kDeepest); !read)
+        return Error{read.error()};
     Picture picture{
-        static_cast<int>(width), static_cast<int>(height), kind == '2' || kind == '5' ? 1 : 3, {}};
+        static_cast<int>(width), static_cast<int>(height), kind == '3' || kind == '6' ? 3 : 1, {}};
     const std::size_t count = picture.pixels() * static_cast<std::size_t>(picture.channels);
-    if (Result<void> read = plain ? read_plain(picture.values, count) : read_raw(picture.values, count);
-        !read)
-      return Error{read.error()};
+    Result<void> read = kind < '4'    ? read_plain(picture.values, count)
+                        : kind == '4' ? read_bits(picture.values, picture.width, count)
+                                      : read_raw(picture.values, count);
+    if (!read) return Error{read.error()};
     return picture;
   }
 
@@ -62,21 +65,32 @@ class PnmParser {
     const std::string_view word = next_word();
     const auto number = number_from<std::int64_t>(word);
     if (!number || *number < 1 || *number > high)
-      return wrong(std::string("the picture's ") + name + " must be a whole number from 1 to " +
-                   std::to_string(high) + ", not " + shown(word));
+      return wrong(std::string("the picture's ") + name + " must be a whole number from 1" +
+                   (high < kAnySide ? " to " + std::to_string(high) : std::string()) + ", not " +
+                   shown(word));
     value = *number;
     return {};
+  }
+
+  /// A bit of a plain PBM: a digit, whether blanks stand between them or not.
+  std::string_view next_bit() {
+    skip_blanks();
+    const std::size_t from = at_;
+    at_ = std::min(at_ + 1, bytes_.size());
+    return bytes_.substr(from, at_ - from);
   }
 
   [[nodiscard]] std::uint8_t scaled(std::int64_t value) const {
     return static_cast<std::uint8_t>((value * 255 + deepest_ / 2) / deepest_);
   }
 
+  static std::uint8_t shade_of_bit(bool bit) { return bit ? 0 : 255; }
+
   Result<void> read_plain(std::vector<std::uint8_t>& values, std::size_t count) {
-    // Two bytes a value at least: what is not there needs no memory.
-    values.reserve(std::min(count, (bytes_.size() - at_) / 2));
+    // A byte a value at least: what is not there needs no memory.
+    values.reserve(std::min(count, bytes_.size() - at_));
     while (values.size() < count) {
-      const std::string_view word = next_word();
+      const std::string_view word = bits_ ? next_bit() : next_word();
       if (word.empty())
         return wrong("the file ends after " + std::to_string(values.size()) + " of " + std::to_string(count) +
                      " values");
@@ -84,8 +98,25 @@ class PnmParser {
       if (!value || *value < 0 || *value > deepest_)
         return wrong("a value must be a whole number from 0 to " + std::to_string(deepest_) + ", not " +
                      shown(word));
-      values.push_back(scaled(*value));
+      values.push_back(bits_ ? shade_of_bit(*value != 0) : scaled(*value));
     }
+    return {};
+  }
+
+  /// Eight pixels a byte, the first in the highest bit; each row begins with a byte of its own.
+  Result<void> read_bits(std::vector<std::uint8_t>& values, int width, std::size_t count) {
+    const std::string_view rest = bytes_.substr(std::min(at_ + 1, bytes_.size()));
+    const auto columns = static_cast<std::size_t>(width);
+    const std::size_t stride = (columns + 7) / 8, rows = count / columns;
+    if (rest.size() < stride * rows)
+      return Error{origin_ + ": the file ends after " + std::to_string(rest.size() / stride) + " of " +
+                   std::to_string(rows) + " rows"};
+    values.reserve(count);
+    for (std::size_t y = 0; y < rows; ++y)
+      for (std::size_t x = 0; x < columns; ++x) {
+        const auto byte = static_cast<unsigned char>(rest[y * stride + x / 8]);
+        values.push_back(shade_of_bit((byte >> (7 - x % 8) & 1u) != 0));
+      }
     return {};
   }
 
@@ -114,20 +145,26 @@ class PnmParser {
   std::size_t at_ = 0;
   int line_ = 1;
   std::int64_t deepest_ = 255;
+  bool bits_ = false;  // a PBM, without a largest value
 };
+
+std::string_view without_mark_of_plain(std::string_view bytes) {
+  const std::string_view text = without_byte_order_mark(bytes);
+  return text.size() > 1 && text[1] >= '1' && text[1] <= '3' ? text : bytes;
+}
 
 }  // namespace
 
 bool is_pnm(std::string_view bytes) {
-  return bytes.size() >= 3 && bytes[0] == 'P' &&
-         std::string_view("2356").find(bytes[1]) != std::string_view::npos &&
+  bytes = without_mark_of_plain(bytes);
+  return bytes.size() >= 3 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6' &&
          (is_blank(bytes[2]) || bytes[2] == '\n' || bytes[2] == '#');
 }
 
 Result<Picture> decode_pnm(std::string_view bytes, const std::string& origin, std::int64_t most) {
   if (!is_pnm(bytes))
-    return Error{origin + ":1: not a PGM or PPM picture: it must begin with P2, P3, P5 or P6"};
-  return PnmParser(bytes, origin, most).parse();
+    return Error{origin + ":1: not a PBM, PGM or PPM picture: it must begin with P1, P2, ... or P6"};
+  return PnmParser(without_mark_of_plain(bytes), origin, most).parse();
 }
 
 std::string pgm_text(const Picture& picture) {

@@ -1,5 +1,6 @@
 #include "core/world/ros_map.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <numeric>
 
@@ -28,6 +29,11 @@ RosCell ros_cell(const Picture& picture, const std::uint8_t* pixel, const RosMap
   return p < info.free_thresh ? RosCell::free : RosCell::unknown;
 }
 
+/// What unknown cells are read as.
+std::uint8_t kind_of(UnknownCells unknown) {
+  return unknown == UnknownCells::blocked ? kObstacle : unknown == UnknownCells::free ? kFree : kUnmapped;
+}
+
 }  // namespace
 
 RosCounts count_ros_cells(const Picture& picture, const RosMapInfo& info) {
@@ -38,11 +44,15 @@ RosCounts count_ros_cells(const Picture& picture, const RosMapInfo& info) {
   return counts;
 }
 
+std::shared_ptr<const std::vector<bool>> unknown_ros_cells(const Picture& picture, const RosMapInfo& info) {
+  auto unknown = std::make_shared<std::vector<bool>>(picture.pixels());
+  for (std::size_t i = 0; i < unknown->size(); ++i)
+    (*unknown)[i] = ros_cell(picture, picture.pixel(i), info) == RosCell::unknown;
+  return std::find(unknown->begin(), unknown->end(), true) == unknown->end() ? nullptr : unknown;
+}
+
 GridMap ros_cells(const Picture& picture, const RosMapInfo& info, UnknownCells unknown) {
-  const std::uint8_t unknown_cell = unknown == UnknownCells::blocked ? kObstacle
-                                    : unknown == UnknownCells::free  ? kFree
-                                                                     : kUnmapped;
-  const std::uint8_t cells[] = {kFree, kObstacle, unknown_cell};
+  const std::uint8_t cells[] = {kFree, kObstacle, kind_of(unknown)};
   GridMap map(picture.width, picture.height);
   for (std::size_t i = 0; i < map.blocked.size(); ++i)
     map.blocked[i] = cells[static_cast<std::size_t>(ros_cell(picture, picture.pixel(i), info))];
@@ -57,15 +67,21 @@ Result<MapFile> read_ros_map(const std::string& path, UnknownCells unknown) {
   const Result<RosMapInfo> info = parse_ros_yaml(*text, path);
   if (!info) return Error{info.error()};
   const Result<Picture> picture =
-      read_picture((std::filesystem::path(file_folder(path)) / info->image).string());
+      read_picture((std::filesystem::path(file_folder(path)) / info->image).string(), Lying::as_stored);
   if (!picture) return Error{path + ": its image: " + picture.error()};
-  return MapFile{ros_cells(*picture, *info, unknown), std::nullopt, std::nullopt, info->notes};
+  MapFile file{ros_cells(*picture, *info, unknown)};
+  file.found.notes = info->notes;
+  file.found.unknown = unknown_ros_cells(*picture, *info);
+  file.found.unknown_as = kind_of(unknown);
+  return file;
 }
 
-Result<void> write_ros_map(const GridMap& map, const std::string& path) {
+Result<void> write_ros_map(const MapFile& file, const std::string& path) {
   constexpr std::uint8_t kShades[] = {kFreeShade, kOccupiedShade, kUnknownShade};
+  const GridMap& map = file.map;
   Picture picture{map.width, map.height, 1, std::vector<std::uint8_t>(map.blocked.size())};
-  for (std::size_t i = 0; i < picture.values.size(); ++i) picture.values[i] = kShades[map.blocked[i]];
+  for (std::size_t i = 0; i < picture.values.size(); ++i)
+    picture.values[i] = file.found.is_unknown(map, i) ? kUnknownShade : kShades[map.blocked[i]];
   RosMapInfo info;
   info.image = file_stem(path) + ".pgm";
   info.resolution = map.resolution;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,8 +38,8 @@ struct RosMapInfo {
 };
 
 /// Reads the text of a `.yaml`; `origin` names it in errors, which give the line. All keys but `mode` must be
-/// there, as map_server has it. Keys of others are passed over with a note; `mode: raw` is refused, since its
-/// values are costs and not obstacles.
+/// there, as map_server has it; `mode` in any case, `negate` as a number or one of YAML's booleans. Keys of
+/// others are passed over with a note; `mode: raw` is refused, since its values are costs and not obstacles.
 Result<RosMapInfo> parse_ros_yaml(std::string_view text, const std::string& origin);
 /// The `.yaml` text that parse_ros_yaml() reads back to an equal one.
 std::string ros_yaml_text(const RosMapInfo& info);
@@ -53,10 +54,14 @@ RosCounts count_ros_cells(const Picture& picture, const RosMapInfo& info);
 /// becomes what `unknown` says.
 GridMap ros_cells(const Picture& picture, const RosMapInfo& info, UnknownCells unknown);
 
-/// Reads a `.yaml` and its picture (PGM, PNG, BMP, ...), resolution and origin kept.
+/// Which cells of a ROS map are unknown; nothing if none is.
+std::shared_ptr<const std::vector<bool>> unknown_ros_cells(const Picture& picture, const RosMapInfo& info);
+
+/// Reads a `.yaml` and its picture (PGM, PNG, BMP, ...), resolution and origin kept. The picture is taken as
+/// it is stored, as map_server takes it.
 Result<MapFile> read_ros_map(const std::string& path, UnknownCells unknown = UnknownCells::blocked);
 /// Writes NAME.yaml and beside it its picture NAME.pgm, each atomically, the picture first: free 254,
-/// obstacle 0, unmapped 205 (unknown).
-Result<void> write_ros_map(const GridMap& map, const std::string& path);
+/// obstacle 0, unmapped 205 (unknown), as well as what was unknown when the map was read.
+Result<void> write_ros_map(const MapFile& file, const std::string& path);
 
 }  // namespace replan

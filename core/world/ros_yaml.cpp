@@ -44,8 +44,16 @@ class RosYamlReader {
  private:
   void fail(const YAML::Node& node, const std::string& key, const std::string& what) {
     if (!error_.empty()) return;
-    error_ = origin_ + ":" + std::to_string(std::max(0, node.Mark().line) + 1) + ": '" + one_line(key) +
-             "' " + what;
+    error_ = origin_ + ":" + std::to_string(line_of(node)) + ": '" + one_line(key) + "' " + what;
+  }
+
+  /// The line of a node, from 1. Where a key has no value, yaml-cpp marks whatever comes next: then the
+  /// key's.
+  [[nodiscard]] int line_of(const YAML::Node& node) const {
+    int line = node.Mark().line;
+    for (const auto& item : root_)
+      if (node.IsNull() && item.second.is(node)) line = item.first.Mark().line;
+    return std::max(0, line) + 1;
   }
 
   /// Each key of map_server at most once; others are noted.
@@ -105,18 +113,20 @@ class RosYamlReader {
 
   void read_negate(const YAML::Node& node) {
     const std::string word = text(node);
-    info_.negate = word == "1" || word == "true" || word == "True";
-    if (!info_.negate && word != "0" && word != "false" && word != "False")
-      fail(node, "negate", "must be 0 or 1, not " + shown(word));
+    info_.negate = word == "1";
+    // yes, No, TRUE, off, y, ...
+    if (word != "1" && word != "0" && !YAML::convert<bool>::decode(node, info_.negate))
+      fail(node, "negate", "must be 0 or 1, yes or no, not " + shown(word));
   }
 
   void read_mode(const YAML::Node& node) {
-    const std::string word = text(node);
+    std::string word = text(node);
+    for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     if (word == "raw")
       return fail(node, "mode",
                   "is raw: such a picture holds costs, not obstacles; save the map as trinary or scale");
     if (word != "trinary" && word != "scale")
-      fail(node, "mode", "must be trinary or scale, not " + shown(word));
+      fail(node, "mode", "must be trinary or scale, not " + shown(text(node)));
     info_.mode = word == "scale" ? RosMapInfo::Mode::scale : RosMapInfo::Mode::trinary;
   }
 

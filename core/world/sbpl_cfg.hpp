@@ -1,5 +1,5 @@
-// The environments of SBPL's nav2d (`.cfg`): a grid of costs with start and end cell.
-// https://github.com/sbpl/sbpl, env_examples/nav2d.
+// The environments of SBPL (`.cfg`): a grid of costs with start and end, in cells (nav2d) or as poses in
+// metres (x, y, theta). https://github.com/sbpl/sbpl, env_examples/nav2d and nav3d.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace replan {
 
-/// Reads a nav2d `.cfg`: words parted by blanks or line ends, the header in SBPL's order. A cost of at least
+/// Reads a `.cfg`: words parted by blanks or line ends, the header in SBPL's order. A cost of at least
 /// `obsthresh` is an obstacle; lower ones are free, and a note says how many of them are not 0, since all
-/// cells cost the same here. The error names the line. Environments of other kinds (nav3d and such, in
-/// metres) are refused.
+/// cells cost the same here. Of an (x, y, theta) environment the grid is read, its cell size as resolution,
+/// start and end as the cells that SBPL puts them in; a note says what is left out. The error names the line.
 Result<MapFile> parse_sbpl_cfg(std::string_view text, const std::string& origin);
 /// As parse_sbpl_cfg() from a file.
 Result<MapFile> read_sbpl_cfg(const std::string& path);

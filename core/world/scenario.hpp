@@ -136,6 +136,7 @@ struct Scenario {
   GridMap map;
   std::string map_file;    ///< as written in the file, relative to it; empty = the map is held inline
   MapReading map_reading;  ///< how that file is read
+  MapFindings map_found;   ///< what was found then
   Cell start;
   Cell goal;
   std::vector<PlannerChoice> planners;  ///< at least one

@@ -9,6 +9,7 @@
 #include "core/world/map_file.hpp"
 #include "core/world/movingai.hpp"
 #include "core/world/scenario.hpp"
+#include "core/world/text_lines.hpp"
 
 // Keys and ranges stand in assets/scenario.schema.json too; tests/unit/world_scenario_test.cpp holds the two
 // together.
@@ -66,7 +67,8 @@ class ScenarioReader {
   }
 
   void read_map_of(const JsonNode& node) {
-    if (!node.expect_object({"file", "rows", "resolution", "origin", "threshold", "invert", "unknown"}))
+    if (!node.expect_object(
+            {"file", "rows", "resolution", "origin", "threshold", "invert", "unknown", "occupied"}))
       return;
     const auto file = node.find("file"), rows = node.find("rows");
     const auto resolution = node.find("resolution"), origin = node.find("origin");
@@ -81,23 +83,25 @@ class ScenarioReader {
     scenario_.map_file = file->text();
     if (scenario_.map_file.empty()) return file->fail("must name a file");
     scenario_.map_reading = reading;
-    Result<GridMap> map =
-        replan::read_map((std::filesystem::path(folder_) / scenario_.map_file).string(), reading);
+    Result<MapFile> map =
+        read_map_file((std::filesystem::path(folder_) / scenario_.map_file).string(), reading);
     if (!map) return file->fail(map.error());
-    scenario_.map = std::move(map.value());
+    scenario_.map = std::move(map->map);
+    scenario_.map_found = std::move(map->found);
   }
 
   /// How a map file is to be read.
   static MapReading read_reading(const JsonNode& node, bool rows) {
     MapReading reading;
     const auto threshold = node.find("threshold"), invert = node.find("invert"),
-               unknown = node.find("unknown");
-    for (const auto& option : {threshold, invert, unknown})
+               unknown = node.find("unknown"), occupied = node.find("occupied");
+    for (const auto& option : {threshold, invert, unknown, occupied})
       if (rows && option) option->fail("goes with 'file'");
     if (threshold) reading.image.threshold = static_cast<int>(threshold->whole(1, 255));
     if (invert) reading.image.invert = invert->toggle();
     if (unknown)
       reading.unknown = static_cast<UnknownCells>(unknown->one_of({"blocked", "free", "unmapped"}));
+    if (occupied) reading.occupied = occupied->number(-kMaxOccupied, kMaxOccupied);
     return reading;
   }
 
@@ -124,9 +128,10 @@ class ScenarioReader {
       for (std::size_t x = 0; x < row.size(); ++x) {
         const MapLetter letter = map_letter(row[x]);
         if (letter == MapLetter::unknown && row[x] != '?')
-          return rows[y].fail("column " + std::to_string(x + 1) +
-                              ": unknown cell letter; known are . G S (free), @ O T W (obstacle) and ? (an "
-                              "obstacle that is on nobody's map)");
+          return rows[y].fail("column " + std::to_string(x + 1) + ": unknown cell letter " +
+                              shown_letter(std::string_view(row).substr(x)) +
+                              "; known are . G S (free), @ O T W (obstacle) and ? (an obstacle that is on "
+                              "nobody's map)");
         const std::size_t cell = map.index({static_cast<int>(x), static_cast<int>(y)});
         map.blocked[cell] = row[x] == '?' ? kUnmapped : letter == MapLetter::blocked ? kObstacle : kFree;
       }

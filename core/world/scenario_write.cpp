@@ -22,6 +22,7 @@ Json map_json(const Scenario& scenario) {
     if (reading.image.invert) map["invert"] = true;
     if (reading.unknown != UnknownCells::blocked)
       map["unknown"] = kUnknown[static_cast<std::size_t>(reading.unknown)];
+    if (reading.occupied) map["occupied"] = plain_number(*reading.occupied);
     return map;
   }
   Json& rows = map["rows"] = Json::array();

@@ -1,4 +1,4 @@
-// Lines and words of the text formats that maps come in.
+// Lines, words and letters of the text formats that maps come in, and how an error shows them.
 #pragma once
 
 #include <charconv>
@@ -17,10 +17,16 @@ inline std::string_view without_trailing_blanks(std::string_view text) {
   return text;
 }
 
-/// Takes a text apart line by line; both LF and CR LF end a line.
+/// The text without the byte order mark that some editors put before UTF-8.
+inline std::string_view without_byte_order_mark(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text;
+}
+
+/// Takes a text apart line by line; both LF and CR LF end a line. A byte order mark is passed over.
 class LineReader {
  public:
-  explicit LineReader(std::string_view text) : rest_(text) {}
+  explicit LineReader(std::string_view text) : rest_(without_byte_order_mark(text)) {}
 
   /// The next line without its end and trailing blanks, or nothing at the end of the text.
   std::optional<std::string_view> next() {
@@ -65,12 +71,12 @@ inline std::string one_line(std::string text) {
   return text;
 }
 
-/// A piece of a file as shown in an error: no control characters, not too long.
-inline std::string shown(std::string_view piece) {
-  constexpr std::size_t kLongest = 40;
-  std::string text = "'";
-  for (const char c : piece.substr(0, kLongest)) text += c >= ' ' && c != '\x7F' ? c : '?';
-  return text + (piece.size() > kLongest ? "...'" : "'");
-}
+/// How many bytes the first character of a text has: 1 also for a byte that is no UTF-8.
+std::size_t first_character(std::string_view text);
+/// The first character of a text as an error names it: 'x', or its code where nobody could see it, such as
+/// 0x20 for a blank, 0x09 for a tab, U+00A0 for a blank that is none, 0xFF for a byte that is no UTF-8.
+std::string shown_letter(std::string_view text);
+/// A piece of a file as shown in an error: in quotes, not too long, with codes as above.
+std::string shown(std::string_view piece);
 
 }  // namespace replan

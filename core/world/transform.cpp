@@ -69,6 +69,14 @@ int shift(Side side, int before, int after) {
   return 0;
 }
 
+/// In the place of what was unknown, room for the new map's cells; nothing if nothing was.
+std::shared_ptr<std::vector<bool>> emptied_unknown(Scenario& after) {
+  if (after.map_found.unknown == nullptr) return nullptr;
+  auto unknown = std::make_shared<std::vector<bool>>(after.map.blocked.size());
+  after.map_found.unknown = unknown;
+  return unknown;
+}
+
 }  // namespace
 
 Cell turned(Cell cell, int width, int height, Turn turn) {
@@ -94,9 +102,13 @@ Scenario turned(const Scenario& scenario, Turn turn) {
     if (has_frame(map)) after.map.origin = turned_origin(map, turn);
   }
   const auto move = [&](Cell cell) { return turned(cell, map.width, map.height, turn); };
+  const auto unknown = emptied_unknown(after);
   for (int y = 0; y < map.height; ++y)
-    for (int x = 0; x < map.width; ++x)
-      after.map.blocked[after.map.index(move({x, y}))] = map.blocked[map.index({x, y})];
+    for (int x = 0; x < map.width; ++x) {
+      const std::size_t from = map.index({x, y}), to = after.map.index(move({x, y}));
+      after.map.blocked[to] = map.blocked[from];
+      if (unknown) (*unknown)[to] = scenario.map_found.is_unknown(map, from);
+    }
   move_places(after, move);
   for (std::size_t i = 0; i < after.surprises.size(); ++i) {
     Surprise& surprise = after.surprises.edit(i);
@@ -139,10 +151,13 @@ Result<Resized> resized(const Scenario& scenario, const NewSize& size) {
   after.map.height = size.height;
   after.map.blocked.assign(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height),
                            size.blocked ? kObstacle : kFree);
+  const auto unknown = emptied_unknown(after);
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x)
-      if (const Cell to{x + by.x, y + by.y}; after.map.contains(to))
+      if (const Cell to{x + by.x, y + by.y}; after.map.contains(to)) {
         after.map.blocked[after.map.index(to)] = map.blocked[map.index({x, y})];
+        if (unknown) (*unknown)[after.map.index(to)] = scenario.map_found.is_unknown(map, map.index({x, y}));
+      }
   if (has_frame(map)) after.map.origin = moved_origin(map, -by.x, map.height - size.height + by.y);
   const auto move = [&](Cell cell) {
     return Cell{std::clamp(cell.x + by.x, 0, size.width - 1), std::clamp(cell.y + by.y, 0, size.height - 1)};

@@ -1,9 +1,9 @@
 #include "core/world/voxel_map.hpp"
 
-#include <cmath>
 #include <span>
 
 #include "core/base/file.hpp"
+#include "core/world/scen_lines.hpp"
 #include "core/world/text_lines.hpp"
 
 namespace replan {
@@ -58,55 +58,40 @@ class VoxelMapParser {
 
 class VoxelScenParser {
  public:
-  VoxelScenParser(std::string_view text, const std::string& origin) : lines_(text) { scen_.path = origin; }
+  VoxelScenParser(std::string_view text, const std::string& origin) : lines_(text, origin) {
+    scen_.path = origin;
+  }
 
   Result<VoxelScen> parse() {
-    std::string_view first = lines_.next().value_or("");
-    if (take_word(first) != "version" || take_word(first) != "1" || !take_word(first).empty())
-      return wrong("not a 3D scenario: the first line must be 'version 1'");
-    std::string_view second = lines_.next().value_or("");
-    scen_.map_name = take_word(second);
-    if (scen_.map_name.empty() || !take_word(second).empty())
-      return wrong("the second line must name the map, without blanks");
-    while (const auto line = lines_.next()) {
-      if (line->empty()) continue;
-      if (Result<void> problem = read_problem(*line); !problem) return Error{problem.error()};
-    }
+    if (auto version = lines_.read_version("3D scenario"); !version) return Error{version.error()};
+    scen_.map_name = lines_.next_line().value_or("");
+    if (scen_.map_name.empty()) return lines_.wrong("the second line must name the map");
+    while (auto fields = lines_.next_problem())
+      if (Result<void> problem = read_problem(*fields); !problem) return Error{problem.error()};
     scen_.lengths = LengthFormat::of(scen_.problems);
     return std::move(scen_);
   }
 
  private:
-  Error wrong(const std::string& what) const {
-    return {scen_.path + ":" + std::to_string(lines_.number()) + ": " + what};
-  }
-
-  Result<void> read_problem(std::string_view line) {
+  Result<void> read_problem(ScenFields& fields) {
     VoxelProblem problem;
     problem.line = lines_.number();
     Voxel &start = problem.start, &goal = problem.goal;
-    for (int* const part : {&start.x, &start.y, &start.z, &goal.x, &goal.y, &goal.z}) {
-      const std::string_view word = take_word(line);
-      const auto number = number_from<int>(word);
-      if (!number || *number < 0)
-        return wrong("start and goal must be six whole numbers from 0, not " + shown(word));
-      *part = *number;
-    }
-    problem.printed = take_word(line);
-    problem.printed_ratio = take_word(line);
-    for (const std::string& text : {problem.printed, problem.printed_ratio}) {
-      const auto number = number_from<double>(text);
-      if (!number || !std::isfinite(*number) || *number < 0)
-        return wrong("the optimal length and its ratio must be numbers from 0, not " + shown(text));
-    }
-    problem.length = *number_from<double>(problem.printed);
-    if (const std::string_view extra = take_word(line); !extra.empty())
-      return wrong("the line goes on after its 8 fields: " + shown(extra));
+    int* const numbers[] = {&start.x, &start.y, &start.z, &goal.x, &goal.y, &goal.z};
+    constexpr const char* kNames[] = {"start x", "start y", "start z", "goal x", "goal y", "goal z"};
+    for (std::size_t i = 0; i < std::size(numbers); ++i)
+      if (auto read = lines_.read_whole(fields, kNames[i], *numbers[i]); !read) return read;
+    double ratio = 0;
+    if (auto read = lines_.read_length(fields, "optimal length", problem.length, problem.printed); !read)
+      return read;
+    if (auto read = lines_.read_length(fields, "ratio of lengths", ratio, problem.printed_ratio); !read)
+      return read;
+    if (auto end = lines_.check_end(fields, 8); !end) return end;
     scen_.problems.push_back(std::move(problem));
     return {};
   }
 
-  LineReader lines_;
+  ScenLines lines_;
   VoxelScen scen_;
 };
 

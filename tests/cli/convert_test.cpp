@@ -84,7 +84,7 @@ TEST_F(Convert, saysWhatIsLost) {
   expect_notes({yaml, out, "--unknown", "unmapped"},
                {yaml + ":7: the key 'site' is not one of map_server's and was passed over",
                 ".map cannot hold the resolution (0.05 a cell)", ".map cannot hold the origin (1, 2, 0)",
-                ".map cannot hold that 1 obstacle is unmapped: there they are plain obstacles"});
+                ".map cannot hold that 1 cell is unknown on the map: there it is an obstacle"});
   const std::string cfg = folder_.with("e.cfg", kCfg);
   expect_notes({cfg, folder_.file("o.png")},
                {cfg + ": the costs of 1 free cells are lost: here all cells cost the same",

@@ -252,5 +252,18 @@ TEST_F(Film, badInput) {
   EXPECT_EQ(run_program(with("folder.gif", {"--to", "plan"})).code, 0) << "a folder, whatever its name";
 }
 
+TEST_F(Film, theSizeThatIsToldIsTheFiles) {
+  for (const auto& [name, size] :
+       {std::pair{"a.mp4", "102 x 76"}, {"a.gif", "101 x 75"}, {"a.webp", "101 x 75"}}) {
+    const Outcome outcome = run_program(arguments(name));
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find(", " + std::string(size) + " pixels\n"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("note: an .mp4 has even sides") != std::string::npos,
+              std::string(name) == "a.mp4");
+  }
+  EXPECT_EQ(printed("ffprobe -v error -show_entries stream=width,height -of csv=p=0 " + out_.file("a.mp4")),
+            "102,76\n");
+}
+
 }  // namespace
 }  // namespace replan::test

@@ -112,5 +112,22 @@ TEST_F(ClipboardTest, DeleteTakesWhatIsSelected) {
   EXPECT_TRUE(session_->world().at({4, 2}));
 }
 
+TEST_F(ClipboardTest, MatricesArePastedAndWhatPartsThemIsTold) {
+  for (const char* text : {"S 0 0\n1 1 1\nG 0 0\n", "\xEF\xBB\xBF[[S, 0, 0], [1, 1, 1], [G, 0, 0]]"}) {
+    ImGui::SetClipboardText(text);
+    perform(ActionId::paste);
+    EXPECT_EQ(session_->scenario().map.width, 3) << text;
+    EXPECT_EQ(session_->scenario().goal, (Cell{0, 2}));
+    EXPECT_TRUE(session_->world().at({2, 1}));
+    EXPECT_NE(panels_.said.find("part the"), std::string::npos) << panels_.said;
+    EXPECT_FALSE(panels_.said_bad);
+    perform(ActionId::undo);
+  }
+  ImGui::SetClipboardText("0 1 2\n");
+  perform(ActionId::paste);
+  EXPECT_TRUE(panels_.said_bad);
+  EXPECT_NE(panels_.said.find("there are the numbers 0, 1 and 2"), std::string::npos) << panels_.said;
+}
+
 }  // namespace
 }  // namespace replan::ui

@@ -188,6 +188,13 @@ TEST(Previews, ShowWhatIsInAFileOrWhyNot) {
   EXPECT_EQ(world.planners, (Names{"A*"}));
   EXPECT_EQ(world.thumbnail.goal, (Cell{2, 1}));
   EXPECT_EQ(make_preview(folder.with("m.map", kMap), {}, {}).obstacles, 1u);
+  const std::string numbers = folder.with("n.txt", "0 1 2\n2 1 0\n");
+  const Preview asked = make_preview(numbers, {}, {});
+  EXPECT_NE(asked.error.find("which one is the obstacle"), std::string::npos) << asked.error;
+  EXPECT_EQ(asked.numbers, (std::vector<double>{0, 1, 2})) << "there to be chosen from";
+  const Preview told = make_preview(numbers, {.image = {}, .unknown = {}, .occupied = 2}, {});
+  EXPECT_EQ(told.obstacles, 2u) << told.error;
+  EXPECT_EQ(told.notes.size(), 1u);
   EXPECT_NE(make_preview(folder.with("broken.json", "{"), {}, {}).error, "");
   EXPECT_NE(make_preview(folder.file("gone.map"), {}, {}).error, "");
   EXPECT_NE(make_preview(folder.with("p.scen", ""), {}, {}).error, "");
@@ -199,6 +206,33 @@ std::string repeated(const std::string& row, int times) {
   std::string text;
   for (int i = 0; i < times; ++i) text += row;
   return text;
+}
+
+TEST(OpenDocument, UnknownCellsOfARosMapStayUnknownUntilSomebodyPaintsThem) {
+  const test::TemporaryFolder folder;
+  folder.with("u.pgm", std::string("P5\n4 2\n255\n\xFE\xCD\xCD\xFE\xFE\xFE\xFE\xFE", 19));
+  const std::string yaml = folder.with("u.yaml",
+                                       "image: u.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\n"
+                                       "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  Scenario current;
+  current.planners = {{"astar", {}}};
+  Result<Scenario> opened = open_document(yaml, current);
+  ASSERT_TRUE(opened.ok()) << opened.error();
+  EXPECT_EQ(lost_in(".png", *opened).front(),
+            ".png cannot hold that 2 cells are unknown on the map: there they are obstacles");
+  Session session(*std::move(opened));
+  const auto saved = [&] {
+    const Result<void> done = save_document(session, {}, folder.file("o.yaml"));
+    EXPECT_TRUE(done.ok()) << done.error();
+    return read_file(folder.file("o.pgm"))->substr(11);
+  };
+  EXPECT_EQ(saved(), "\xFE\xCD\xCD\xFE\xFE\xFE\xFE\xFE");
+  ASSERT_TRUE(session.apply(PaintCells{{{{1, 0}, false}}, 0}).ok());
+  EXPECT_EQ(saved(), "\xFE\xFE\xCD\xFE\xFE\xFE\xFE\xFE");
+  ASSERT_TRUE(session.apply(TurnWorld{Turn::top_bottom}).ok());
+  EXPECT_EQ(saved(), "\xFE\xFE\xFE\xFE\xFE\xFE\xCD\xFE");
+  ASSERT_TRUE(session.apply(ResizeWorld{{.width = 4, .height = 1, .down = Side::high}}).ok());
+  EXPECT_EQ(saved(), "\xFE\xFE\xCD\xFE");
 }
 
 TEST(OpenDocument, PutsTheEndsFarApartInTheLargestRegion) {

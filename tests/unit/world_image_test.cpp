@@ -2,6 +2,7 @@
 
 #include "core/base/file.hpp"
 #include "core/world/image_map.hpp"
+#include "core/world/jpeg.hpp"
 #include "core/world/map_file.hpp"
 #include "tests/support/shared_data.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -49,7 +50,19 @@ TEST(ImageMap, RefusesTooManyPixelsBeforeDecoding) {
   ASSERT_FALSE(map.ok());
   EXPECT_EQ(map.error(),
             "big.png: the picture is too large: 9000 x 9000 pixels, at most 67108864 (8192 x 8192) are read");
-  EXPECT_FALSE(decode_image_map(png_header(0x7FFFFFFF, 0x7FFFFFFF), "big.png").ok());
+  EXPECT_NE(decode_image_map(png_header(0x7FFFFFFF, 0x7FFFFFFF), "big.png").error().find("2147483647 x"),
+            std::string::npos);
+  EXPECT_EQ(decode_image_map(png_header(0, 4), "a.png").error(), "a.png: the picture has no pixels");
+  const std::string place = "big: the picture is too large: 60000 x 60000 pixels, at most ";
+  const std::string side = "\x60\xEA";
+  for (const std::string& header :
+       {png_header(60000, 60000), "GIF89a" + side + side + std::string(40, '\0'),
+        "BM" + std::string(12, '\0') + std::string("\x28\0\0\0", 4) + side + std::string(2, '\0') + side +
+            std::string("\0\0\1\0\x18", 5) + std::string(40, '\0'),
+        std::string("\0\0\2\0\0\0\0\0\0\0\0\0", 12) + side + side + std::string("\x18\0", 2),
+        std::string("P5 60000 60000 255\n"), std::string("P4 60000 60000\n")})
+    EXPECT_EQ(decode_image_map(header, "big").error().rfind(place, 0), 0u)
+        << decode_image_map(header, "big").error();
 }
 
 std::string big_endian(std::uint32_t value) {
@@ -103,7 +116,8 @@ TEST(ImageMap, RefusesBrokenPictures) {
     EXPECT_FALSE(decode_image_map(whole.substr(0, length), "cut.png").ok()) << length;
   EXPECT_EQ(decode_image_map("", "a.png").error(), "a.png: the file is empty");
   const auto text = decode_image_map("no picture at all", "a.png");
-  EXPECT_EQ(text.error().rfind("a.png: not a picture that can be read (PNG, BMP, JPEG, TGA, PGM, PPM): ", 0),
+  EXPECT_EQ(text.error().rfind(
+                "a.png: not a picture that can be read (PNG, BMP, JPEG, TGA, GIF, PBM, PGM, PPM): ", 0),
             0u);
   EXPECT_FALSE(read_image_map("/nowhere/a.png").ok());
 }
@@ -134,6 +148,69 @@ TEST(ImageMap, RefusesBrokenJpegs) {
   EXPECT_EQ(
       decode_image_map(huge, "huge.jpg").error(),
       "huge.jpg: the picture is too large: 60000 x 60000 pixels, at most 67108864 (8192 x 8192) are read");
+}
+
+TEST(ImageMap, AJpegOfTheLargestSidesIsTooLargeToo) {
+  std::string huge = small_jpeg();
+  huge.replace(huge.find("\xFF\xC0") + 5, 4, "\xFF\xFF\xFF\xFF");
+  EXPECT_EQ(decode_image_map(huge, "huge.jpg")
+                .error()
+                .rfind("huge.jpg: the picture is too large: 65535 x 65535", 0),
+            0u);
+}
+
+TEST(ImageMap, ExifTurnsAJpegUpright) {
+  // 3 x 2: the values tell where each pixel was.
+  const Picture stored{3, 2, 1, {1, 2, 3, 4, 5, 6}};
+  const std::vector<std::uint8_t> turned[] = {{1, 2, 3, 4, 5, 6}, {3, 2, 1, 6, 5, 4}, {6, 5, 4, 3, 2, 1},
+                                              {4, 5, 6, 1, 2, 3}, {1, 4, 2, 5, 3, 6}, {4, 1, 5, 2, 6, 3},
+                                              {6, 3, 5, 2, 4, 1}, {3, 6, 2, 5, 1, 4}};
+  for (int orientation = 1; orientation <= 8; ++orientation) {
+    const Picture upright = turned_by_exif(stored, orientation);
+    EXPECT_EQ(upright.width, orientation < 5 ? 3 : 2);
+    EXPECT_EQ(upright.values, turned[orientation - 1]) << orientation;
+  }
+  EXPECT_EQ(turned_by_exif(stored, 9), stored);
+  const std::string big("Exif\0\0MM\0\x2A\0\0\0\x08\0\1\x01\x12\0\3\0\0\0\1\0\6\0\0", 28);
+  const std::string little("Exif\0\0II\x2A\0\x08\0\0\0\1\0\x12\x01\3\0\1\0\0\0\x08\0\0\0", 28);
+  EXPECT_EQ(exif_orientation(big), 6);
+  EXPECT_EQ(exif_orientation(little), 8);
+  for (std::size_t length = 0; length < big.size(); ++length)
+    EXPECT_EQ(exif_orientation(std::string_view(big).substr(0, length)), 1) << length;
+  std::string jpeg = small_jpeg();
+  jpeg.insert(2, std::string("\xFF\xE1\0\x1E", 4) + big);
+  // Rows of white and dark by turns become columns.
+  const auto map = decode_image_map(jpeg, "a.jpg");
+  ASSERT_TRUE(map.ok()) << map.error();
+  for (int y = 0; y < 8; ++y) EXPECT_FALSE(map->at({6, y}) || map->at({4, y})) << y;
+  EXPECT_EQ(*decode_picture(jpeg, "a.jpg", kMaxCells, Lying::as_stored),
+            *decode_picture(small_jpeg(), "a.jpg"));
+}
+
+TEST(ImageMap, ReadsTheFirstFrameOfAGif) {
+  const std::string gif =
+      *read_file(std::string(REPLAN_SOURCE_DIR) + "/tests/fuzz/corpus/picture/two-frames.gif");
+  const auto map = decode_image_map(gif, "a.gif");
+  ASSERT_TRUE(map.ok()) << map.error();
+  EXPECT_EQ(map->width, 5);
+  EXPECT_EQ(map->blocked, (std::vector<std::uint8_t>{1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1}));
+  const std::size_t second = gif.find("\x21\xF9", gif.find('\x2C', 781));  // behind the first frame
+  for (std::size_t length = 0; length < gif.size(); ++length)
+    EXPECT_EQ(decode_image_map(gif.substr(0, length), "a.gif").ok(), length >= second) << length;
+}
+
+TEST(ImageMap, RefusesBmpAndTgaThatEndEarly) {
+  GridMap map(9, 7);
+  map.set({3, 3}, true);
+  const test::TemporaryFolder folder;
+  for (const char* name : {"a.bmp", "a.tga"}) {
+    ASSERT_TRUE(write_image_map(map, folder.file(name)).ok());
+    const std::string whole = *read_file(folder.file(name));
+    ASSERT_TRUE(decode_image_map(whole, name).ok());
+    // The padding behind the last row of a BMP may be missing.
+    for (std::size_t length = 0; length + 2 < whole.size(); ++length)
+      EXPECT_FALSE(decode_image_map(whole.substr(0, length), name).ok()) << name << length;
+  }
 }
 
 TEST(ImageMap, ReadsRosPictures) {

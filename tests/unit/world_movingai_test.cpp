@@ -52,7 +52,7 @@ TEST(MovingAiMap, NamesLineAndColumnOfAnUnknownLetter) {
   EXPECT_EQ(error_of(kHeader + "...\n.x.\n"),
             "m.map:6: column 2: unknown cell letter 'x'; known are . G S (free) and @ O T W (obstacle)");
   EXPECT_NE(error_of(kHeader + "...\n.\x01.\n").find("0x01"), std::string::npos);
-  EXPECT_NE(error_of(kHeader + "...\n.\xC3\xA4\n").find("0xC3"), std::string::npos);
+  EXPECT_NE(error_of(kHeader + "...\n.\xC3\xA4\n").find("'\xC3\xA4'"), std::string::npos);
   EXPECT_NE(error_of(kHeader + "...\n. .\n").find("column 2: unknown cell letter 0x20"), std::string::npos);
 }
 

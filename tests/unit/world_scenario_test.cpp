@@ -194,7 +194,9 @@ TEST(Scenario, KeepsHowItsMapFileIsRead) {
   };
   const json picture = {{"file", "x.pgm"}, {"threshold", 80}, {"invert", true}};
   const json ros = {{"file", "x.yaml"}, {"unknown", "unmapped"}};
-  for (const json& map : {picture, ros}) {
+  folder.with("x.txt", "0120\n");
+  const json numbers = {{"file", "x.txt"}, {"occupied", 2}};
+  for (const json& map : {picture, ros, numbers}) {
     const auto scenario = parse_here(map);
     ASSERT_TRUE(scenario.ok()) << scenario.error();
     const json text = json::parse(scenario_text(*scenario));
@@ -204,6 +206,7 @@ TEST(Scenario, KeepsHowItsMapFileIsRead) {
   }
   EXPECT_EQ(parse_here(picture)->map.blocked, (std::vector<std::uint8_t>{0, 0, 1, 1}));
   EXPECT_EQ(parse_here(ros)->map.blocked, (std::vector<std::uint8_t>{1, 2, 2, 0}));
+  EXPECT_EQ(parse_here(numbers)->map.blocked, (std::vector<std::uint8_t>{0, 0, 1, 0}));
   EXPECT_EQ(parse_here(ros)->map.origin, (std::array<double, 3>{1, 2, 0}));
   const auto refused = [&](const json& map, const std::string& why) {
     const auto scenario = parse_here(map);
@@ -217,6 +220,10 @@ TEST(Scenario, KeepsHowItsMapFileIsRead) {
   refused({{"file", "x.pgm"}, {"unknown", "free"}}, "only a ROS map");
   refused({{"file", "x.yaml"}, {"threshold", 3}}, "are for pictures");
   refused({{"rows", {"...."}}, {"threshold", 3}}, "goes with 'file'");
+  refused({{"rows", {"...."}}, {"occupied", 3}}, "goes with 'file'");
+  refused({{"file", "x.txt"}}, "which one is the obstacle");
+  refused({{"file", "x.yaml"}, {"occupied", 3}}, "only in a file of numbers");
+  refused({{"file", "x.txt"}, {"occupied", "2"}}, "must be a number from ");
 }
 
 TEST(Scenario, SyntaxErrorsNameLineAndColumn) {
@@ -269,7 +276,7 @@ TEST(Scenario, ErrorsNameLinePlaceAndMend) {
   EXPECT_EQ(replaced(".@..", ".@"), "map.rows[1]: has 2 cells, the first row has 4");
   EXPECT_EQ(
       replaced(".@..", ".x.."),
-      "map.rows[1]: column 2: unknown cell letter; known are . G S (free), @ O T W (obstacle) and ? (an "
+      "map.rows[1]: column 2: unknown cell letter 'x'; known are . G S (free), @ O T W (obstacle) and ? (an "
       "obstacle that is on nobody's map)");
 }
 

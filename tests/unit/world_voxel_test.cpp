@@ -85,20 +85,20 @@ TEST(VoxelScen, ReadsAndWritesProblems) {
 }
 
 TEST(VoxelScen, RefusesBrokenOnes) {
-  EXPECT_EQ(scen_error("version 2\na\n"),
-            "m.3dscen:1: not a 3D scenario: the first line must be 'version 1'");
-  EXPECT_EQ(scen_error("version 1\n"), "m.3dscen:1: the second line must name the map, without blanks");
-  EXPECT_EQ(scen_error("version 1\na b\n"), "m.3dscen:2: the second line must name the map, without blanks");
+  EXPECT_EQ(scen_error("version 2\na\n"), "m.3dscen:1: scenario version '2' is not known: only 1 is");
+  EXPECT_EQ(scen_error("a\n"), "m.3dscen:1: not a 3D scenario: the first line must be 'version 1'");
+  EXPECT_EQ(scen_error("version 1\n"), "m.3dscen:1: the second line must name the map");
+  EXPECT_EQ(scen_error("version 1\na b\n"), "");
   const std::string good = "version 1\na\n";
   EXPECT_EQ(scen_error(good), "");
-  EXPECT_EQ(scen_error(good + "1 2 3 4 5\n"),
-            "m.3dscen:3: start and goal must be six whole numbers from 0, not ''");
+  EXPECT_EQ(scen_error(good + "1 2 3 4 5\n"), "m.3dscen:3: the goal z must be a whole number from 0, not ''");
   EXPECT_EQ(scen_error(good + "1 2 3 4 5 -6 1 1\n"),
-            "m.3dscen:3: start and goal must be six whole numbers from 0, not '-6'");
+            "m.3dscen:3: the goal z must be a whole number from 0, not '-6'");
   for (const char* length : {"", "nan", "-1", "inf"})
     EXPECT_EQ(scen_error(good + "1 2 3 4 5 6 " + length + "\n"),
-              "m.3dscen:3: the optimal length and its ratio must be numbers from 0, not '" +
-                  std::string(length) + "'");
+              "m.3dscen:3: the optimal length must be a number from 0, not '" + std::string(length) + "'");
+  EXPECT_EQ(scen_error(good + "1 2 3 4 5 6 7 x\n"),
+            "m.3dscen:3: the ratio of lengths must be a number from 0, not 'x'");
   EXPECT_EQ(scen_error(good + "1 2 3 4 5 6 7 8 9\n"), "m.3dscen:3: the line goes on after its 8 fields: '9'");
 }
 

@@ -38,6 +38,7 @@ Result<Scenario> open_document(const std::string& path, const Scenario& current,
   Result<MapFile> file = read_map_file(path, reading);
   if (!file) return Error{file.error()};
   Scenario scenario = world_of(std::move(file->map), current);
+  scenario.map_found = std::move(file->found);
   scenario.name = file_stem(path);
   if (!file->start || !file->goal) place_ends(scenario, stop);
   if (file->start) scenario.start = *file->start;
@@ -66,7 +67,8 @@ Result<void> save_document(const Session& session, const ViewState& view, const 
     if (format == nullptr || !format->writes)
       return Error{"End the name with .json for the whole scenario, or with " + map_extensions(true) +
                    " for the map alone."};
-    return write_map_file({std::move(scenario.map), scenario.start, scenario.goal}, path);
+    return write_map_file(
+        {std::move(scenario.map), scenario.start, scenario.goal, std::move(scenario.map_found)}, path);
   }
   if (!scenario.map_file.empty() && !map_file_holds(scenario, file_folder(path))) scenario.map_file.clear();
   scenario.view.overlays.clear();

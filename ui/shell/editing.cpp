@@ -107,7 +107,7 @@ void ActionContext::copy_state() {
 
 void ActionContext::copy_region() {
   const MapRegion region = as_region(*view.editing.region);
-  const MapFile world{session.world(), std::nullopt, std::nullopt};
+  const MapFile world{session.world()};
   ImGui::SetClipboardText(ascii_text(world, region).c_str());
   say(panels, "Copied " + size_text(region.width, region.height) + " as text");
 }
@@ -133,6 +133,8 @@ void ActionContext::paste() {
   if (!read) return say(panels, read.error(), true);
   const Scenario& scenario = session.scenario();
   const GridMap& cells = read->map;
+  for (const std::string& note : read->found.notes) panels.notices.push_back(note);
+  const std::string noted = read->found.notes.empty() ? "" : "; " + read->found.notes.front();
   if (read->start && read->goal) {
     const bool same_frame = cells.width == scenario.map.width && cells.height == scenario.map.height &&
                             read->start == scenario.start && read->goal == scenario.goal;
@@ -141,7 +143,7 @@ void ActionContext::paste() {
       push(PaintCells{placed(cells, {0, 0}, scenario.map, standing(session)), 0});
     else
       push(ReplaceMap{cells, read->start, read->goal});
-    return say(panels, "Pasted a world of " + size_text(cells.width, cells.height));
+    return say(panels, "Pasted a world of " + size_text(cells.width, cells.height) + noted);
   }
   const Cell at = view.editing.region ? view.editing.region->low
                                       : view.view.pinned.value_or(view.view.hovered.value_or(Cell{0, 0}));
@@ -152,7 +154,7 @@ void ActionContext::paste() {
   select_region(view.editing, {at, end});
   const bool whole = end.x - at.x + 1 == cells.width && end.y - at.y + 1 == cells.height;
   say(panels, "Pasted " + size_text(cells.width, cells.height) +
-                  (whole ? "" : "; what reached over the edge of the world was left out"));
+                  (whole ? "" : "; what reached over the edge of the world was left out") + noted);
 }
 
 }  // namespace replan::ui

@@ -44,6 +44,16 @@ void describe(const Scenario& scenario, Preview& preview) {
   describe(scenario.map, scenario.start, scenario.goal, preview);
 }
 
+/// The numbers in a file that cannot be read before somebody says which is the obstacle: any will do for
+/// that.
+std::vector<double> numbers_of(const std::string& path, MapReading reading) {
+  const MapFormat* format = find_map_format(path);
+  if (format == nullptr || !format->numbers) return {};
+  reading.occupied = 1;
+  Result<MapFile> file = read_map_file(path, reading);
+  return file ? std::move(file->found.numbers) : std::vector<double>();
+}
+
 }  // namespace
 
 Thumbnail thumbnail_of(const GridMap& map, std::optional<Cell> start, std::optional<Cell> goal, int side) {
@@ -98,6 +108,8 @@ Preview make_preview(const std::string& path, const MapReading& reading, const s
       preview.error = file.error();
     else if (!stop.stop_requested())
       describe(file->map, file->start, file->goal, preview);
+    if (file) preview.notes = file->found.notes;
+    preview.numbers = file ? file->found.numbers : numbers_of(path, reading);
   } else {
     preview.error = kind == FileKind::problems
                         ? "A list of problems, not a world: open the .map that it is for."

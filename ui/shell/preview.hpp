@@ -38,6 +38,8 @@ struct Preview {
   std::size_t obstacles = 0;
   double resolution = 1;
   std::vector<std::string> planners;  ///< their names
+  std::vector<std::string> notes;     ///< what the reader has to say
+  std::vector<double> numbers;        ///< where the cells are numbers: those there are
   Thumbnail thumbnail;
 };
 

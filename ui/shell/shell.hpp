@@ -143,6 +143,7 @@ class Shell {
   [[nodiscard]] std::vector<Place> places() const;
   void save_in_place(Session& session);
   bool save(Session& session, const std::string& path);
+  void note(const std::vector<std::string>& notes);
   void complain(const std::string& sentence);
   void replace(Session& session, ReplaceScenario document);
   [[nodiscard]] Question unsaved_question(const Session& session) const;

@@ -403,6 +403,12 @@ void Shell::complain(const std::string& sentence) {
   tell(sentence, true);
 }
 
+/// What the reader of a document has to say: all of it in the Log, the first of it over the canvas too.
+void Shell::note(const std::vector<std::string>& notes) {
+  panels_.notices.insert(panels_.notices.end(), notes.begin(), notes.end());
+  if (!notes.empty()) tell(notes.front(), false);
+}
+
 void Shell::tell(std::string sentence, bool bad) {
   if (sentence.empty()) return;
   const auto time = bad ? std::chrono::duration_cast<std::chrono::seconds>(kErrorTime) : kMessageTime;

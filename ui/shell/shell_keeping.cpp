@@ -115,7 +115,9 @@ void Shell::take_loaded(Session& session) {
         false);
     return;
   }
+  const std::vector<std::string> notes = loaded->document->scenario.map_found.notes;
   replace(session, std::move(loaded->document.value()));
+  note(notes);
   if (what.from == Loading::From::library) return;
   watch_.watch(std::move(loaded->files));
   reading_ = what.reading;

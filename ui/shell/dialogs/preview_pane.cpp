@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/world/json_reader.hpp"
 #include "core/world/map_file.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/format.hpp"
@@ -79,6 +80,7 @@ void PreviewPane::draw_facts(const Look& look) {
   const std::string& title = preview_.name.empty() ? entry_.name : preview_.name;
   text(look.fonts.title, look.theme.text, elide(look.fonts.title, title, ImGui::GetContentRegionAvail().x));
   if (!preview_.error.empty()) paragraph(look.fonts.ui, look.theme.bad, as_sentence(preview_.error));
+  for (const std::string& note : preview_.notes) paragraph(look.fonts.ui, look.theme.dim, as_sentence(note));
   if (!preview_.caption.empty()) paragraph(look.fonts.ui, look.theme.dim, preview_.caption);
   ImGui::Dummy({0, look.px(2)});
   fact(look, "Kind", kind_text(entry_));
@@ -93,10 +95,32 @@ void PreviewPane::draw_facts(const Look& look) {
   if (!preview_.planners.empty()) fact(look, "Planners", joined(preview_.planners));
 }
 
-/// Pictures and ROS maps leave something to the reader's judgement; the picture above shows what comes of it.
+/// Which of the numbers in the file is the obstacle.
+void PreviewPane::draw_numbers(const Look& look) {
+  std::vector<std::string> words = {"as usual"};
+  int chosen = 0;
+  for (const double number : preview_.numbers) {
+    if (reading_.occupied == number) chosen = static_cast<int>(words.size());
+    words.push_back(plain_number(number).dump());
+  }
+  std::vector<const char*> shown;
+  for (const std::string& word : words) shown.push_back(word.c_str());
+  text(look.fonts.ui, look.theme.dim, "Obstacle number");
+  ImGui::SameLine(0, look.px.s);
+  combo(look, "##occupied", shown, chosen);
+  hint(look, {"Obstacle number", "",
+              "The cells are numbers. As usual 1 is the obstacle, or of 0 and another number that one; the "
+              "others are free."});
+  reading_.occupied = std::nullopt;
+  if (chosen > 0) reading_.occupied = preview_.numbers[static_cast<std::size_t>(chosen - 1)];
+}
+
+/// Pictures, ROS maps and numbers leave something to the reader's judgement; the picture above shows what
+/// comes of it.
 void PreviewPane::draw_reading(const Look& look) {
   const MapFormat* format = find_map_format(entry_.name);
-  if (format == nullptr || (!format->picture && !format->unknown)) return;
+  const bool numbers = format != nullptr && format->numbers && !preview_.numbers.empty();
+  if (format == nullptr || (!format->picture && !format->unknown && !numbers)) return;
   const MapReading before = reading_;
   ImGui::Dummy({0, look.px.s});
   section_title(look, "How it is read");
@@ -107,6 +131,8 @@ void PreviewPane::draw_reading(const Look& look) {
            threshold);
     reading_.image.threshold = static_cast<int>(threshold);
     toggle(look, "Brighter is an obstacle instead", reading_.image.invert);
+  } else if (numbers) {
+    draw_numbers(look);
   } else {
     constexpr std::array<const char*, 3> kUnknown = {"obstacles", "free", "unmapped"};
     int unknown = static_cast<int>(reading_.unknown);

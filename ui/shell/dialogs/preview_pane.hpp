@@ -23,6 +23,7 @@ class PreviewPane {
   void begin();
   void draw_facts(const Look& look);
   void draw_reading(const Look& look);
+  void draw_numbers(const Look& look);
 
   Background<Preview> job_;
   ThumbnailView picture_;
