@@ -20,7 +20,9 @@ Colour blend(Colour a, Colour b, unsigned share) {
 class CellColours {
  public:
   explicit CellColours(SceneContext& context)
-      : context_(context), original_(context.run.scenario().map.blocked), shows_unknown_(context.has(Overlay::unknown)) {
+      : context_(context),
+        original_(context.run.scenario().map.blocked),
+        shows_unknown_(context.has(Overlay::unknown)) {
     const Palette& palette = context.palette;
     unknown_ = mix(palette.free, palette.obstacle, 0.5f);
     unknown_surprise_ = mix(palette.free, palette.surprise, 0.6f);

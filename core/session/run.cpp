@@ -116,6 +116,10 @@ bool Run::pump() {
 
 void Run::finish(Target target) {
   go(target);
+  wait();
+}
+
+void Run::wait() {
   while (busy()) {
     if (!handover_) worker_->wait();
     while (next_batch()) take_over_part();

@@ -29,7 +29,7 @@ struct Marker {
 };
 
 /// The timeline of what a mission did that runs in the background. pump() is the one place where events come
-/// over. All members are for the owner's thread, and none but finish() waits for the background: what has to
+/// over. All members are for the owner's thread, and none but wait() waits for the background: what has to
 /// wait until it has stopped is done by a later pump(). Where the log exceeds its limit, a second mission on
 /// the owner's thread works out what was dropped when it is read.
 class Run {
@@ -85,7 +85,9 @@ class Run {
   [[nodiscard]] std::string failure() const;
   /// Asks the background to stop; what it has done by then still comes.
   void cancel();
-  /// go() and wait, for programs without a window.
+  /// Waits until the background stands still, for programs without a window.
+  void wait();
+  /// go() and wait().
   void finish(Target target);
 
   /// Puts in a scenario that differs only in surprises from index `common` on. The log is cut where that

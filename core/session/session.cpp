@@ -254,6 +254,7 @@ bool Session::play(double seconds) {
 void Session::settle() {
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     const Target way = returning_ ? Target::length_of(returning_->lengths[i]) : Target::plan();
+    runs_[i]->wait();  // what was asked for comes first
     runs_[i]->finish(checks_.comparing() ? Target::end() : way);
   }
   do update(0);

@@ -102,7 +102,8 @@ bool lengths_apply(const PlannerChoice& choice) {
 
 BatchReport run_batch(const GridMap& map, const LengthFormat& lengths, std::span<const ScenProblem> problems,
                       const PlannerChoice& choice, const BatchWatch& watch) {
-  return solve_all(Batch<Grid2>({map.width, map.height}, map.blocked.plain(), lengths, choice), problems, watch);
+  return solve_all(Batch<Grid2>({map.width, map.height}, map.blocked.plain(), lengths, choice), problems,
+                   watch);
 }
 
 BatchReport run_batch(const VoxelMap& map, const LengthFormat& lengths,

@@ -60,7 +60,8 @@ struct Pass {
 
 Pass run_once(const Workload& workload, const PlannerInfo& info, ReplayRow& row, bool check) {
   const Settings settings;
-  Grid2 lattice({workload.map.width, workload.map.height}, workload.map.blocked.plain(), move_rules(settings));
+  Grid2 lattice({workload.map.width, workload.map.height}, workload.map.blocked.plain(),
+                move_rules(settings));
   NoTrace tracer;
   const auto planner = make_planner(info, lattice, settings, tracer);
   Pass pass;
