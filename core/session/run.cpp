@@ -23,12 +23,14 @@ Run::Run(std::shared_ptr<const Scenario> scenario, std::size_t planner, const Ru
   begin_log();
 }
 
-// Nobody waits for the thread, nor until a large log is freed.
+// Nobody waits for the thread, nor until a large log is freed, unless somebody has kept a state of it: all
+// that share its pages are for one thread.
 Run::~Run() {
   worker_->stop();
-  dispose(std::move(worker_));
+  retire_log();
+  tidy();
+  if (retired_.empty()) dispose(std::move(worker_));
   dispose(std::move(reexecution_));
-  dispose_of(std::move(timeline_));
 }
 
 void Run::restart(std::shared_ptr<const Scenario> scenario) {
@@ -42,7 +44,7 @@ void Run::restart(std::shared_ptr<const Scenario> scenario) {
 void Run::begin_log() {
   info_ = find_planner(choice().id);
   lattice_ = Box(scenario_->map.width, scenario_->map.height);
-  if (timeline_) dispose_of(std::move(timeline_));
+  if (timeline_) retire_log();
   if (reexecution_) dispose(std::move(reexecution_));
   const bool mapped = all_mapped();
   timeline_ = std::make_shared<Timeline>(
@@ -128,8 +130,20 @@ void Run::wait() {
   tidy();
 }
 
-/// Lets go of what a cut has left over, a state at a time.
+/// The log goes as soon as nobody else has a state of it. If somebody keeps one, its own are let go of by and
+/// by.
+void Run::retire_log() {
+  retired_.push_back(std::move(timeline_));
+  if (!retired_.back()->owns_its_states()) retired_.back()->retire();
+}
+
+/// Lets go of what cuts and earlier logs have left over, a state at a time.
 void Run::tidy() {
+  std::erase_if(retired_, [](std::shared_ptr<Timeline>& log) {
+    if (log->owns_its_states()) dispose_of(std::move(log));
+    return !log || !log->tidy();
+  });
+  if (!timeline_) return;
   if (lends_ && worker_->head_returned()) {
     timeline_->take_back();
     lends_ = false;

@@ -132,6 +132,7 @@ class Run {
   [[nodiscard]] bool repairs_for_surprise(std::size_t common) const;
   void cut(std::size_t mark_count);
   void tidy();
+  void retire_log();
 
   std::shared_ptr<const Scenario> scenario_;
   std::size_t planner_;
@@ -141,6 +142,7 @@ class Run {
   SharedBytes mapped_;                  // cells that were looked through: none of them is kUnmapped
   std::shared_ptr<Timeline> timeline_;  // shared with the worker while that reads a state of it
   bool lends_ = false;
+  std::vector<std::shared_ptr<Timeline>> retired_;  // of earlier logs, until nothing is left of them
   std::vector<Mark> marks_;
   std::vector<Marker> markers_;
   std::vector<std::uint32_t> curve_;

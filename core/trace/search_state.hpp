@@ -108,6 +108,10 @@ class SearchState {
   [[nodiscard]] std::size_t page_bytes() const;
   /// Bytes of all pages of this state and its copies together, each counted once.
   [[nodiscard]] std::size_t family_bytes() const;
+  /// How many states of the family there are: this one, and its copies and theirs.
+  [[nodiscard]] std::size_t family_size() const {
+    return static_cast<std::size_t>(wide_pool_.use_count()) / (kWideFields + 1);
+  }
   /// Bytes that each copy takes without its pages.
   [[nodiscard]] std::size_t table_bytes() const;
 

@@ -1,6 +1,7 @@
 #include "core/trace/timeline.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/disposal.hpp"
 #include "core/base/hash.hpp"
@@ -89,6 +90,17 @@ bool Timeline::tidy() {
   if (untidy_.empty()) return false;
   untidy_.pop_back();
   return true;
+}
+
+void Timeline::retire() {
+  dispose(std::exchange(events_, EventStore(limits_.chunk_events)));
+  dispose(std::exchange(index_, {}));
+  for (auto& [position, frame] : frames_) untidy_.push_back(std::move(frame.state));
+  frames_.clear();
+}
+
+bool Timeline::owns_its_states() const {
+  return head_.family_size() == 2 + frames_.size() + untidy_.size() + (lent_ ? 1 : 0);
 }
 
 /// Drops the frame that is missed least. One at a time, since whoever appends must not wait for long.

@@ -60,6 +60,10 @@ class Timeline {
   void truncate(std::size_t size);
   /// Lets go of one of them. False if there is none left.
   bool tidy();
+  /// Forgets everything: the events at once, the states by and by.
+  void retire();
+  /// Whether nobody else has a copy of one of its states. Only then may another thread destroy it.
+  [[nodiscard]] bool owns_its_states() const;
   /// The state at the end of the log, for another thread to read while this one goes on, until the next call
   /// or take_back(). The other one must not copy it, and the timeline must outlive its reading.
   const SearchState& lend_head() { return lent_.emplace(head_); }

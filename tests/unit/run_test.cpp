@@ -59,6 +59,31 @@ TEST(RunLog, KnowsWhatItsLogHasInCommonWithEarlierOnes) {
   }
 }
 
+TEST(RunLog, StatesOfALogThatWasReplacedMayBeKept) {
+  const auto world = open_ground();
+  replan::Run run(world, 0);
+  run.finish(Target::end());
+  std::vector<SearchState> kept;
+  std::vector<std::uint64_t> hashes;
+  for (int round = 0; round < 50; ++round) {
+    run.timeline().seek(run.timeline().size() * static_cast<std::size_t>(round) / 50);
+    kept.push_back(run.timeline().state());
+    hashes.push_back(kept.back().hash());
+    run.restart(world);
+    run.finish(Target::end());
+    if (round % 5 != 4) continue;
+    for (std::size_t i = 0; i < kept.size(); ++i) ASSERT_EQ(kept[i].hash(), hashes[i]);
+    kept.clear();
+    hashes.clear();
+  }
+  auto last = std::make_unique<replan::Run>(world, 0);
+  last->finish(Target::end());
+  const SearchState state = last->timeline().state();
+  const std::uint64_t hash = state.hash();
+  last.reset();
+  EXPECT_EQ(state.hash(), hash);
+}
+
 TEST(RunLog, ADigestThatKeptItsBeginningIsThatOfTheWholeLog) {
   const auto base = open_ground();
   replan::Run run(base, 0);
