@@ -220,11 +220,11 @@ ImVec2 draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scen
     card_foot = {max.x - margin - size.x, top + size.y};
   }
   if (const StateMessage message = state_message(run, memory); !message.text.empty()) {
-    const std::array<TextRun, 1> runs = {
-        {{message.text, message.bad ? theme.bad : theme.text, look.fonts.ui}}};
+    const TextRun text{message.text, message.bad ? theme.bad : theme.text, look.fonts.ui};
     const float right = min.x + 2 * margin + text_width(look.fonts.ui, message.text) + look.px(20);
     const bool clear = right < card_foot.x || card_foot.y < below;
-    chip(look, list, {min.x + margin, clear ? below : card_foot.y + look.px.s}, runs);
+    chip_message(look, list, {min.x + margin, clear ? below : card_foot.y + look.px.s}, text,
+                 max.x - min.x - 2 * margin);
   }
   if (state.legend) draw_legend(look, list, scene, min, max);
   return left;

@@ -194,6 +194,8 @@ enum class Corner { top_left, top_right, bottom_left, bottom_right };
 /// A floating chip with a line of text; `pos` is its named corner. Returns its size.
 ImVec2 chip(const Look& look, ImDrawList& list, ImVec2 pos, std::span<const TextRun> runs,
             Corner corner = Corner::top_left);
+/// A chip with a sentence, its upper left corner at `pos`; on several lines if it is wider than `room`.
+ImVec2 chip_message(const Look& look, ImDrawList& list, ImVec2 pos, const TextRun& run, float room);
 
 enum class Mark { dot, square, outline, corners, up, down, line, dashed, arrow, long_arrow };
 struct LegendEntry {

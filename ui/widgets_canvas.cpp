@@ -162,6 +162,19 @@ ImVec2 chip(const Look& look, ImDrawList& list, ImVec2 pos, std::span<const Text
   return size;
 }
 
+ImVec2 chip_message(const Look& look, ImDrawList& list, ImVec2 pos, const TextRun& run, float room) {
+  const ImFont& font = *run.font;
+  const float across = look.px(10), down = look.px(6);
+  const char *begin = run.text.data(), *end = begin + run.text.size();
+  const float wrap = std::max(look.px(80), room - 2 * across);
+  const ImVec2 text = font.CalcTextSizeA(font.FontSize, FLT_MAX, wrap, begin, end);
+  const ImVec2 size(text.x + 2 * across, std::max(look.px(29), text.y + 2 * down));
+  draw_ground(look, list, pos, size);
+  list.AddText(&font, font.FontSize, {pos.x + across, pos.y + (size.y - text.y) / 2}, run.colour, begin, end,
+               wrap);
+  return size;
+}
+
 ImVec2 legend(const Look& look, ImDrawList& list, ImVec2 pos, const LegendField& field,
               std::span<const LegendEntry> entries, Corner corner) {
   Pen measure{look, nullptr, 0, 0};
