@@ -1,5 +1,6 @@
 // Chips that float over the canvas (see widgets.hpp).
 #include <algorithm>
+#include <cfloat>
 #include <array>
 #include <cmath>
 
@@ -170,8 +171,7 @@ ImVec2 chip_message(const Look& look, ImDrawList& list, ImVec2 pos, const TextRu
   const ImVec2 text = font.CalcTextSizeA(font.FontSize, FLT_MAX, wrap, begin, end);
   const ImVec2 size(text.x + 2 * across, std::max(look.px(29), text.y + 2 * down));
   draw_ground(look, list, pos, size);
-  list.AddText(&font, font.FontSize, {pos.x + across, pos.y + (size.y - text.y) / 2}, run.colour, begin, end,
-               wrap);
+  list.AddText(&font, font.FontSize, {pos.x + across, pos.y + down}, run.colour, begin, end, wrap);
   return size;
 }
 
