@@ -120,7 +120,8 @@ class Session {
 #undef REPLAN_COMMAND
 
   [[nodiscard]] std::vector<CellChange> real_changes(const std::vector<CellChange>& cells, const Mark* mark);
-  [[nodiscard]] std::map<NodeId, bool> cells_to_come(const Mark& mark) const;
+  [[nodiscard]] std::map<NodeId, bool> cells_to_come(const Mark& mark,
+                                                     const std::vector<CellChange>& cells) const;
   Result<void> edit_cells(const std::vector<CellChange>& cells, bool announced, std::uint64_t stroke,
                           std::string label = {});
   void commit(std::string label, std::uint64_t stroke, Scenario changed) {

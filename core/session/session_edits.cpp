@@ -44,17 +44,23 @@ void Session::relabel(const std::string& label) {
   undo_.back().label = label;
 }
 
-/// What the script is still going to write before an edit that is added to it happens at the robot's step at
-/// a mark.
-std::map<NodeId, bool> Session::cells_to_come(const Mark& mark) const {
-  std::map<NodeId, bool> cells;
-  for (std::size_t i = 0; i < scenario_->surprises.size(); ++i) {
+/// What the script is still going to write into the rows of `cells` before an edit that is added to it
+/// happens at the robot's step at a mark.
+std::map<NodeId, bool> Session::cells_to_come(const Mark& mark, const std::vector<CellChange>& cells) const {
+  const auto by_row = [](const CellChange& a, const CellChange& b) { return a.cell.y < b.cell.y; };
+  const auto [top, bottom] = std::minmax_element(cells.begin(), cells.end(), by_row);
+  std::map<NodeId, bool> coming;
+  for (std::size_t i = 0; i < scenario_->surprises.size() && !cells.empty(); ++i) {
     const Surprise& surprise = scenario_->surprises[i];
     const bool happened = i < mark.fired.size() && mark.fired[i];
-    if (happened || !surprise.at.move || *surprise.at.move > mark.clock) continue;
-    for (const CellChange& change : surprise.cells) cells[run().lattice().node(change.cell)] = change.blocked;
+    if (happened || !surprise.at.move || *surprise.at.move > mark.clock || surprise.cells.empty()) continue;
+    // Row by row, so that most surprises of a large world are passed over by their first and last cell.
+    if (surprise.cells.back().cell.y < top->cell.y || surprise.cells.front().cell.y > bottom->cell.y)
+      continue;
+    for (const CellChange& change : surprise.cells)
+      coming[run().lattice().node(change.cell)] = change.blocked;
   }
-  return cells;
+  return coming;
 }
 
 /// Of `cells` those that differ from the world where the edit will happen, row by row. `mark` is where;
@@ -64,7 +70,7 @@ std::vector<CellChange> Session::real_changes(const std::vector<CellChange>& cel
   const std::size_t cursor = log.cursor();
   std::map<NodeId, bool> to_come;
   if (mark != nullptr) {
-    to_come = cells_to_come(*mark);
+    to_come = cells_to_come(*mark, cells);
     log.seek(mark->event);
   }
   const auto blocked_then = [&](Cell cell) {

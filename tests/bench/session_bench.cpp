@@ -85,15 +85,17 @@ void session_strokes(benchmark::State& state, bool planned) {
   const auto size = static_cast<int>(state.range(0));
   const auto count = static_cast<int>(state.range(1));
   for (auto _ : state) {
-    RunLimits limits;
-    limits.log.bytes = std::size_t{64} << 20;
-    Session session(big_scenario(size), {}, limits);
+    Session session(big_scenario(size));
     if (planned)
       session.settle();
     else
       (void)session.apply(Cancel{});
     const Scenario first = session.scenario();
-    const double before = resident();
+    const auto log_mib = [&] {
+      const Timeline& log = session.run().timeline();
+      return static_cast<double>(log.log_bytes() + log.frame_bytes()) / (1 << 20);
+    };
+    const double before = resident(), log_before = log_mib();
     Random random(1);
     Times strokes, frames, undos;
     for (int i = 0; i < count; ++i) {
@@ -103,6 +105,7 @@ void session_strokes(benchmark::State& state, bool planned) {
       frames.time([&] { session.update(0.016); });
     }
     state.counters["grown_MiB"] = resident() - before;
+    state.counters["of_that_log_MiB"] = log_mib() - log_before;
     while (session.history_position() > 0) {
       undos.time([&] { (void)session.apply(Undo{}); });
       if (!planned) (void)session.apply(Cancel{});
