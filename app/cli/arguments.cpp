@@ -269,9 +269,8 @@ Result<Scenario> WorldArguments::load() const {
     return Error{"'" + scenario + "' is no scenario file (.json); give a map with --map FILE"};
   if (map.empty() && reading.given())
     return Error{
-        "--threshold, --invert, --unknown and --occupied are for a map; a scenario says itself how its map "
-        "is "
-        "read"};
+        "--threshold, --invert, --unknown and --occupied are for a map; "
+        "a scenario says itself how its map is read"};
   Result<Scenario> world = map.empty() ? read_scenario(scenario) : plain_world(*this);
   if (!world) return world;
   for (const auto& [option, text, cell] :

@@ -1,11 +1,9 @@
-// Lines of sight between two nodes, and the cells that a straight segment
-// passes.
+// Lines of sight between two nodes, and the cells that a straight segment passes.
 //
-// Supercover: Amanatides & Woo, "A Fast Voxel Traversal Algorithm for Ray
-// Tracing" (1987), in whole numbers, so that passing exactly through a corner
-// is seen as such. Bresenham: the line drawing that the DLD* Lite paper uses
-// (Huang & Zhou 2018, doi 10.13195/j.kzyjc.2018.0583, Fig. 2), drawn from the
-// smaller to the larger index so that both ends see each other or neither does.
+// Supercover: Amanatides & Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing" (1987), in whole numbers,
+// so that passing exactly through a corner is seen as such. Bresenham: the line drawing that the DLD* Lite
+// paper uses (Huang & Zhou 2018, doi 10.13195/j.kzyjc.2018.0583, Fig. 2), drawn from the smaller to the
+// larger index so that both ends see each other or neither does.
 #pragma once
 
 #include <array>

@@ -8,7 +8,7 @@
 
 #include "core/base/random.hpp"
 #include "core/session/run.hpp"
-#include "core/world/generators.hpp"
+#include "tests/bench/worlds.hpp"
 
 namespace replan {
 namespace {
@@ -70,12 +70,7 @@ BENCHMARK(timeline_seek)->Arg(1000000)->Arg(10000000)->Unit(benchmark::kMillisec
 
 /// A first plan on random rectangles. Without an estimate it expands nearly every cell.
 std::shared_ptr<const Scenario> big_world(const char* planner, int size, bool estimate) {
-  Scenario scenario;
-  const Cell ends[] = {{20, 20}, {size - 20, size - 20}};
-  scenario.map = *random_rectangles(size, size, 0.17, 5, 60, 1, ends);
-  scenario.start = ends[0];
-  scenario.goal = ends[1];
-  scenario.planners = {{planner, {}}};
+  Scenario scenario = big_scenario(planner, size);
   if (!estimate) scenario.planners[0].settings.set("heuristic", 2);
   return std::make_shared<const Scenario>(std::move(scenario));
 }

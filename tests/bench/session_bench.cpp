@@ -10,7 +10,7 @@
 
 #include "core/base/random.hpp"
 #include "core/session/session.hpp"
-#include "core/world/generators.hpp"
+#include "tests/bench/worlds.hpp"
 
 namespace replan {
 namespace {
@@ -59,16 +59,6 @@ class Times {
   int count_ = 0;
 };
 
-Scenario big_scenario(int size) {
-  Scenario scenario;
-  const Cell ends[] = {{20, 20}, {size - 20, size - 20}};
-  scenario.map = *random_rectangles(size, size, 0.17, 5, 60, 1, ends);
-  scenario.start = ends[0];
-  scenario.goal = ends[1];
-  scenario.planners = {{"dstar-lite", {}}};
-  return scenario;
-}
-
 /// A stroke of 10 x 10 cells somewhere.
 std::vector<CellChange> stroke(Random& random, int size) {
   const int left = random.between(0, size - 10), top = random.between(0, size - 10);
@@ -85,7 +75,7 @@ void session_strokes(benchmark::State& state, bool planned) {
   const auto size = static_cast<int>(state.range(0));
   const auto count = static_cast<int>(state.range(1));
   for (auto _ : state) {
-    Session session(big_scenario(size));
+    Session session(big_scenario("dstar-lite", size));
     if (planned)
       session.settle();
     else
@@ -132,7 +122,7 @@ BENCHMARK_CAPTURE(session_strokes, map, false)
 void session_branches(benchmark::State& state) {
   const auto size = static_cast<int>(state.range(0));
   for (auto _ : state) {
-    Session session(big_scenario(size));
+    Session session(big_scenario("dstar-lite", size));
     session.settle();
     for (const auto& run : session.runs()) run->finish(Target::clock_at(60));
     session.update(0);
@@ -173,8 +163,7 @@ BENCHMARK(session_branches)->Arg(1024)->Arg(2048)->Arg(4096)->Iterations(1)->Uni
 void session_cancel(benchmark::State& state, const char* planner) {
   const auto size = static_cast<int>(state.range(0));
   for (auto _ : state) {
-    Scenario scenario = big_scenario(size);
-    scenario.planners[0].id = planner;
+    const Scenario scenario = big_scenario(planner, size);
     Times cancel;
     double stopped = 0;
     Session session(scenario);
@@ -241,7 +230,7 @@ void run_memory(benchmark::State& state) {
   const auto size = static_cast<int>(state.range(0));
   for (auto _ : state) {
     const double before = resident();
-    Scenario scenario = big_scenario(size);
+    Scenario scenario = big_scenario("dstar-lite", size);
     scenario.planners[0].settings.set("heuristic", 2);  // zero: nearly every cell is expanded
     Run run(std::make_shared<const Scenario>(std::move(scenario)), 0);
     run.finish(Target::plan());

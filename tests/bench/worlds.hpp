@@ -8,6 +8,7 @@
 
 #include "core/base/cell.hpp"
 #include "core/world/generators.hpp"
+#include "core/world/scenario.hpp"
 
 namespace replan {
 
@@ -24,6 +25,17 @@ struct Worlds {
   Cell start, goal;
   std::vector<GridMap> maps;
 };
+
+/// A first plan across random rectangles, as large as wished.
+inline Scenario big_scenario(const char* planner, int size) {
+  Scenario scenario;
+  const Cell ends[] = {{20, 20}, {size - 20, size - 20}};
+  scenario.map = *random_rectangles(size, size, 0.17, 5, 60, 1, ends);
+  scenario.start = ends[0];
+  scenario.goal = ends[1];
+  scenario.planners = {{planner, {}}};
+  return scenario;
+}
 
 /// The DLD* Lite paper's kind (ten maps of random rectangles, Fig. 5), its narrow mazes (Fig. 7), where it
 /// names the sight checks an open problem, and open ground, where they are long.
