@@ -117,16 +117,21 @@ void add_cross(SceneContext& context, Point at, Colour colour) {
   context.add(Line{{at.x - arm, at.y + arm}, {at.x + arm, at.y - arm}, colour, context.pixels(2)});
 }
 
-/// The sight checks since the last vertex was taken; a stopped ray ends in a cross.
+/// The sight checks since the last vertex was taken, or, where a path is read out leap by leap, those of the
+/// latest vertex; a stopped ray ends in a cross.
 void add_sight(SceneContext& context) {
   const Timeline& log = context.run.timeline();
   const std::size_t most = 4096;  // reading out a path may check as many segments as it has
   const std::size_t first = context.cursor > most ? context.cursor - most : 0;
+  NodeId asks = kNoNode;
   for (std::size_t i = context.cursor; i-- > first;) {
     const Event& event = log.event(i);
     if (event.kind == EventKind::pop || event.kind == EventKind::plan_begin || event.kind == EventKind::move)
       break;
+    // The vertex before has found where it leaps to: what comes earlier are its checks.
+    if (event.kind == EventKind::rp && asks != kNoNode && event.node != asks) break;
     if (event.kind != EventKind::sight) continue;
+    asks = event.node;
     const bool seen = (event.delta >> 32) != 0;
     const Colour colour = seen ? context.palette.good : context.palette.bad;
     const Point from = context.centre(event.node), to = context.centre(static_cast<NodeId>(event.delta));

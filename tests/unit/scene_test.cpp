@@ -2,7 +2,9 @@
 #include "core/scene/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -286,6 +288,46 @@ TEST(Scene, RemoteParentsShowOnlyOfPlannersThatUseThem) {
 bool same(const Scene& a, const Scene& b) {
   return a.raster.texels == b.raster.texels && a.shapes.size() == b.shapes.size() && a.range == b.range &&
          a.signs == b.signs && scene_svg(a, palette()) == scene_svg(b, palette());
+}
+
+/// The places from which rays of sight checks go out, and how many rays there are.
+std::pair<std::set<std::pair<double, double>>, int> rays_of(const Scene& scene, const Palette& colours) {
+  std::set<std::pair<double, double>> from;
+  int rays = 0;
+  for (const Line& line : shapes_of<Line>(scene)) {
+    const bool arm_of_cross = std::hypot(line.to.x - line.from.x, line.to.y - line.from.y) < 0.9;
+    if ((line.colour != colours.good && line.colour != colours.bad) || arm_of_cross) continue;
+    from.insert({line.from.x, line.from.y});
+    ++rays;
+  }
+  return {from, rays};
+}
+
+TEST(Scene, OfAPathReadOutByLeapsTheRaysOfOneVertexShow) {
+  Scenario scenario = world();
+  scenario.surprises.clear();
+  scenario.planners = {{"los-dstar-lite", {}}};
+  scenario.planners[0].settings.set("sight_checks", 1);
+  Session session(scenario);
+  session.settle();
+  View view = plain_view();
+  view.overlays.set(Overlay::sight, true);
+  Palette colours = palette();
+  colours.good = 0xFF00FF12;
+  colours.bad = 0xFF0012FF;
+  const Timeline& log = session.run().timeline();
+  std::set<NodeId> leaping;
+  int most = 0;
+  for (std::size_t p = 1; p <= log.size(); ++p) {
+    if (log.event(p - 1).kind != EventKind::sight) continue;
+    leaping.insert(log.event(p - 1).node);
+    ASSERT_TRUE(session.apply(Seek{p}).ok());
+    const auto [from, rays] = rays_of(build_scene(session.run(), view, kView, colours), colours);
+    EXPECT_EQ(from.size(), 1u) << "at " << p;
+    most = std::max(most, rays);
+  }
+  EXPECT_GT(leaping.size(), 1u);
+  EXPECT_GT(most, 1);
 }
 
 TEST(Scene, MemoryChangesNothing) {
