@@ -85,11 +85,6 @@ void RunWorker::give_back(std::vector<Event> memory) {
   if (spare_.size() < kMostReady / 2) spare_.push_back(std::move(memory));
 }
 
-bool RunWorker::working() const {
-  const std::scoped_lock lock(mutex_);
-  return wanted_ || at_work_;
-}
-
 bool RunWorker::at_rest() const {
   const std::scoped_lock lock(mutex_);
   return !wanted_ && !at_work_ && ready_.empty();

@@ -74,9 +74,7 @@ class RunWorker {
   [[nodiscard]] std::optional<Batch> take();
   /// Memory of a batch that was taken, to be used again.
   void give_back(std::vector<Event> memory);
-  /// Whether the thread is at work or about to be.
-  [[nodiscard]] bool working() const;
-  /// Whether it is not, and all batches were taken.
+  /// Whether the thread is not at work nor about to be, and all batches were taken.
   [[nodiscard]] bool at_rest() const;
   /// Why it could not go on, as a sentence; empty if nothing went wrong.
   [[nodiscard]] std::string failure() const;
