@@ -168,20 +168,20 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
     default:
       break;
   }
-  if (mark->route->status == PlanStatus::found || mark->route->status == PlanStatus::searching) return {};
-  if (mark->route->status == PlanStatus::found_nearest) return {status_sentence(mark->route->status), false};
+  if (mark->plan->status == PlanStatus::found || mark->plan->status == PlanStatus::searching) return {};
+  if (mark->plan->status == PlanStatus::found_nearest) return {status_sentence(mark->plan->status), false};
   const SearchState& state = run.timeline().state();
   const NodeId robot = state.node(Scalar::robot);
   const bool away = robot != run.lattice().node(run.scenario().start);
-  if (mark->route->status == PlanStatus::start_blocked && away)
+  if (mark->plan->status == PlanStatus::start_blocked && away)
     return {"The robot stands in an obstacle: clear its cell, or put it elsewhere.", true};
-  if (mark->route->status == PlanStatus::no_path && state.truly_blocked(robot))
+  if (mark->plan->status == PlanStatus::no_path && state.truly_blocked(robot))
     return {"An obstacle stands on the robot's cell, and no way leads out of it.", true};
-  const bool start = mark->route->status == PlanStatus::start_blocked;
-  if (start || mark->route->status == PlanStatus::goal_blocked)
+  const bool start = mark->plan->status == PlanStatus::start_blocked;
+  if (start || mark->plan->status == PlanStatus::goal_blocked)
     if (std::string unknown = unknown_end_sentence(run.scenario(), start); !unknown.empty())
       return {std::move(unknown), true};
-  return {status_sentence(mark->route->status), true};
+  return {status_sentence(mark->plan->status), true};
 }
 
 std::vector<LegendEntry> all_signs(const Look& look) {
@@ -199,8 +199,8 @@ ImVec2 draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scen
   const std::size_t cursor = run.timeline().cursor();
   const replan::Mark* mark = run.mark_at(cursor);
   std::string figures = grouped(memory.expansions(run, cursor)) + " expansions";
-  if (mark != nullptr && !mark->route->path.nodes.empty())
-    figures += " · " + grouped(static_cast<std::int64_t>(mark->route->path.nodes.size())) + " nodes";
+  if (mark != nullptr && !mark->plan->nodes().empty())
+    figures += " · " + grouped(static_cast<std::int64_t>(mark->plan->nodes().size())) + " nodes";
   const std::string name = std::string(run.info().name) + distinction(run);
   const std::array<TextRun, 3> title = {{{name, theme.text, look.fonts.title},
                                          {figures, theme.dim, look.fonts.small},

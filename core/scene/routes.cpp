@@ -18,45 +18,25 @@ Point goal_point(const SceneContext& context) {
   return goal == kNoNode ? context.centre(context.run.scenario().goal) : context.centre(goal);
 }
 
-/// Where the robot is at a mark: on its path, not in the middle of the cell that the path crosses there.
-Point robot_point(const SceneContext& context, const Mark& mark, NodeId cell) {
-  if (mark.next == 0) return context.centre(cell);
-  const PlanePoint& at = mark.route->points[mark.next - 1];
-  return {at.x, at.y};
-}
-/// Where it came from with its last step, if that was a move along the same route.
-std::optional<Point> point_before(const SceneContext& context, const Mark& mark) {
-  if (mark.next == 0) return std::nullopt;
-  if (mark.next >= 2) {
-    const PlanePoint& at = mark.route->points[mark.next - 2];
-    return Point{at.x, at.y};
-  }
-  return context.centre(mark.route->path.nodes.front());
-}
-
 Point robot_point(const SceneContext& context) {
   const Mark* mark = context.run.mark_at(context.cursor);
-  const NodeId cell = robot_node(context);
-  if (mark == nullptr) return context.centre(cell);
-  const Point there = robot_point(context, *mark, cell);
-  const double travel = context.run.travel();
-  const auto before = travel < 1 ? point_before(context, *mark) : std::nullopt;
-  if (!before) return there;
-  return {before->x + travel * (there.x - before->x), before->y + travel * (there.y - before->y)};
+  if (mark == nullptr) return context.centre(robot_node(context));
+  const double travel = std::min(context.run.travel(), 1.0);
+  const auto between = [travel](double from, double to) { return to + (1 - travel) * (from - to); };
+  return {between(mark->before.x, mark->at.x), between(mark->before.y, mark->at.y)};
 }
 
 /// The path from the robot on.
 std::vector<Point> ahead(const SceneContext& context, const Mark& mark) {
-  const std::vector<NodeId>& path = mark.route->path.nodes;
+  const std::vector<NodeId>& path = mark.plan->nodes();
   std::vector<Point> rest;
   if (path.empty()) return rest;
   rest.push_back(robot_point(context));
-  const double driven = mark.next == 0 ? 0 : mark.route->along[mark.next - 1];
   double walked = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Point a = context.centre(path[i - 1]), b = context.centre(path[i]);
     walked += std::hypot(b.x - a.x, b.y - a.y);
-    if (walked > driven + 1e-9) rest.push_back(b);
+    if (walked > mark.along_plan + 1e-9) rest.push_back(b);
   }
   return rest;
 }
@@ -101,8 +81,8 @@ void add_trail(SceneContext& context) {
   Polyline line{{}, faded(context.palette.robot, 0.75), context.pixels(2), 0};
   for (const Mark& mark : context.run.marks()) {
     if (mark.event > context.cursor) break;
-    if (mark.route->path.nodes.empty()) continue;  // it stood still
-    const Point at = robot_point(context, mark, mark.route->path.nodes.front());
+    if (mark.plan->nodes().empty()) continue;  // it stood still
+    const Point at = {mark.at.x, mark.at.y};
     if (line.points.empty() || line.points.back() != at) line.points.push_back(at);
   }
   if (context.run.travel() < 1 && !line.points.empty()) line.points.back() = robot_point(context);
@@ -143,10 +123,9 @@ void add_sight(SceneContext& context) {
 
 double heading(const SceneContext& context) {
   const Mark* mark = context.run.mark_at(context.cursor);
-  if (mark == nullptr || mark->next >= mark->route->cells.size()) return 0;
+  if (mark == nullptr || mark->after == mark->at) return 0;
   const Point from = robot_point(context);
-  const PlanePoint& to = mark->route->points[mark->next];
-  return std::atan2(to.y - from.y, to.x - from.x);
+  return std::atan2(mark->after.y - from.y, mark->after.x - from.x);
 }
 
 void add_sensor(SceneContext& context) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -119,7 +120,9 @@ class Session {
 #include "core/session/commands.def"
 #undef REPLAN_COMMAND
 
-  [[nodiscard]] std::vector<CellChange> real_changes(const std::vector<CellChange>& cells, const Mark* mark);
+  [[nodiscard]] std::set<NodeId> turned_between(std::size_t mark) const;
+  [[nodiscard]] std::vector<CellChange> real_changes(const std::vector<CellChange>& cells,
+                                                     const Mark* mark) const;
   [[nodiscard]] std::map<NodeId, bool> cells_to_come(const Mark& mark,
                                                      const std::vector<CellChange>& cells) const;
   Result<void> edit_cells(const std::vector<CellChange>& cells, bool announced, std::uint64_t stroke,

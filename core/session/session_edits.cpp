@@ -63,26 +63,47 @@ std::map<NodeId, bool> Session::cells_to_come(const Mark& mark, const std::vecto
   return coming;
 }
 
+/// The cells of which the world is another one at a mark than at the cursor: those that surprises between the
+/// two have changed, an odd number of times. Only these events are read; going there could mean millions.
+std::set<NodeId> Session::turned_between(std::size_t mark) const {
+  const Timeline& log = run().timeline();
+  const auto [from, to] = std::minmax({mark, log.cursor()});
+  std::set<NodeId> turned;
+  const auto markers = run().markers();
+  auto marker = std::lower_bound(markers.begin(), markers.end(), from,
+                                 [](const Marker& m, std::size_t event) { return m.event < event; });
+  // One whose cells are being written at `from` stands before it.
+  if (marker != markers.begin()) --marker;
+  for (; marker != markers.end() && marker->event < to; ++marker) {
+    if (marker->kind != EventKind::surprise) continue;
+    for (std::size_t i = marker->event + 1; i < to && log.event(i).kind == EventKind::truth; ++i) {
+      const Event event = log.event(i);
+      if (i < from || (event.delta & kWallBit) == 0) continue;
+      if (!turned.insert(event.node).second) turned.erase(event.node);
+    }
+  }
+  return turned;
+}
+
 /// Of `cells` those that differ from the world where the edit will happen, row by row. `mark` is where;
 /// nullptr is in the map.
-std::vector<CellChange> Session::real_changes(const std::vector<CellChange>& cells, const Mark* mark) {
-  Timeline& log = leading().timeline();
-  const std::size_t cursor = log.cursor();
+std::vector<CellChange> Session::real_changes(const std::vector<CellChange>& cells, const Mark* mark) const {
   std::map<NodeId, bool> to_come;
+  std::set<NodeId> turned;
   if (mark != nullptr) {
     to_come = cells_to_come(*mark, cells);
-    log.seek(mark->event);
+    turned = turned_between(mark->event);
   }
+  const SearchState& state = run().timeline().state();
   const auto blocked_then = [&](Cell cell) {
     if (mark == nullptr) return scenario_->map.at(cell);
     const NodeId node = run().lattice().node(cell);
     const auto coming = to_come.find(node);
-    return coming == to_come.end() ? log.state().wall(node) : coming->second;
+    return coming == to_come.end() ? state.wall(node) != turned.contains(node) : coming->second;
   };
   std::vector<CellChange> real;
   for (const CellChange& change : cells)
     if (blocked_then(change.cell) != change.blocked) real.push_back(change);
-  log.seek(cursor);
   std::sort(real.begin(), real.end(), [](const CellChange& a, const CellChange& b) {
     return std::pair(a.cell.y, a.cell.x) < std::pair(b.cell.y, b.cell.x);
   });

@@ -7,7 +7,7 @@ TraceRun trace_run(const Run& run) {
     // The plan's mark stands right behind its plan_end.
     const Mark* mark = run.mark_at(plan_end + 1);
     if (mark == nullptr || mark->event != plan_end + 1) return {};
-    return mark->route->path.nodes;
+    return mark->plan->nodes();
   };
   return {run.log_view(), run.scenario().name, run.scenario().start, run.scenario().goal, path_at};
 }

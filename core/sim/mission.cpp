@@ -86,7 +86,7 @@ Mission<T>::Mission(const Scenario& scenario, const PlannerChoice& choice, T& tr
       aim_(goal_) {
   now_.state = MissionState::planning;
   now_.fired.resize(surprises_.size());
-  now_.route = std::make_shared<const Route>();
+  now_.plan = std::make_shared<const Plan>();
   now_.movers = crowd_.initial();
   now_.sightings = std::make_shared<const Sightings>();
 }
@@ -136,8 +136,7 @@ void Mission<T>::search(std::int64_t iterations) {
 template <class T>
 void Mission<T>::plan_stands() {
   const PlanStatus status = plan_status();
-  now_.route = std::make_shared<const Route>(lay_out(known_, planner_->path(), status, sight_rule_));
-  now_.next = 0;
+  follow(planner_->path(), status);
   now_.figures.counters = now_.before_goal + planner_->counters();
   now_.figures.last_plan = planner_->counters() - before_plan_;
   now_.figures.peak_bytes = std::max(now_.figures.peak_bytes, planner_->memory_bytes());
@@ -145,6 +144,25 @@ void Mission<T>::plan_stands() {
   now_.state = MissionState::driving;
   const bool unreachable = status == PlanStatus::no_path || status == PlanStatus::goal_blocked;
   if (unreachable && seeks_nearest()) make_for_nearest();
+}
+
+/// A path that is the same as before, as most are that a change elsewhere gave rise to, is not kept twice.
+template <class T>
+void Mission<T>::follow(const Path& path, PlanStatus status) {
+  const bool same = *now_.plan->path == path;
+  auto kept = same ? now_.plan->path : std::make_shared<const Path>(path);
+  route_ = lay_out(known_, path, sight_rule_);
+  const double length = route_.along.empty() ? 0 : route_.along.back();
+  now_.plan = std::make_shared<const Plan>(Plan{std::move(kept), status, length});
+  now_.next = 0;
+  now_.along_plan = 0;
+  now_.before = now_.at = centre_of(known_.position(robot_));
+  now_.after = point_ahead();
+}
+
+template <class T>
+PlanePoint Mission<T>::point_ahead() const {
+  return now_.next < route_.points.size() ? route_.points[now_.next] : now_.at;
 }
 
 template <class T>
@@ -184,12 +202,12 @@ void Mission<T>::decide() {
     return;
   }
   tr_.line(105);
-  const PlanStatus plan = now_.route->status;
+  const PlanStatus plan = now_.plan->status;
   if (robot_ == goal_ && plan == PlanStatus::found) {
     if (const auto step = next_scripted_step(true)) return wait_on_goal(*step);
     now_.state = MissionState::arrived;
     tr_.note(EventKind::arrival, robot_);
-  } else if (now_.route->path.nodes.empty() || (robot_ == aim_ && plan == PlanStatus::found_nearest)) {
+  } else if (now_.plan->nodes().empty() || (robot_ == aim_ && plan == PlanStatus::found_nearest)) {
     wait_for_change();
   } else {
     drive();
@@ -309,7 +327,7 @@ void Mission<T>::wait_for_change() {
 
 template <class T>
 MissionState Mission<T>::stuck() const {
-  return now_.route->status == PlanStatus::found_nearest ? MissionState::nearest : MissionState::no_path;
+  return now_.plan->status == PlanStatus::found_nearest ? MissionState::nearest : MissionState::no_path;
 }
 
 template <class T>
@@ -381,11 +399,11 @@ void Mission<T>::advance_clock(std::int64_t steps, SimTime time, NodeId left) {
 
 template <class T>
 void Mission<T>::drive() {
-  if (now_.next >= now_.route->cells.size())  // a circle has been driven to its end
+  if (now_.next >= route_.cells.size())  // a circle has been driven to its end
     return give_up(MissionState::loop);
   if (!crowd_.empty() && now_.figures.moves > kMovesPerCell * static_cast<std::int64_t>(truth_.size()))
     return give_up(MissionState::endless);
-  enter(now_.route->cells[now_.next]);
+  enter(route_.cells[now_.next]);
 }
 
 // Lines 6 and 7.
@@ -401,11 +419,14 @@ void Mission<T>::enter(NodeId cell) {
   tr_.note(EventKind::move, cell);
   const NodeId left = robot_;
   put_robot(cell);
-  const double before = now_.next == 0 ? 0 : now_.route->along[now_.next - 1];
-  const double way = now_.route->along[now_.next] - before;
+  const double way = route_.along[now_.next] - now_.along_plan;
   now_.figures.travelled += way;
   ++now_.figures.moves;
+  now_.along_plan = route_.along[now_.next];
+  now_.before = now_.at;
+  now_.at = now_.after;
   ++now_.next;
+  now_.after = point_ahead();
   now_.waited = 0;
   advance_clock(1, step_time(way), left);
 }
@@ -436,6 +457,7 @@ void Mission<T>::restore(const Checkpoint& checkpoint, const SearchState& state)
   robot_ = state.node(Scalar::robot);
   aim_ = state.node(Scalar::goal);
   goal_ = state.wanted_goal();
+  route_ = lay_out(known_, *now_.plan->path, sight_rule_);
   begun_ = true;
 }
 

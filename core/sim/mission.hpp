@@ -57,8 +57,12 @@ struct Mark {
   MissionState state = MissionState::driving;
   MissionFigures figures;
   Counters before_goal;  ///< of the figures' counters: the planner's work for earlier goals
-  std::shared_ptr<const Route> route;
-  std::size_t next = 0;  ///< the route's cell that the robot enters next
+  std::shared_ptr<const Plan> plan;
+  std::size_t next = 0;   ///< the cell of the plan's route that the robot enters next
+  PlanePoint before;      ///< where on the plan it was before its last move; `at` if it has not moved since
+  PlanePoint at;          ///< where it is: not in the middle of the cell that the path crosses there
+  PlanePoint after;       ///< where its next move leads; `at` if the plan has none
+  double along_plan = 0;  ///< its way from the plan's beginning to there
   std::vector<MoverState> movers;
   std::shared_ptr<const Sightings> sightings;
   SimTime waited = 0;               ///< since the robot's last move
@@ -106,7 +110,8 @@ class Mission {
   [[nodiscard]] bool settled() const;
   /// This moment; its `event` is left to the owner of the log.
   [[nodiscard]] const Mark& now() const { return now_; }
-  [[nodiscard]] const Route& route() const { return *now_.route; }
+  [[nodiscard]] const Plan& plan() const { return *now_.plan; }
+  [[nodiscard]] const Route& route() const { return route_; }
   [[nodiscard]] const Planner<Grid2>& planner() const { return *planner_; }
   [[nodiscard]] const Grid2& known() const { return known_; }
 
@@ -157,6 +162,8 @@ class Mission {
   void advance_clock(std::int64_t steps, SimTime time, NodeId left);
   [[nodiscard]] SimTime step_time(double way) const;
   void put_robot(NodeId cell);
+  void follow(const Path& path, PlanStatus status);
+  [[nodiscard]] PlanePoint point_ahead() const;
   void enter(NodeId cell);
 
   T& tr_;
@@ -173,6 +180,7 @@ class Mission {
   NodeId aim_ = kNoNode;  // where the planner plans to: the goal, or the reachable cell nearest to it
   bool begun_ = false;
   Counters before_plan_;
+  Route route_;  // of the plan that stands
   Mark now_;
 };
 

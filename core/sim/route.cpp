@@ -29,9 +29,8 @@ std::vector<NodeId> cells_between(const Grid2& lattice, NodeId from, NodeId to, 
 
 }  // namespace
 
-Route lay_out(const Grid2& lattice, Path path, PlanStatus status, SightRule sight) {
+Route lay_out(const Grid2& lattice, const Path& path, SightRule sight) {
   Route route;
-  route.status = status;
   double walked = 0;
   for (std::size_t i = 1; i < path.nodes.size(); ++i) {
     const Cell a = lattice.position(path.nodes[i - 1]), b = lattice.position(path.nodes[i]);
@@ -46,7 +45,6 @@ Route lay_out(const Grid2& lattice, Path path, PlanStatus status, SightRule sigh
     }
     walked += length;
   }
-  route.path = std::move(path);
   return route;
 }
 

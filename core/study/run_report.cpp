@@ -41,7 +41,7 @@ RobotReport robot_report(const Mark& mark) {
           .travelled = mark.figures.travelled,
           .collisions = mark.figures.collisions,
           .replans = mark.figures.replans,
-          .last_plan = mark.route->status};
+          .last_plan = mark.plan->status};
 }
 
 /// Why the robot did not arrive, where its ending alone does not say it: how things stood in the end.
@@ -108,7 +108,7 @@ RunReport drive(const Scenario& scenario, const PlannerChoice& choice) {
   report.planner = choice.id;
   while (!mission.standing() && mission.advance(kSlice)) {
   }
-  report_plan(report, mission.known(), mission.route().path, mission.route().status, sight_rule(choice));
+  report_plan(report, mission.known(), *mission.plan().path, mission.plan().status, sight_rule(choice));
   while (mission.advance(kSlice)) {
   }
   const MissionFigures& figures = mission.now().figures;
@@ -147,7 +147,7 @@ std::string explanation(const RunReport& report) {
 RunReport report_at(const Mark& mark, const PathFigures& figures, const PlannerChoice& choice) {
   RunReport report;
   report.planner = choice.id;
-  report.status = status_name(mark.route->status);
+  report.status = status_name(mark.plan->status);
   report.figures = figures;
   report.plan_ms = mark.figures.plan_ms;
   report.replan_ms = mark.figures.replan_ms;

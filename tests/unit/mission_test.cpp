@@ -182,19 +182,41 @@ TEST(Mission, TakesUnmappedObstaclesForFreeUntilItSeesThem) {
   scenario.map.blocked[scenario.map.index({9, 4})] = kUnmapped;
   Driven driven(scenario);
   while (!driven.mission.settled()) driven.step();
-  EXPECT_EQ(driven.mission.route().status, PlanStatus::found);
+  EXPECT_EQ(driven.mission.plan().status, PlanStatus::found);
   driven.run();
   EXPECT_EQ(driven.mission.state(), MissionState::no_path);
   scenario.robot.knowledge = Knowledge::all;
   Driven knowing(scenario);
   while (!knowing.mission.settled()) knowing.step();
-  EXPECT_EQ(knowing.mission.route().status, PlanStatus::no_path);
+  EXPECT_EQ(knowing.mission.plan().status, PlanStatus::no_path);
+}
+
+TEST(Mission, KeepsThePathOnceForAllPlansThatHaveIt) {
+  Scenario scenario = corridor(8);
+  scenario.robot.knowledge = Knowledge::all;
+  const Cell corner = {0, 0};  // where the change makes no difference to the path
+  for (const bool blocked : {true, false}) {
+    Surprise& away = scenario.surprises.emplace_back();
+    away.at.move = 0;
+    away.cells = {{corner, blocked}};
+  }
+  Driven driven(scenario);
+  while (!driven.mission.standing()) driven.step();
+  const Mark first = driven.mission.now();
+  while (!driven.mission.settled()) driven.step();
+  const Mark third = driven.mission.now();
+  ASSERT_EQ(third.figures.replans, 2);
+  EXPECT_EQ(third.plan->path.get(), first.plan->path.get());
+  EXPECT_NE(third.plan.get(), first.plan.get()) << "figures of a plan are told apart by it";
+  driven.step();
+  EXPECT_EQ(driven.mission.now().before, first.at);
+  EXPECT_EQ(driven.mission.now().at, first.after);
 }
 
 TEST(Route, IsRightInAWorldThatIsVeryWide) {
   const Grid2 lattice({60'000, 40});
   const NodeId from = lattice.node(Cell{0, 0}), to = lattice.node(Cell{59'999, 39});
-  const Route route = lay_out(lattice, {.nodes = {from, to}}, PlanStatus::found, SightRule::supercover);
+  const Route route = lay_out(lattice, {.nodes = {from, to}}, SightRule::supercover);
   EXPECT_TRUE(std::is_sorted(route.along.begin(), route.along.end()));
   EXPECT_NEAR(route.along.back(), distance({0, 0}, {59'999, 39}), 1e-6);
   for (const PlanePoint& point : route.points) ASSERT_TRUE(point.x > 0 && point.x < 60'000) << point.x;
@@ -283,7 +305,7 @@ TEST(Mission, DrivesOutOfAnObstacleThatComesOntoItsCell) {
         Driven held(scenario);
         held.run();
         EXPECT_EQ(held.mission.state(), MissionState::no_path) << info.id;
-        EXPECT_EQ(held.mission.route().status, PlanStatus::start_blocked) << info.id;
+        EXPECT_EQ(held.mission.plan().status, PlanStatus::start_blocked) << info.id;
         EXPECT_EQ(held.count(EventKind::move), 2) << info.id;
       }
 }
@@ -294,7 +316,7 @@ TEST(Mission, DoesNotDriveOutThroughAnotherObstacle) {
   Driven walled_in(scenario);
   walled_in.run();
   EXPECT_EQ(walled_in.mission.state(), MissionState::no_path);
-  EXPECT_EQ(walled_in.mission.route().status, PlanStatus::no_path);
+  EXPECT_EQ(walled_in.mission.plan().status, PlanStatus::no_path);
   EXPECT_TRUE(walled_in.mission.covered());
   // Only a corner is open, past which the corner rule does not let it.
   scenario.surprises = {wall_at(2, {{1, 0}, {2, 0}, {1, 1}, {2, 1}, {3, 1}, {1, 2}, {2, 2}, {3, 2}})};
@@ -318,7 +340,7 @@ TEST(Mission, StaysInAWallThatItStartsInOrIsPutInto) {
       Driven started(scenario);
       started.run();
       EXPECT_EQ(started.mission.state(), MissionState::no_path);
-      EXPECT_EQ(started.mission.route().status, PlanStatus::start_blocked);
+      EXPECT_EQ(started.mission.plan().status, PlanStatus::start_blocked);
       scenario = field();
       scenario.robot.knowledge = knowledge;
       scenario.map.blocked[scenario.map.index({4, 0})] = kind;
@@ -329,7 +351,7 @@ TEST(Mission, StaysInAWallThatItStartsInOrIsPutInto) {
       Driven was_put(scenario);
       was_put.run();
       EXPECT_EQ(was_put.mission.state(), MissionState::no_path);
-      EXPECT_EQ(was_put.mission.route().status, PlanStatus::start_blocked);
+      EXPECT_EQ(was_put.mission.plan().status, PlanStatus::start_blocked);
       put.at.move = 3;
       put.robot = Cell{1, 1};
       scenario.surprises.push_back(put);
@@ -347,7 +369,7 @@ TEST(Mission, GoesToTheNearestCellAndOnToTheGoalOnceTheMapOpens) {
     scenario.robot.unreachable_goal = UnreachableGoal::nearest;
     Driven shut(scenario);
     while (!shut.mission.settled()) shut.step();
-    EXPECT_EQ(shut.mission.route().status, PlanStatus::found_nearest) << info.id;
+    EXPECT_EQ(shut.mission.plan().status, PlanStatus::found_nearest) << info.id;
     EXPECT_EQ(shut.state.wanted_goal(), shut.mission.known().node(scenario.goal));
     shut.run();
     EXPECT_EQ(shut.mission.state(), MissionState::nearest) << info.id;

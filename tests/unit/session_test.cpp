@@ -321,7 +321,7 @@ TEST(Session, NoPathIsAnAnswerAndTheRobotGoesOnWhenTheMapOpens) {
   Session session(scenario);
   run_to_end(session);
   EXPECT_EQ(last_mark(session).state, MissionState::no_path);
-  EXPECT_EQ(last_mark(session).route->status, PlanStatus::no_path);
+  EXPECT_EQ(last_mark(session).plan->status, PlanStatus::no_path);
   ASSERT_TRUE(session.apply(PaintCells{block(12, 9, 1, 2, false), 1}).ok());
   run_to_end(session);
   EXPECT_EQ(last_mark(session).state, MissionState::arrived);

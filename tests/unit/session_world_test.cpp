@@ -1,4 +1,6 @@
 // The session's commands for the world as a whole, for what is to happen, and its history.
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "core/session/session.hpp"
@@ -52,6 +54,41 @@ TEST(SessionWorld, AScheduledSurpriseHappensAtItsStepAndNotBefore) {
     if (mark.clock == 6) continue;  // before it and after it
     EXPECT_EQ(run.timeline().state().wall(cell), mark.clock > 6);
   }
+}
+
+/// Of ten cells, some of which two surprises at one step turn into obstacles and back, an edit erases those
+/// that are obstacles where it happens, whatever the cursor shows: it may stand amid the surprises.
+TEST(SessionWorld, AnEditAmidSurprisesChangesWhatIsThereWhenItHappens) {
+  Scenario scenario = strip();
+  Surprise second = wall_at(16, at_step(6));
+  for (const int y : {3, 4}) second.cells.push_back({{15, y}, false});
+  scenario.surprises = {wall_at(15, at_step(6)), second};
+  std::vector<CellChange> erased;
+  for (int x : {15, 16})
+    for (int y = 2; y < 7; ++y) erased.push_back({{x, y}, false});
+  std::set<std::size_t> counts;
+  for (std::size_t position = 0, size = 1; position <= size; ++position) {
+    Session session(scenario);
+    session.settle();
+    run_to_end(session);
+    size = session.run().timeline().size();
+    ASSERT_TRUE(session.apply(Seek{position}).ok());
+    const Mark* mark = session.run().mark_for_edit();
+    if (mark == nullptr) continue;
+    // The end shows what both have made of the cells.
+    const SearchState then = session.run().timeline().state_at(mark->clock < 6 ? 0 : size);
+    std::vector<Cell> expected, found;
+    for (int y = 2; y < 7; ++y)
+      for (int x : {15, 16})
+        if (then.wall(session.run().lattice().node(Cell{x, y}))) expected.push_back({x, y});
+    ASSERT_TRUE(session.apply(PaintCells{erased}).ok());
+    const bool edited = session.scenario().surprises.size() > scenario.surprises.size();
+    if (edited)
+      for (const CellChange& change : session.scenario().surprises.back().cells) found.push_back(change.cell);
+    ASSERT_EQ(found, expected) << position;
+    counts.insert(found.size());
+  }
+  EXPECT_EQ(counts, (std::set<std::size_t>{0, 8}));
 }
 
 TEST(SessionWorld, SchedulingLeavesTheRobotWhereItIs) {
@@ -197,7 +234,7 @@ TEST(SessionWorld, AGeneratedWorldHasEndsThatMeet) {
   EXPECT_EQ(session.scenario().map.width, 31);
   EXPECT_TRUE(session.scenario().surprises.empty());
   EXPECT_EQ(session.run().marks().back().state, MissionState::driving);
-  EXPECT_EQ(session.run().marks().back().route->status, PlanStatus::found);
+  EXPECT_EQ(session.run().marks().back().plan->status, PlanStatus::found);
   const Scenario generated = session.scenario();
   ASSERT_TRUE(session.apply(Undo{}).ok());
   EXPECT_EQ(session.scenario(), scenario);

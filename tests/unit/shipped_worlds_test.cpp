@@ -58,8 +58,8 @@ TEST(ShippedWorlds, ShowSightCheckedInTheSearchBesideSightCheckedAlongThePath) {
   const auto &in_search = search.now().figures, &along = path.now().figures;
   std::printf("sight checks %lld and %lld, nodes %zu and %zu\n",
               static_cast<long long>(in_search.counters.sight_checks),
-              static_cast<long long>(along.counters.sight_checks), search.route().path.nodes.size(),
-              path.route().path.nodes.size());
+              static_cast<long long>(along.counters.sight_checks), search.plan().nodes().size(),
+              path.plan().nodes().size());
   EXPECT_EQ(in_search.counters.expansions, along.counters.expansions);
   EXPECT_GT(in_search.counters.sight_checks, 5 * along.counters.sight_checks);
   EXPECT_LE(along.travelled, in_search.travelled);

@@ -26,10 +26,10 @@ const PathFigures& figures_of(PanelState& panels, const Run& run, std::size_t pa
                               const replan::Mark& mark) {
   if (panels.figures.size() <= pane) panels.figures.resize(pane + 1);
   FigureCache& cache = panels.figures[pane];
-  if (cache.route == mark.route || map_changed_since(run, mark)) return cache.figures;
+  if (cache.plan == mark.plan || map_changed_since(run, mark)) return cache.figures;
   const Grid2 lattice(run.lattice().size(), run.timeline().state().known_map().plain(),
                       move_rules(run.choice().settings));
-  cache = {mark.route, path_figures(lattice, mark.route->path.nodes)};
+  cache = {mark.plan, path_figures(lattice, mark.plan->nodes())};
   return cache.figures;
 }
 

@@ -60,7 +60,7 @@ enum class Wish : std::uint8_t {
 
 /// Path figures of one pane, kept until another plan stands.
 struct FigureCache {
-  std::shared_ptr<const Route> route;
+  std::shared_ptr<const Plan> plan;
   PathFigures figures;
 };
 

@@ -48,7 +48,7 @@ Verdict verdict(const Theme& theme, const Run& run) {
     case MissionState::driving:
       break;
   }
-  switch (mark->route->status) {
+  switch (mark->plan->status) {
     case PlanStatus::start_blocked:
       return {theme.bad, mark->clock > 0 ? "the robot's cell is blocked" : "the start is blocked", "no-path"};
     case PlanStatus::goal_blocked:
@@ -240,9 +240,8 @@ void draw_status_bar(Frame& frame) {
   const replan::Mark* mark = run.mark_at(run.timeline().cursor());
   if (mark != nullptr && mark->state == MissionState::arrived)
     line.pair("travelled", fixed(mark->figures.travelled, 1), term_hint("travelled"));
-  else if (mark != nullptr && has_path(mark->route->status))
-    line.pair("path", fixed(mark->route->along.empty() ? 0 : mark->route->along.back(), 1),
-              term_hint("length"));
+  else if (mark != nullptr && has_path(mark->plan->status))
+    line.pair("path", fixed(mark->plan->length, 1), term_hint("length"));
   line.pair("|U|", grouped(run.timeline().state().queue_size()), term_hint("open-list"));
   if (run.info().from_goal) line.pair("km", cost_text(run.timeline().state().km(), 2), term_hint("km"));
   const double zoom = frame.panels.zoom / static_cast<double>(look.px.scale);
