@@ -151,7 +151,7 @@ Result<int> batch(const BatchArguments& arguments) {
   return solve<BatchInput<ScenFile, GridMap, ScenProblem>>(arguments);
 }
 
-std::string footer() {
+std::string batch_footer() {
   return "Examples:\n"
          "  replan batch arena.map.scen --planner astar,dstar-lite\n"
          "      Solves every problem and holds the lengths against those in the file.\n"
@@ -183,7 +183,7 @@ Command add_batch(CLI::App& program) {
   arguments->planners.declare(*app);
   app->add_option("--limit", arguments->limit, "Only an even sample of N problems")->type_name("N");
   app->add_flag("--json", arguments->json, "Print the results as JSON");
-  app->footer(footer);
+  app->footer(batch_footer);
   return {app, [arguments] { return batch(*arguments); }};
 }
 

@@ -163,7 +163,7 @@ Result<int> convert(ConvertArguments& arguments) {
   return extension == ".json" ? from_scenario(arguments) : from_map(arguments);
 }
 
-std::string footer() {
+std::string convert_footer() {
   return "Examples:\n"
          "  replan convert floor.png floor.map --threshold 100\n"
          "      Pixels darker than 100 become obstacles.\n"
@@ -203,7 +203,7 @@ Command add_convert(CLI::App& program) {
   app->add_option("--slice", arguments->slice, "Of a .3dmap: the plane of voxels with this z")
       ->type_name("Z");
   arguments->world.planners.declare(*app);
-  app->footer(footer);
+  app->footer(convert_footer);
   return {app, [arguments] { return convert(*arguments); }};
 }
 

@@ -196,7 +196,7 @@ Result<int> list(const std::string& what, bool json) {
                suggestion(what, names, "; give planners, maps, overlays, generators, terms or actions")};
 }
 
-std::string footer() {
+std::string list_footer() {
   return "Examples:\n"
          "  replan list planners\n"
          "      Each planner's id, as --planner takes it, and what it does.\n"
@@ -221,7 +221,7 @@ Command add_list(CLI::App& program) {
   app->add_option("WHAT", arguments->what, "planners, maps, overlays, generators, terms or actions")
       ->required();
   app->add_flag("--json", arguments->json, "Print the list as JSON");
-  app->footer(footer);
+  app->footer(list_footer);
   return {app, [arguments] { return list(arguments->what, arguments->json); }};
 }
 

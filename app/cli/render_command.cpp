@@ -175,7 +175,7 @@ Result<int> render(const RenderArguments& arguments) {
   return kDone;
 }
 
-std::string footer() {
+std::string render_footer() {
   return "Examples:\n"
          "  replan render maps/demo.json -o demo.png --at-end\n"
          "      The window as it looks once the robot has arrived.\n"
@@ -246,7 +246,7 @@ Command add_render(CLI::App& program) {
                   "Film: where it begins: a number of events, start, plan, replan:N, move:N or end")
       ->type_name("MOMENT");
   app->add_option("--to", into.to, "Film: where it ends, likewise")->type_name("MOMENT");
-  app->footer(footer);
+  app->footer(render_footer);
   return {app, [arguments] { return render(*arguments); }};
 }
 

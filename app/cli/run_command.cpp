@@ -167,7 +167,7 @@ Result<int> run(const RunArguments& arguments) {
   return succeeded ? kDone : kFailed;
 }
 
-std::string footer() {
+std::string run_footer() {
   return "Examples:\n"
          "  replan run maps/demo.json\n"
          "      Drives the demo's robot with each of the scenario's planners.\n"
@@ -212,7 +212,7 @@ Command add_run(CLI::App& program) {
       ->excludes("--latex")
       ->excludes("--trace")
       ->excludes("--break");
-  app->footer(footer);
+  app->footer(run_footer);
   return {app, [arguments] { return run(*arguments); }};
 }
 

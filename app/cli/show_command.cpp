@@ -43,7 +43,7 @@ Result<int> show(const ShowArguments& arguments) {
   return kDone;
 }
 
-std::string footer() {
+std::string show_footer() {
   return "Examples:\n"
          "  replan show maps/demo.json --at replan:1\n"
          "      World, values and open list once the first replan stands.\n"
@@ -68,7 +68,7 @@ Command add_show(CLI::App& program) {
       ->type_name("MOMENT");
   app->add_option("--cell", arguments->cell, "List the values around this cell instead of the robot's")
       ->type_name("X,Y");
-  app->footer(footer);
+  app->footer(show_footer);
   return {app, [arguments] { return show(*arguments); }};
 }
 

@@ -42,7 +42,7 @@ OSMesaContext create_context() {
   return OSMesaCreateContextAttribs(attributes, nullptr);
 }
 
-void* find_function(const char* name) {
+void* find_mesa_function(const char* name) {
   return reinterpret_cast<void*>(OSMesaGetProcAddress(name));
 }
 
@@ -87,7 +87,8 @@ Result<std::unique_ptr<Offscreen>> Offscreen::create(const OffscreenSettings& se
                         4);
   const Current current(context.handle, context.pixels, settings.width, settings.height);
   if (!current.ok()) return Error{"OSMesa refused a picture of this size; try a smaller one."};
-  if (const Result<void> loaded = offscreen->gl_.load(find_function); !loaded) return Error{loaded.error()};
+  if (const Result<void> loaded = offscreen->gl_.load(find_mesa_function); !loaded)
+    return Error{loaded.error()};
   Result<std::unique_ptr<ui::Stage>> stage = ui::Stage::create(offscreen->gl_, settings.scale);
   if (!stage) return Error{stage.error()};
   offscreen->stage_ = std::move(*stage);

@@ -29,7 +29,7 @@ static_assert(key::kCount == GLFW_KEY_LAST + 1);
 constexpr double kIdleSeconds = 0.5;  // how long a still window sleeps at most; a caret blinks by it
 constexpr double kFrameSeconds = 1.0 / 120;
 
-void* find_function(const char* name) {
+void* find_window_function(const char* name) {
   return reinterpret_cast<void*>(glfwGetProcAddress(name));
 }
 
@@ -192,7 +192,7 @@ Result<void> Window::start(const WindowSettings& settings) {
   glfwSetWindowUserPointer(window_, this);
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
-  if (const Result<void> loaded = gl_.load(find_function); !loaded) return loaded;
+  if (const Result<void> loaded = gl_.load(find_window_function); !loaded) return loaded;
   auto stage = ui::Stage::create(gl_, follow_display_scale_ ? display_scale(window_) : wanted);
   if (!stage) return Error{stage.error()};
   stage_ = std::move(*stage);

@@ -4,7 +4,7 @@
 #include "tests/cli/child.hpp"
 #include "tests/support/shared_data.hpp"
 
-namespace replan::test {
+namespace replan::test::batch_test {
 namespace {
 
 using nlohmann::json;
@@ -107,4 +107,4 @@ TEST(BatchCommandOnSharedData, publishedLengthsHold) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::batch_test

@@ -1,7 +1,7 @@
 // replan run --break: where the runs stop.
 #include "tests/cli/child.hpp"
 
-namespace replan::test {
+namespace replan::test::break_test {
 namespace {
 
 const std::string kDemo = std::string(REPLAN_SOURCE_DIR) + "/maps/demo.json";
@@ -76,4 +76,4 @@ TEST(RunBreak, itsHelpNamesTheLanguage) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::break_test

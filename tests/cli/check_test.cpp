@@ -7,7 +7,7 @@
 #include "core/plan/registry.hpp"
 #include "tests/cli/child.hpp"
 
-namespace replan::test {
+namespace replan::test::check_test {
 namespace {
 
 using nlohmann::json;
@@ -76,4 +76,4 @@ TEST(RunCheck, HoldsInEveryShippedWorldButThoseThatShowAFault) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::check_test

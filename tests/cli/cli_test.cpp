@@ -10,7 +10,7 @@
 #include "core/world/scenario.hpp"
 #include "tests/cli/child.hpp"
 
-namespace replan::test {
+namespace replan::test::cli_test {
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -346,4 +346,4 @@ TEST_F(CommandLine, convertKeepsTheCells) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::cli_test

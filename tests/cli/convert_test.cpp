@@ -11,7 +11,7 @@
 #include "core/world/voxel_map.hpp"
 #include "tests/cli/child.hpp"
 
-namespace replan::test {
+namespace replan::test::convert_test {
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -247,4 +247,4 @@ TEST_F(Convert, aMapThatChangedOnDiskIsSeen) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::convert_test

@@ -4,7 +4,7 @@
 #include "core/world/scenario.hpp"
 #include "tests/cli/child.hpp"
 
-namespace replan::test {
+namespace replan::test::field_test {
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -111,4 +111,4 @@ TEST_F(FieldFiles, aMapsNameMayHoldBlanks) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::field_test

@@ -8,7 +8,7 @@
 
 #include "tests/cli/child.hpp"
 
-namespace replan::test {
+namespace replan::test::film_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -266,4 +266,4 @@ TEST_F(Film, theSizeThatIsToldIsTheFiles) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::film_test

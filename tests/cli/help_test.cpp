@@ -7,7 +7,7 @@
 #include "core/plan/registry.hpp"
 #include "tests/cli/child.hpp"
 
-namespace replan::test {
+namespace replan::test::help_test {
 namespace {
 
 const std::vector<std::string> kCommands = {"run", "batch", "render", "convert", "show", "list"};
@@ -135,4 +135,4 @@ TEST(Completion, offersPlannersOverlaysAndSettings) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::help_test

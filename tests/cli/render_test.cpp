@@ -4,7 +4,7 @@
 
 #include "tests/cli/child.hpp"
 
-namespace replan::test {
+namespace replan::test::render_test {
 namespace {
 
 constexpr const char* kScenario = R"({
@@ -142,4 +142,4 @@ TEST_F(Render, windowWithoutADisplaySaysHowToRender) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::render_test

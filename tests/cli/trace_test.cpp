@@ -7,7 +7,7 @@
 #include "tests/support/posthoc_check.hpp"
 #include "tests/support/schema_check.hpp"
 
-namespace replan::test {
+namespace replan::test::trace_test {
 namespace {
 
 using nlohmann::json;
@@ -125,4 +125,4 @@ TEST(ListTerms, explainsTheWordsOfTheField) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::trace_test

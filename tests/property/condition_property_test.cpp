@@ -10,7 +10,7 @@
 #include "core/sim/mission.hpp"
 #include "tests/support/worlds.hpp"
 
-namespace replan::test {
+namespace replan::test::condition_property_test {
 namespace {
 
 constexpr int kLogs = 300;
@@ -439,4 +439,4 @@ TEST(Conditions, quantitiesAreRightEverywhere) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::condition_property_test

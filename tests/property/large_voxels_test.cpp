@@ -10,7 +10,7 @@
 #include "core/study/batch.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace replan::test {
+namespace replan::test::large_voxels_test {
 namespace {
 
 constexpr int kWidth = 485, kHeight = 294, kDepth = 616;  // 87.8 million voxels
@@ -59,4 +59,4 @@ TEST(LargeVoxels, AreReadAndSolvedWithinTheMemoryOfADesktop) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::large_voxels_test

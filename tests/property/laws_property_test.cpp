@@ -12,7 +12,7 @@
 #include "tests/support/law_oracle.hpp"
 #include "tests/support/missions.hpp"
 
-namespace replan::test {
+namespace replan::test::laws_property_test {
 namespace {
 
 constexpr int kMissions = 3000;  // of each planner
@@ -222,4 +222,4 @@ INSTANTIATE_TEST_SUITE_P(All, Mistakes,
                          });
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::laws_property_test

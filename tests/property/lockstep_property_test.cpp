@@ -8,7 +8,7 @@
 #include "tests/support/missions.hpp"
 #include "tests/support/panes.hpp"
 
-namespace replan::test {
+namespace replan::test::lockstep_property_test {
 namespace {
 
 constexpr int kMissions = 120;
@@ -277,4 +277,4 @@ TEST(LockstepProperty, ATwinStandsWhereTheLeaderStands) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::lockstep_property_test

@@ -9,7 +9,7 @@
 #include "tests/support/missions.hpp"
 #include "tests/support/worlds.hpp"
 
-namespace replan::test {
+namespace replan::test::long_log_property_test {
 namespace {
 
 /// Events of the longest logs that are compared: without key frames a look costs a whole run.
@@ -299,4 +299,4 @@ INSTANTIATE_TEST_SUITE_P(Planners, LongLogs, ::testing::ValuesIn(every_planner()
 });
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::long_log_property_test

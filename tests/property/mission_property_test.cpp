@@ -10,7 +10,7 @@
 #include "core/trace/search_state.hpp"
 #include "tests/support/missions.hpp"
 
-namespace replan::test {
+namespace replan::test::mission_property_test {
 namespace {
 
 constexpr int kMissions = 20'004;  // a multiple of the number of planners, below
@@ -266,4 +266,4 @@ INSTANTIATE_TEST_SUITE_P(Planners, RandomMissions, ::testing::ValuesIn(every_pla
                          });
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::mission_property_test

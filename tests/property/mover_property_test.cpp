@@ -7,7 +7,7 @@
 #include "core/sim/mover.hpp"
 #include "tests/support/missions.hpp"
 
-namespace replan::test {
+namespace replan::test::mover_property_test {
 namespace {
 
 constexpr int kCrowds = 20'000;
@@ -117,4 +117,4 @@ TEST(Movers, ComeToTheSamePlacesAtOnceAsStepByStep) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::mover_property_test

@@ -11,7 +11,7 @@
 #include "core/plan/registry.hpp"
 #include "core/world/generators.hpp"
 
-namespace replan {
+namespace replan::paper_figures_test {
 namespace {
 
 struct Means {
@@ -62,4 +62,4 @@ TEST(PaperFigures, NodeCountsOnTenRandomWorldsAreNearThePapers) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::paper_figures_test

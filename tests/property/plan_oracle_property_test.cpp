@@ -7,7 +7,7 @@
 #include "core/debug/plan_oracle.hpp"
 #include "tests/support/missions.hpp"
 
-namespace replan::test {
+namespace replan::test::plan_oracle_property_test {
 namespace {
 
 constexpr int kMissions = 600;  // of each planner
@@ -90,4 +90,4 @@ INSTANTIATE_TEST_SUITE_P(Planners, PlanOracle, ::testing::ValuesIn(every_planner
 });
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::plan_oracle_property_test

@@ -11,7 +11,7 @@
 #include "core/world/movingai.hpp"
 #include "tests/support/shared_data.hpp"
 
-namespace replan::test {
+namespace replan::test::published_lengths_test {
 namespace {
 
 /// A whole file takes about a second up to this many cells x problems; beyond it a sample is taken.
@@ -281,4 +281,4 @@ TEST(ReplanningWorkloads, everyReplanHasTheListedOptimum) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::published_lengths_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/worlds.hpp"
 
-namespace replan::test {
+namespace replan::test::remote_parents_test {
 namespace {
 
 constexpr int kSide = 60;
@@ -144,4 +144,4 @@ INSTANTIATE_TEST_SUITE_P(Family, RemoteParents, ::testing::Values("los-dstar-lit
                          });
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::remote_parents_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/worlds.hpp"
 
-namespace replan::test {
+namespace replan::test::replan_property_test {
 namespace {
 
 constexpr int kReplansPerShard = 12'500;  // x 2 shards x 4 planners = 100 000 for each dimension
@@ -165,4 +165,4 @@ INSTANTIATE_TEST_SUITE_P(Family, ReplanEqualsFreshPlan,
                          });
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::replan_property_test

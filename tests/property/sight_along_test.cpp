@@ -11,7 +11,7 @@
 #include "core/world/generators.hpp"
 #include "tests/support/worlds.hpp"
 
-namespace replan::test {
+namespace replan::test::sight_along_test {
 namespace {
 
 Settings with(bool along_path) {
@@ -188,4 +188,4 @@ INSTANTIATE_TEST_SUITE_P(Family, SightAlong, ::testing::Values("los-dstar-lite",
                          });
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::sight_along_test

@@ -10,7 +10,7 @@
 
 #include "ui/keys.hpp"
 
-namespace replan::ui {
+namespace replan::ui::actions_test {
 namespace {
 
 TEST(Actions, StandAtTheirOwnNumber) {
@@ -128,4 +128,4 @@ TEST_F(Keyboard, AHeldKeyRepeatsOnlyWhereThatIsWanted) {
 }
 
 }  // namespace
-}  // namespace replan::ui
+}  // namespace replan::ui::actions_test

@@ -1,7 +1,7 @@
 // The hand on the canvas: scripted mouse input on frames without a display, and the commands that come of it.
 #include "tests/ui/canvas_fixture.hpp"
 
-namespace replan::ui {
+namespace replan::ui::canvas_test {
 namespace {
 
 TEST_F(CanvasTest, AStrokeHasNoGapsAndOneNumber) {
@@ -83,4 +83,4 @@ TEST_F(CanvasTest, TheMiddleButtonMovesTheView) {
 }
 
 }  // namespace
-}  // namespace replan::ui
+}  // namespace replan::ui::canvas_test

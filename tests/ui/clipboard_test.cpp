@@ -4,7 +4,7 @@
 
 #include "ui/shell/actions.hpp"
 
-namespace replan::ui {
+namespace replan::ui::clipboard_test {
 namespace {
 
 class ClipboardTest : public testing::Test {
@@ -130,4 +130,4 @@ TEST_F(ClipboardTest, MatricesArePastedAndWhatPartsThemIsTold) {
 }
 
 }  // namespace
-}  // namespace replan::ui
+}  // namespace replan::ui::clipboard_test

@@ -6,7 +6,7 @@
 #include "core/plan/glossary.hpp"
 #include "tests/ui/shell_fixture.hpp"
 
-namespace replan::ui {
+namespace replan::ui::command_palette_test {
 namespace {
 
 std::vector<PaletteEntry> entries_of(const std::vector<std::string>& labels) {
@@ -128,4 +128,4 @@ TEST_F(PaletteTest, HoldsEveryActionPlannerAndTermOnce) {
 }
 
 }  // namespace
-}  // namespace replan::ui
+}  // namespace replan::ui::command_palette_test

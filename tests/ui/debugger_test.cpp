@@ -11,7 +11,7 @@
 #include "ui/shell/panels.hpp"
 #include "ui/shell/timeline_marks.hpp"
 
-namespace replan::ui {
+namespace replan::ui::debugger_test {
 namespace {
 
 constexpr int kWidth = 372, kHeight = 900;
@@ -283,4 +283,4 @@ TEST_F(PanelTest, CrowdedMarksShareTheirPlaces) {
 }
 
 }  // namespace
-}  // namespace replan::ui
+}  // namespace replan::ui::debugger_test

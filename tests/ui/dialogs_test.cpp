@@ -9,7 +9,7 @@
 #include "core/world/map_file.hpp"
 #include "tests/ui/shell_fixture.hpp"
 
-namespace replan::ui {
+namespace replan::ui::dialogs_test {
 namespace {
 
 constexpr const char* kMap = "type octile\nheight 3\nwidth 4\nmap\n.@..\n....\n..@.\n";
@@ -199,4 +199,4 @@ TEST_F(DialogsTest, RecentFilesAreKeptAndMissingOnesDropped) {
 }
 
 }  // namespace
-}  // namespace replan::ui
+}  // namespace replan::ui::dialogs_test

@@ -16,7 +16,7 @@
 #include "ui/shell/recent_files.hpp"
 #include "ui/shell/world_library.hpp"
 
-namespace replan::ui {
+namespace replan::ui::documents_test {
 namespace {
 
 constexpr const char* kMap = "type octile\nheight 2\nwidth 4\nmap\n.@..\n....\n";
@@ -351,4 +351,4 @@ TEST(WorldLibrary, FindsWorldsAndLooksAtEachOnce) {
 }
 
 }  // namespace
-}  // namespace replan::ui
+}  // namespace replan::ui::documents_test

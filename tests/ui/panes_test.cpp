@@ -4,7 +4,7 @@
 #include "tests/ui/shell_fixture.hpp"
 #include "ui/pane_grid.hpp"
 
-namespace replan::ui {
+namespace replan::ui::panes_test {
 namespace {
 
 constexpr const char* kWorld = R"({"replan": 1, "name": "Room",
@@ -68,4 +68,4 @@ TEST_F(PanesTest, SelectingInAPaneMakesItLead) {
 }
 
 }  // namespace
-}  // namespace replan::ui
+}  // namespace replan::ui::panes_test

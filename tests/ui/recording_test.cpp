@@ -11,7 +11,7 @@
 
 #include "tests/support/temporary_folder.hpp"
 
-namespace replan::app {
+namespace replan::app::recording_test {
 namespace {
 
 /// A picture of one grey, which tells it from others.
@@ -155,4 +155,4 @@ TEST_F(Recorded, AFailureIsTold) {
 }
 
 }  // namespace
-}  // namespace replan::app
+}  // namespace replan::app::recording_test

@@ -10,7 +10,7 @@
 #include "tests/support/temporary_folder.hpp"
 #include "ui/image.hpp"
 
-namespace replan::app {
+namespace replan::app::render_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -218,4 +218,4 @@ TEST(Render, MistakesAreNamed) {
 }
 
 }  // namespace
-}  // namespace replan::app
+}  // namespace replan::app::render_test

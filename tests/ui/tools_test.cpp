@@ -5,7 +5,7 @@
 #include "ui/canvas_overlay.hpp"
 #include "ui/canvas_tools.hpp"
 
-namespace replan::ui {
+namespace replan::ui::tools_test {
 namespace {
 
 class ToolsTest : public CanvasTest {
@@ -224,4 +224,4 @@ TEST_F(ToolsTest, AnotherSizeOfTheWorldForgetsPlaces) {
 }
 
 }  // namespace
-}  // namespace replan::ui
+}  // namespace replan::ui::tools_test

@@ -9,7 +9,7 @@
 #include "tests/support/posthoc_check.hpp"
 #include "tests/ui/shell_fixture.hpp"
 
-namespace replan::ui {
+namespace replan::ui::traces_test {
 namespace {
 
 constexpr const char* kWorld = R"({"replan": 1, "name": "Gap",
@@ -162,4 +162,4 @@ TEST(TraceExportNames, TheMapHasANameOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace replan::ui
+}  // namespace replan::ui::traces_test

@@ -6,7 +6,7 @@
 #include "app/platform/offscreen.hpp"
 #include "ui/keys.hpp"
 
-namespace replan::ui {
+namespace replan::ui::world_dialogs_test {
 namespace {
 
 class WorldDialogsTest : public testing::Test {
@@ -82,4 +82,4 @@ TEST_F(WorldDialogsTest, ASizeLeftAsItIsIsNoEdit) {
 }
 
 }  // namespace
-}  // namespace replan::ui
+}  // namespace replan::ui::world_dialogs_test

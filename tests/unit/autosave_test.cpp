@@ -10,7 +10,7 @@
 #include "core/base/file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace replan {
+namespace replan::autosave_test {
 namespace {
 
 Scenario world() {
@@ -254,4 +254,4 @@ TEST(Background, GivesUpAndGoesOn) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::autosave_test

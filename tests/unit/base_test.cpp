@@ -17,7 +17,7 @@
 #include "core/base/random.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace replan {
+namespace replan::base_test {
 namespace {
 
 __extension__ using Wide = unsigned __int128;
@@ -203,4 +203,4 @@ TEST(File, TakesNamesApart) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::base_test

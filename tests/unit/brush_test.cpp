@@ -8,7 +8,7 @@
 
 #include "core/world/grid_map.hpp"
 
-namespace replan {
+namespace replan::brush_test {
 namespace {
 
 std::set<std::pair<int, int>> cells_of(const std::vector<CellSpan>& spans) {
@@ -94,4 +94,4 @@ TEST(Fill, CoversAnOpenWorldInAsManySpansAsRows) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::brush_test

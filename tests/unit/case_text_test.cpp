@@ -6,7 +6,7 @@
 #include "core/base/random.hpp"
 #include "core/session/run.hpp"
 
-namespace replan {
+namespace replan::case_text_test {
 namespace {
 
 /// A wall with a gap, and a surprise that closes it while the robot drives.
@@ -167,4 +167,4 @@ TEST(CaseText, SaysInOneSentenceWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::case_text_test

@@ -10,7 +10,7 @@
 #include "core/scene/digest.hpp"
 #include "core/session/session.hpp"
 
-namespace replan {
+namespace replan::cell_history_test {
 namespace {
 
 constexpr std::size_t kNodes = 40;
@@ -145,4 +145,4 @@ TEST(TouchedList, IsWhatTheDigestCounts) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::cell_history_test

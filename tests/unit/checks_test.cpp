@@ -10,7 +10,7 @@
 #include "core/debug/law_checker.hpp"
 #include "core/session/session.hpp"
 
-namespace replan {
+namespace replan::checks_test {
 namespace {
 
 Scenario world(const char* file) {
@@ -195,4 +195,4 @@ TEST(Checks, StopComparingOnCancelAndWhenTheWorldIsEdited) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::checks_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/worlds.hpp"
 
-namespace replan::test {
+namespace replan::test::clearance_test {
 namespace {
 
 constexpr double kRanges[] = {1, 1.25, 1.4142135623730951, 1.5, 2, 2.5, 3, 3.7, 4, 5, 6.5, 8, 10, 11.9, 12};
@@ -147,4 +147,4 @@ TEST(ClearanceField, localUpdateTakesInEveryObstacleAtOnceAndItsRemoval) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::clearance_test

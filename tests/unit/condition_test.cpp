@@ -7,7 +7,7 @@
 
 #include "core/debug/probe.hpp"
 
-namespace replan::test {
+namespace replan::test::condition_test {
 namespace {
 
 constexpr WorldSize kWorld{20, 10};
@@ -252,4 +252,4 @@ TEST(ConditionMeaning, itsValuesAreToldInWords) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::condition_test

@@ -4,7 +4,7 @@
 #include "core/debug/difference_search.hpp"
 #include "core/session/run.hpp"
 
-namespace replan {
+namespace replan::difference_test {
 namespace {
 
 /// One thing that is compared, and where the log says it.
@@ -182,4 +182,4 @@ TEST(FirstDifference, SaysWhichPaneChecksSightInTheSearchAndWhichAlongThePath) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::difference_test

@@ -6,7 +6,7 @@
 #include "core/base/random.hpp"
 #include "core/field/clearance.hpp"
 
-namespace replan {
+namespace replan::distance_test {
 namespace {
 
 std::vector<std::uint8_t> random_cells(int width, int height, double share, std::uint64_t seed) {
@@ -74,4 +74,4 @@ TEST(DistanceTransform, GivesThePenaltiesOfTheClearanceField) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::distance_test

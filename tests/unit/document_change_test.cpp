@@ -5,7 +5,7 @@
 
 #include "core/base/random.hpp"
 
-namespace replan {
+namespace replan::document_change_test {
 namespace {
 
 Cell some_cell(Random& random, const Scenario& scenario) {
@@ -110,4 +110,4 @@ TEST(DocumentChange, TakesMemoryForWhatDiffersAlone) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::document_change_test

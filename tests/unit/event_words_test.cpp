@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace replan::test {
+namespace replan::test::event_words_test {
 namespace {
 
 constexpr std::uint64_t raw(std::int64_t cells) {
@@ -61,4 +61,4 @@ TEST(EventWords, nameLinesAsThePageDoes) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::event_words_test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace replan {
+namespace replan::figures_table_test {
 namespace {
 
 RunReport report_of(const char* planner, double length, std::int64_t expansions) {
@@ -170,4 +170,4 @@ TEST(FiguresText, Json) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::figures_table_test

@@ -7,7 +7,7 @@
 
 #include "core/session/session.hpp"
 
-namespace replan {
+namespace replan::film_plan_test {
 namespace {
 
 using Kind = FilmSpeed::Kind;
@@ -204,4 +204,4 @@ TEST(FilmSpeed, IsRead) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::film_plan_test

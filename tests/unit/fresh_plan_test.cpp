@@ -9,7 +9,7 @@
 #include "core/scene/scene.hpp"
 #include "core/session/session.hpp"
 
-namespace replan {
+namespace replan::fresh_plan_test {
 namespace {
 
 Scenario demo() {
@@ -106,4 +106,4 @@ TEST(FreshPlan, IsWorkedOutInTheBackgroundAndKept) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::fresh_plan_test

@@ -7,7 +7,7 @@
 #include "tests/fuzz/target.hpp"
 #include "tests/support/shared_data.hpp"
 
-namespace replan {
+namespace replan::fuzz_corpus_test {
 namespace {
 
 const std::filesystem::path kCorpus = std::filesystem::path(REPLAN_SOURCE_DIR) / "tests" / "fuzz" / "corpus";
@@ -40,4 +40,4 @@ TEST(FuzzCorpus, EveryTargetKeepsItsLaws) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::fuzz_corpus_test

@@ -9,7 +9,7 @@
 
 #include "core/base/random.hpp"
 
-namespace replan {
+namespace replan::fuzzy_test {
 namespace {
 
 /// The texts that match, the best first.
@@ -101,4 +101,4 @@ TEST(Fuzzy, FindsExactlyTheSubsequencesAndNamesTheirLetters) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::fuzzy_test

@@ -11,7 +11,7 @@
 #include "core/scene/view.hpp"
 #include "core/world/generator_list.hpp"
 
-namespace replan {
+namespace replan::glossary_test {
 namespace {
 
 void expect_sentences(std::string_view text, const std::string& whose) {
@@ -89,4 +89,4 @@ TEST(Glossary, EverySettingAndOverlayExplainsItself) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::glossary_test

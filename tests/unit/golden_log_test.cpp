@@ -12,7 +12,7 @@
 #include "core/base/random.hpp"
 #include "core/plan/registry.hpp"
 
-namespace replan::test {
+namespace replan::test::golden_log_test {
 namespace {
 
 const std::string kFile = std::string(REPLAN_SOURCE_DIR) + "/tests/golden/event_logs.txt";
@@ -124,4 +124,4 @@ TEST(GoldenLogs, areTheSameTwiceInOneProcess) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::golden_log_test

@@ -6,7 +6,7 @@
 #include "core/lattice/lattice.hpp"
 #include "tests/support/worlds.hpp"
 
-namespace replan::test {
+namespace replan::test::lattice_laws_test {
 namespace {
 
 constexpr Heuristic kBounds[] = {Heuristic::octile, Heuristic::euclidean, Heuristic::chebyshev,
@@ -277,4 +277,4 @@ TEST(Directions, areNumberedByOffsetAndMirrored) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::lattice_laws_test

@@ -6,7 +6,7 @@
 #include "core/sim/nearest.hpp"
 #include "core/trace/search_state.hpp"
 
-namespace replan {
+namespace replan::mission_test {
 namespace {
 
 /// Two rooms joined by a corridor one cell wide and `length` long, at y = 4.
@@ -411,4 +411,4 @@ TEST(Nearest, PrefersTheShorterWayAndThenTheSmallerIndex) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::mission_test

@@ -7,7 +7,7 @@
 #include "core/trace/search_state.hpp"
 #include "tests/support/worlds.hpp"
 
-namespace replan::test {
+namespace replan::test::node_table_test {
 namespace {
 
 struct Record {
@@ -100,4 +100,4 @@ TEST(NodeTable, LatticesHaveARevisionForEveryMapTheyShow) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::node_table_test

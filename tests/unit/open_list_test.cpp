@@ -8,7 +8,7 @@
 
 #include "core/base/random.hpp"
 
-namespace replan::test {
+namespace replan::test::open_list_test {
 namespace {
 
 struct Slots {
@@ -127,4 +127,4 @@ TEST(OpenList, keysCompareLexicographically) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::open_list_test

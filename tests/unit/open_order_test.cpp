@@ -8,7 +8,7 @@
 #include "core/session/run.hpp"
 #include "tests/support/worlds.hpp"
 
-namespace replan {
+namespace replan::open_order_test {
 namespace {
 
 constexpr int kWorlds = 12;
@@ -146,4 +146,4 @@ TEST(OpenOrder, BlocksSplitAndEmpty) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::open_order_test

@@ -8,7 +8,7 @@
 
 #include "core/sim/mission.hpp"
 
-namespace replan {
+namespace replan::pages_test {
 namespace {
 
 PlannerPage page_or_fail(const std::string& text) {
@@ -144,4 +144,4 @@ TEST(Pages, ErrorsNamePlaceAndMend) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::pages_test

@@ -7,7 +7,7 @@
 #include "core/base/random.hpp"
 #include "core/plan/figures.hpp"
 
-namespace replan {
+namespace replan::plan_figures_test {
 namespace {
 
 const double kRoot2 = std::sqrt(2.0);
@@ -156,4 +156,4 @@ TEST(Status, HasANameAndASentenceEach) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::plan_figures_test

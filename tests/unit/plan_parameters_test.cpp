@@ -2,7 +2,7 @@
 
 #include "core/plan/parameters.hpp"
 
-namespace replan {
+namespace replan::plan_parameters_test {
 namespace {
 
 const std::vector<Parameter> kParameters = {
@@ -81,4 +81,4 @@ TEST(Parameters, NearestNameIsWithinThreeEdits) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::plan_parameters_test

@@ -5,7 +5,7 @@
 #include "core/trace/search_state.hpp"
 #include "tests/support/worlds.hpp"
 
-namespace replan::test {
+namespace replan::test::planner_conformance_test {
 namespace {
 
 /// A small world as rows of text: '#' obstacle, 'S' start, 'G' goal, 's' and 'g' the same inside an obstacle,
@@ -258,4 +258,4 @@ INSTANTIATE_TEST_SUITE_P(Planners, EveryPlanner, ::testing::ValuesIn(every_plann
 });
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::planner_conformance_test

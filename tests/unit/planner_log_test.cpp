@@ -8,7 +8,7 @@
 #include "core/trace/search_state.hpp"
 #include "tests/support/worlds.hpp"
 
-namespace replan::test {
+namespace replan::test::planner_log_test {
 namespace {
 
 constexpr const char* kFamily[] = {"dstar-lite", "los-dstar-lite", "dist-dstar-lite", "dld-star-lite"};
@@ -391,4 +391,4 @@ TEST_P(EveryLog, anotherBeginInTheSameLogForgetsTheFirstSearch) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::planner_log_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace replan {
+namespace replan::rooms_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -58,4 +58,4 @@ TEST(Rooms, IncludeOnlyWhatLiesBelowThem) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::rooms_test

@@ -6,7 +6,7 @@
 #include "core/scene/digest.hpp"
 #include "tests/support/worlds.hpp"
 
-namespace replan::test {
+namespace replan::test::run_test {
 namespace {
 
 std::vector<Event> events_of(const Run& run) {
@@ -118,4 +118,4 @@ TEST(RunLog, ADigestThatKeptItsBeginningIsThatOfTheWholeLog) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::run_test

@@ -11,7 +11,7 @@
 #include "core/scene/svg.hpp"
 #include "core/session/session.hpp"
 
-namespace replan {
+namespace replan::scene_test {
 namespace {
 
 constexpr Viewport kView{640, 480};
@@ -433,4 +433,4 @@ TEST(Scene, ShowsWhatIsToComeUntilItHasHappened) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::scene_test

@@ -7,7 +7,7 @@
 #include "core/base/random.hpp"
 #include "core/session/session.hpp"
 
-namespace replan {
+namespace replan::session_breakpoints_test {
 namespace {
 
 /// A room with a wall and a gap in it, and a surprise on the way that closes the gap beside another.
@@ -395,4 +395,4 @@ TEST(Watches, aSeriesThinsOutAndIsTakenUpAgainAfterACut) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::session_breakpoints_test

@@ -7,7 +7,7 @@
 #include "core/session/session.hpp"
 #include "tests/support/panes.hpp"
 
-namespace replan {
+namespace replan::session_panes_test {
 namespace {
 
 Scenario wall_with_gap() {
@@ -169,4 +169,4 @@ TEST(SessionPanes, TheEndTakesAllToTheirEnds) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::session_panes_test

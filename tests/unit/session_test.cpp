@@ -9,7 +9,7 @@
 
 #include "core/base/random.hpp"
 
-namespace replan {
+namespace replan::session_test {
 namespace {
 
 /// A room with a wall and a gap in it, and a robot that knows the map.
@@ -491,4 +491,4 @@ TEST(Session, ASmoothRobotIsShownBetweenCellsAndDrivesAtItsSpeed) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::session_test

@@ -5,7 +5,7 @@
 
 #include "core/session/session.hpp"
 
-namespace replan {
+namespace replan::session_world_test {
 namespace {
 
 /// A free strip on which the robot drives from left to right.
@@ -309,4 +309,4 @@ TEST(SessionWorld, TheWorldIsThatAtTheCursor) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::session_world_test

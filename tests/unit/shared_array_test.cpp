@@ -8,7 +8,7 @@
 
 #include "core/base/random.hpp"
 
-namespace replan {
+namespace replan::shared_array_test {
 namespace {
 
 using Array = SharedArray<int, 4>;
@@ -115,4 +115,4 @@ TEST(SharedArray, MayBeReadOnOneThreadWhileAnotherWritesACopy) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::shared_array_test

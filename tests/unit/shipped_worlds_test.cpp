@@ -7,7 +7,7 @@
 #include "core/sim/mission.hpp"
 #include "tests/support/shared_data.hpp"
 
-namespace replan {
+namespace replan::shipped_worlds_test {
 namespace {
 
 Mission<NoTrace> driven(const Scenario& scenario, const PlannerChoice& choice, NoTrace& nobody) {
@@ -81,4 +81,4 @@ TEST(ShippedWorlds, DemonstrateBothFaultsOfThePrintedPseudoCode) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::shipped_worlds_test

@@ -5,7 +5,7 @@
 
 #include "tests/support/worlds.hpp"
 
-namespace replan::test {
+namespace replan::test::sight_test {
 namespace {
 
 constexpr CornerRule kCorners[] = {CornerRule::none, CornerRule::one, CornerRule::any};
@@ -190,4 +190,4 @@ TEST(WalkSupercover, stopsWhenTold) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::sight_test

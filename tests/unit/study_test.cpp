@@ -8,7 +8,7 @@
 #include "core/study/batch.hpp"
 #include "core/study/run_report.hpp"
 
-namespace replan::test {
+namespace replan::test::study_test {
 namespace {
 
 GridMap map_of(const std::vector<std::string>& rows) {
@@ -278,4 +278,4 @@ TEST(RunReport, saysHowNearToTheGoalTheRobotCame) {
 }
 
 }  // namespace
-}  // namespace replan::test
+}  // namespace replan::test::study_test

@@ -8,7 +8,7 @@
 #include "core/base/random.hpp"
 #include "core/trace/tracer.hpp"
 
-namespace replan {
+namespace replan::timeline_test {
 namespace {
 
 constexpr std::size_t kNodes = 5000;
@@ -341,4 +341,4 @@ TEST(PagedArray, CopiesBehaveLikeArraysOfTheirOwnAndLeaveNoPageBehind) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::timeline_test

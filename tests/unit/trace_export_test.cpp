@@ -16,7 +16,7 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/worlds.hpp"
 
-namespace replan {
+namespace replan::trace_export_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -458,4 +458,4 @@ TEST(Posthoc, SaysHowLargeATraceWillBe) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::trace_export_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace replan {
+namespace replan::transform_test {
 namespace {
 
 /// 5 x 3 with something of every kind in it.
@@ -150,4 +150,4 @@ TEST(Transform, AnInversionSparesWhatStandsThere) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::transform_test

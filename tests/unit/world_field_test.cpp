@@ -19,7 +19,7 @@
 #include "tests/support/shared_data.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace replan {
+namespace replan::world_field_test {
 namespace {
 
 using Notes = std::vector<std::string>;
@@ -313,4 +313,4 @@ TEST(FieldShared, ComesOutRightLineByLine) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::world_field_test

@@ -14,7 +14,7 @@
 #include "tests/support/shared_data.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace replan {
+namespace replan::world_formats_test {
 namespace {
 
 using Cells = std::vector<std::uint8_t>;
@@ -436,4 +436,4 @@ TEST(SharedData, EveryMapIsReadAndWrittenByEveryFormat) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::world_formats_test

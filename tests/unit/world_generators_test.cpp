@@ -7,7 +7,7 @@
 #include "core/world/generator_list.hpp"
 #include "core/world/generators.hpp"
 
-namespace replan {
+namespace replan::world_generators_test {
 namespace {
 
 double covered(const GridMap& map) {
@@ -248,4 +248,4 @@ TEST(GeneratorList, BadSpecsAreNamed) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::world_generators_test

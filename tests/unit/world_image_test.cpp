@@ -7,7 +7,7 @@
 #include "tests/support/shared_data.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace replan {
+namespace replan::world_image_test {
 namespace {
 
 /// A binary PGM, 4 x 1: black, just below and just at the default threshold, white.
@@ -223,4 +223,4 @@ TEST(ImageMap, ReadsRosPictures) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::world_image_test

@@ -9,7 +9,7 @@
 #include "tests/support/shared_data.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace replan {
+namespace replan::world_movingai_test {
 namespace {
 
 std::string error_of(const std::string& text) {
@@ -276,4 +276,4 @@ TEST(MovingAiShared, KeepsTheFreeCellsThatArePublished) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::world_movingai_test

@@ -6,7 +6,7 @@
 #include "core/world/npy_map.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace replan {
+namespace replan::world_npy_test {
 namespace {
 
 /// A file as numpy.save() writes it.
@@ -107,4 +107,4 @@ TEST(Npy, RefusesWhatIsNoMap) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::world_npy_test

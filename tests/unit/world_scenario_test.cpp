@@ -11,7 +11,7 @@
 #include "tests/support/shared_data.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace replan {
+namespace replan::world_scenario_test {
 namespace {
 
 using nlohmann::json;
@@ -418,4 +418,4 @@ TEST(ScenarioSchema, ShippedScenariosPass) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::world_scenario_test

@@ -8,7 +8,7 @@
 #include "tests/support/shared_data.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace replan {
+namespace replan::world_voxel_test {
 namespace {
 
 std::string map_error(const std::string& text) {
@@ -123,4 +123,4 @@ TEST(VoxelShared, ReadsThePublishedFiles) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::world_voxel_test
