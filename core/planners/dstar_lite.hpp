@@ -195,7 +195,7 @@ class DStarLite final : public Planner<L> {
     fields_revision_ = lattice_.revision();
     if (switches_.clearance) clearance_ = ClearanceField<L::kDimensions>(lattice_, clearance_rules_);
     if (in_search_) sight_map_ = SightMap<L::kDimensions>(lattice_, [this](NodeId c) { return is_bad(c); });
-    forget_all_leaps();
+    kept_leaps_.clear();
     visits_.restore(state, counters.expansions);
     for (NodeId n = 0; n < nodes_.size(); ++n) restore_node(state, n);
   }
@@ -229,7 +229,7 @@ class DStarLite final : public Planner<L> {
     tr_.change(Scalar::km, raw(km_), 0);
     km_ = Cost::zero();
     nodes_.reset();
-    forget_all_leaps();
+    kept_leaps_.clear();
     start_at_ = lattice_.coordinates(start_);
     tr_.line(12);
     make_fields();
@@ -456,12 +456,13 @@ class DStarLite final : public Planner<L> {
   // Algorithm 3, lines 1-8: along the leaps that are kept, and where there is none a new one.
   [[gnu::noinline]] Path leaping_path() {
     chain_.clear();
+    leads_ = kNoNode;
     std::size_t count = 1;
     for (NodeId s = start_; s != goal_; s = nodes_[s].rp, ++count)
       if (!leads_ahead(s)) set_leap(s);
     Path result{.nodes = std::vector<NodeId>(count, start_)};
     for (std::size_t i = 1; i < count; ++i) result.nodes[i] = nodes_[result.nodes[i - 1]].rp;
-    if (kept_count_ > kMostKept + 2 * count) {
+    if (kept_leaps_.size() > kMostKept + 2 * count) {
       tr_.line(207);
       forget(kept_leaps_.take_others(result.nodes));
     }
@@ -469,21 +470,25 @@ class DStarLite final : public Planner<L> {
   }
 
   // Line 4: whether s has a leap, and it ends on the way from s along local parents, on which g falls.
-  [[nodiscard]] bool leads_ahead(NodeId s) const {
+  // The last answer is remembered: the path often goes on from there.
+  [[nodiscard]] bool leads_ahead(const NodeId s) {
     const NodeId end = nodes_[s].rp;
-    if (end == kNoNode) return false;
+    if (s == leads_ || end == kNoNode) return s == leads_;
     const Cost g = nodes_[end].g;
+    NodeId next = s;
     do {
-      s = lattice_.neighbour(s, static_cast<int>(nodes_[s].lp));
-    } while (s != end && g < nodes_[s].g);
-    return s == end;
+      next = lattice_.neighbour(next, static_cast<int>(nodes_[next].lp));
+    } while (next != end && g < nodes_[next].g);
+    if (next != end) return false;
+    leads_ = s;
+    return true;
   }
 
   // Line 5.
   [[gnu::cold]] void set_leap(NodeId s) {
     const NodeId end = farthest_seen(s);
     tr_.line(205);
-    if (nodes_[s].rp != kNoNode) --kept_count_;  // of a leap that leads ahead no more
+    if (nodes_[s].rp != kNoNode) kept_leaps_.remove(s, lattice_.coordinates(s));  // it leads ahead no more
     set_rp(s, end);
     keep({s, end});
   }
@@ -540,18 +545,9 @@ class DStarLite final : public Planner<L> {
   }
   [[gnu::cold]] void keep(Leap leap) {
     kept_leaps_.add(leap, lattice_.coordinates(leap.from), lattice_.coordinates(leap.to));
-    ++kept_count_;
   }
   [[gnu::cold]] void forget(const std::vector<Leap>& leaps) {
-    for (const Leap& leap : leaps) {
-      if (nodes_[leap.from].rp != leap.to) continue;  // another one from there took its place
-      set_rp(leap.from, kNoNode);
-      --kept_count_;
-    }
-  }
-  void forget_all_leaps() {
-    kept_leaps_.clear();
-    kept_count_ = 0;
+    for (const Leap& leap : leaps) set_rp(leap.from, kNoNode);
   }
 
   [[nodiscard]] bool settled(NodeId n) const {
@@ -721,10 +717,10 @@ class DStarLite final : public Planner<L> {
   Visits<T> visits_;
   std::unordered_map<NodeId, Cost> ways_;  // of vertices that a path was held against
   KeptLeaps<L::kDimensions>
-      kept_leaps_;              // with along_path_: of the vertices whose rp is set, but for the goal
-  std::size_t kept_count_ = 0;  // how many vertices that are
-  std::vector<NodeId> chain_;   // of local parents, as far as a leap may go
-  std::size_t at_ = 0;          // where that leap begins
+      kept_leaps_;             // with along_path_: of the vertices whose rp is set, but for the goal
+  std::vector<NodeId> chain_;  // of local parents, as far as a leap may go
+  std::size_t at_ = 0;         // where that leap begins
+  NodeId leads_ = kNoNode;     // the last vertex whose leap was found to lead ahead, on the path that is read
   std::vector<NodeId> turned_;  // cells that the last change made good or bad for sight, or may have
   std::vector<NodeId> affected_;
   std::vector<std::uint8_t> marked_;  // 1 while a node is among affected_
