@@ -457,12 +457,13 @@ class DStarLite final : public Planner<L> {
   [[gnu::noinline]] Path leaping_path() {
     chain_.clear();
     leads_ = kNoNode;
-    std::size_t count = 1;
-    for (NodeId s = start_; s != goal_; s = nodes_[s].rp, ++count)
+    Path result{.nodes = {start_}};
+    result.nodes.reserve(kept_leaps_.size() + 1);
+    for (NodeId s = start_; s != goal_; result.nodes.push_back(s)) {
       if (!leads_ahead(s)) set_leap(s);
-    Path result{.nodes = std::vector<NodeId>(count, start_)};
-    for (std::size_t i = 1; i < count; ++i) result.nodes[i] = nodes_[result.nodes[i - 1]].rp;
-    if (kept_leaps_.size() > kMostKept + 2 * count) {
+      s = nodes_[s].rp;
+    }
+    if (kept_leaps_.size() > kMostKept + 2 * result.nodes.size()) {
       tr_.line(207);
       forget(kept_leaps_.take_others(result.nodes));
     }
