@@ -9,11 +9,8 @@
 namespace replan {
 namespace {
 
-/// Whether a planner reads out its path under that pseudo-code line: line 6 of Algorithm 1, or all of
-/// Algorithm 3, which checks sight along the path.
-constexpr bool reads_path(std::uint8_t line) {
-  return line == 106 || line > 200;
-}
+/// The pseudo-code line under which a planner reads out its path: line 6 of Algorithm 1.
+constexpr std::uint8_t kReadsPath = 106;
 
 }  // namespace
 
@@ -50,7 +47,7 @@ struct LawChecker::State {
       values->settle();
       keep(read);
     }
-    if (event.kind == EventKind::sight && reads_path(event.line) && event.delta >> 32 != 0)
+    if (event.kind == EventKind::sight && event.line == kReadsPath && event.delta >> 32 != 0)
       hops.push_back({event.node, static_cast<NodeId>(event.delta)});
     values->apply(event);
     ++read;

@@ -36,8 +36,8 @@ class LookaheadLaws final : public LawBook {
   LookaheadLaws(const LogView& view, LawValues& values)
       : LawBook(values),
         sight_(view.info.sight),
-        printed_(view.info.sight && !parameters::checks_along_path(view.settings) &&
-                 view.settings.get(parameters::kRemoteParents) != 0),
+        along_path_(view.info.sight && parameters::checks_along_path(view.settings)),
+        printed_(view.info.sight && !along_path_ && view.settings.get(parameters::kRemoteParents) != 0),
         sight_rule_(static_cast<SightRule>(static_cast<int>(view.settings.get(parameters::kSight)))),
         start_(values.start()),
         goal_(values.goal()),
@@ -221,7 +221,8 @@ class LookaheadLaws final : public LawBook {
            cost_text(values_.at(next).g);
   }
 
-  /// The path as the planner reads it out: along a remote parent where it saw it (or trusts it unseen).
+  /// The path as the planner reads it out: along remote parents where sight is checked along the path, else
+  /// where it saw one (or trusts it unseen).
   /// `way`: how long the way along local parents is.
   void follow_path(std::span<const Hop> hops, Cost way) {
     std::unordered_set<NodeId> passed;
@@ -229,7 +230,7 @@ class LookaheadLaws final : public LawBook {
     for (NodeId s = values_.start(); s != goal_;) {
       if (!passed.insert(s).second) return find(s, kCircleLaw, "the path comes to " + cell(s) + " again");
       NodeId next = values_.at(s).lp - 1u;
-      if (printed_) next = values_.at(s).rp - 1u;
+      if (printed_ || along_path_) next = values_.at(s).rp - 1u;
       for (; !printed_ && !hops.empty() && hops.front().from == s; hops = hops.subspan(1))
         next = hops.front().to;
       if (!values_.on_map(next)) return find(s, kCircleLaw, "the path ends at " + cell(s));
@@ -260,7 +261,7 @@ class LookaheadLaws final : public LawBook {
                : way + ", through " + cell(obstacle) + ", which the robot knows as an obstacle";
   }
 
-  bool sight_, printed_;
+  bool sight_, along_path_, printed_;
   SightRule sight_rule_;
   bool penalties_seen_ = false;
   bool any_key_broken_ = false;

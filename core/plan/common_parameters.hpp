@@ -63,8 +63,8 @@ inline const Parameter kSightChecks{
     .help =
         "When sight is checked. 'search': of each vertex that the search takes, as in the paper. 'path': "
         "only "
-        "along the path, once the search is done; the search is then as fast as one without sight, nothing "
-        "goes stale, and Remote parents has no meaning."};
+        "along the path, once the search is done; the search is then as fast as one without sight, what was "
+        "seen is kept until a cell between changes, and Remote parents has no meaning."};
 inline const Parameter kRange{
     .key = "range",
     .label = "Clearance range",

@@ -27,7 +27,8 @@
 //    taken. `remote_parents=printed` trusts it instead.
 //  * `sight_checks=path` leaves sight out of the search, which then is that of the planner without it, and
 //  checks it
-//    along the path that is read out (sight_along.hpp). rp is set for that path's vertices only.
+//    along the path that is read out (sight_along.hpp). rp is set for vertices of such paths only, and kept
+//    while no cell that sight to it depends on has changed.
 //  * begin() costs what the search before wrote (node_table.hpp); the clearance field and the map of sight
 //  are made
 //    anew only if the lattice has changed behind the planner's back.
@@ -49,6 +50,7 @@
 #include "core/plan/open_list.hpp"
 #include "core/plan/planner.hpp"
 #include "core/plan/registry.hpp"
+#include "core/planners/kept_leaps.hpp"
 #include "core/planners/sight_along.hpp"
 #include "core/planners/visits.hpp"
 #include "core/trace/search_state.hpp"
@@ -148,15 +150,17 @@ class DStarLite final : public Planner<L> {
     set_scalar(Scalar::last, last_, start);
     start_at_ = lattice_.coordinates(start);
     fields_revision_ = lattice_.revision();
+    turned_.clear();
     if (switches_.clearance) {
       costs_changed(change);
-      return;
+    } else {
+      tr_.line(115);
+      for (const auto& move : change.moves) moves_changed(move.node, move.before);
+      if (in_search_)
+        for (const CellEdit& cell : change.cells)
+          sight_map_.change(lattice_.coordinates(cell.node), cell.blocked);
     }
-    tr_.line(115);
-    for (const auto& move : change.moves) moves_changed(move.node, move.before);
-    if (in_search_)
-      for (const CellEdit& cell : change.cells)
-        sight_map_.change(lattice_.coordinates(cell.node), cell.blocked);
+    if (along_path_) keep_leaps(change);
   }
 
   [[nodiscard]] PlanStatus status() const override {
@@ -169,7 +173,7 @@ class DStarLite final : public Planner<L> {
   [[nodiscard]] Counters counters() const override { return counters_; }
   [[nodiscard]] std::size_t memory_bytes() const override {
     return nodes_.memory_bytes() + open_.peak_bytes() + clearance_.memory_bytes() +
-           sight_map_.memory_bytes() + marked_.capacity();
+           sight_map_.memory_bytes() + marked_.capacity() + kept_leaps_.memory_bytes();
   }
 
   /// Algorithm 1, line 6, from the start on. What it calls is marked cold, so that the compiler spends no
@@ -191,7 +195,7 @@ class DStarLite final : public Planner<L> {
     fields_revision_ = lattice_.revision();
     if (switches_.clearance) clearance_ = ClearanceField<L::kDimensions>(lattice_, clearance_rules_);
     if (in_search_) sight_map_ = SightMap<L::kDimensions>(lattice_, [this](NodeId c) { return is_bad(c); });
-    leaps_.clear();
+    kept_leaps_.clear();
     visits_.restore(state, counters.expansions);
     for (NodeId n = 0; n < nodes_.size(); ++n) restore_node(state, n);
   }
@@ -199,6 +203,7 @@ class DStarLite final : public Planner<L> {
  private:
   using Coordinates = typename L::Coordinates;
   static constexpr std::uint32_t kNoDirection = 31;
+  static constexpr std::size_t kMostKept = 64;  // leaps that a path does not take, besides twice its own
   static constexpr Heuristic kHeuristicByChoice[] = {Heuristic::octile, Heuristic::euclidean,
                                                      Heuristic::zero};
 
@@ -224,7 +229,7 @@ class DStarLite final : public Planner<L> {
     tr_.change(Scalar::km, raw(km_), 0);
     km_ = Cost::zero();
     nodes_.reset();
-    leaps_.clear();
+    kept_leaps_.clear();
     start_at_ = lattice_.coordinates(start_);
     tr_.line(12);
     make_fields();
@@ -350,7 +355,7 @@ class DStarLite final : public Planner<L> {
   void update_queue(NodeId u) { update_queue(u, lattice_.coordinates(u)); }
   void update_queue(NodeId u, const Coordinates& at) {
     Node& node = nodes_[u];
-    if (node.rp == kNoNode && node.lp != kNoDirection && !along_path_) {
+    if (node.rp == kNoNode && !along_path_ && node.lp != kNoDirection) {
       tr_.line(25);
       set_rp(u, lp(u));
     }
@@ -448,28 +453,102 @@ class DStarLite final : public Planner<L> {
     return length;
   }
 
-  // Algorithm 3: the chain of local parents, and sight checked along it.
-  [[gnu::cold]] Path leaping_path() {
-    std::sort(leaps_.begin(), leaps_.end());
-    tr_.line(202);
-    for (const NodeId s : leaps_) set_rp(s, kNoNode);
-    leaps_.clear();
-    std::vector<NodeId> chain{start_};
-    while (chain.back() != goal_) chain.push_back(lp(chain.back()));
-    const std::size_t last = chain.size() - 1;
+  // Algorithm 3, lines 1-8: along the leaps that are kept, and where there is none a new one.
+  [[gnu::noinline]] Path leaping_path() {
+    chain_.clear();
+    leads_ = kNoNode;
     Path result{.nodes = {start_}};
-    for (std::size_t i = 0; i < last;) {
-      const NodeId s = chain[i];
-      i = leap_along(i, last, [&](int line, std::size_t j) {
-        tr_.line(line);
-        return in_sight(chain[j], s);
-      });
-      tr_.line(210);
-      set_rp(s, chain[i]);
-      leaps_.push_back(s);
-      result.nodes.push_back(chain[i]);
+    result.nodes.reserve(kept_leaps_.size() + 1);
+    for (NodeId s = start_; s != goal_; result.nodes.push_back(s)) {
+      if (!leads_ahead(s)) set_leap(s);
+      s = nodes_[s].rp;
+    }
+    if (kept_leaps_.size() > kMostKept + 2 * result.nodes.size()) {
+      tr_.line(207);
+      forget(kept_leaps_.take_others(result.nodes));
     }
     return result;
+  }
+
+  // Line 4: whether s has a leap, and it ends on the way from s along local parents, on which g falls.
+  // The last answer is remembered: the path often goes on from there.
+  [[nodiscard]] bool leads_ahead(const NodeId s) {
+    const NodeId end = nodes_[s].rp;
+    if (s == leads_ || end == kNoNode) return s == leads_;
+    const Cost g = nodes_[end].g;
+    NodeId next = s;
+    do {
+      next = lattice_.neighbour(next, static_cast<int>(nodes_[next].lp));
+    } while (next != end && g < nodes_[next].g);
+    if (next != end) return false;
+    leads_ = s;
+    return true;
+  }
+
+  // Line 5.
+  [[gnu::cold]] void set_leap(NodeId s) {
+    const NodeId end = farthest_seen(s);
+    tr_.line(205);
+    if (nodes_[s].rp != kNoNode) kept_leaps_.remove(s, lattice_.coordinates(s));  // it leads ahead no more
+    set_rp(s, end);
+    keep({s, end});
+  }
+
+  // Lines 9-17.
+  [[gnu::cold]] NodeId farthest_seen(NodeId s) {
+    const auto sees = [&](int line, NodeId n) {
+      tr_.line(line);
+      return in_sight(n, s);
+    };
+    if (lp(s) == goal_ || sees(210, goal_)) return goal_;
+    read_chain(s);
+    const NodeId* const chain = &chain_[at_];
+    const std::size_t last = chain_.size() - 1 - at_;
+    NodeId end = chain[last];
+    if (end == goal_ || (last > 1 && !sees(212, end))) {
+      at_ += leap_along(straight_along(last), last,
+                        [&](int line, std::size_t k) { return sees(line, chain[k]); });
+      return chain_[at_];
+    }
+    while (end != goal_ && leads_ahead(end) && sees(213, nodes_[end].rp)) end = nodes_[end].rp;
+    return end;
+  }
+
+  /// Line 11: the chain of local parents from s to the next vertex with a leap that leads ahead, or to the
+  /// goal. What was read for the leap before goes on from its end.
+  [[gnu::cold]] void read_chain(NodeId s) {
+    if (at_ < chain_.size() && chain_[at_] == s) return;
+    at_ = 0;
+    chain_.assign(1, s);
+    do chain_.push_back(s = lp(s));
+    while (s != goal_ && !leads_ahead(s));
+  }
+
+  /// How far sight along the chain needs no check, up to number `last` of it. Moves that go on in one
+  /// direction ask no less of the map than sight does; but with clearance a move may lead past an obstacle,
+  /// sight not.
+  [[gnu::cold]] std::size_t straight_along(std::size_t last) const {
+    std::size_t k = 1;
+    if (!switches_.clearance)
+      while (k < last && nodes_[chain_[at_ + k]].lp == nodes_[chain_[at_]].lp) ++k;
+    return k;
+  }
+
+  // Lines 17-19: sight is a matter of the cells in the box that both ends span. Where none of them changed a
+  // leap need not be looked at again.
+  [[gnu::cold]] void keep_leaps(const MapChange<L>& change) {
+    for (const CellEdit& edit : change.cells) turned_.push_back(edit.node);
+    std::vector<Coordinates> places;
+    places.reserve(turned_.size());
+    for (const NodeId cell : turned_) places.push_back(lattice_.coordinates(cell));
+    tr_.line(219);
+    forget(kept_leaps_.take_touched(places));
+  }
+  [[gnu::cold]] void keep(Leap leap) {
+    kept_leaps_.add(leap, lattice_.coordinates(leap.from), lattice_.coordinates(leap.to));
+  }
+  [[gnu::cold]] void forget(const std::vector<Leap>& leaps) {
+    for (const Leap& leap : leaps) set_rp(leap.from, kNoNode);
   }
 
   [[nodiscard]] bool settled(NodeId n) const {
@@ -505,8 +584,10 @@ class DStarLite final : public Planner<L> {
     for (const ClearanceChange& changed : clearance_.update(lattice_, change.cells)) {
       const Cost penalty = clearance_.penalty(changed.node);
       tr_.change(EventKind::dist, changed.node, changed.before, penalty);
-      if (in_search_ && (changed.before == Cost::zero() || penalty == Cost::zero()))
-        sight_map_.change(lattice_.coordinates(changed.node), penalty != Cost::zero());
+      if (changed.before == Cost::zero() || penalty == Cost::zero()) {
+        if (along_path_) turned_.push_back(changed.node);
+        if (in_search_) sight_map_.change(lattice_.coordinates(changed.node), penalty != Cost::zero());
+      }
       for (std::uint32_t rest = lattice_.moves(changed.node); rest != 0; rest &= rest - 1)
         affect(lattice_.neighbour(changed.node, std::countr_zero(rest)));
     }
@@ -607,7 +688,7 @@ class DStarLite final : public Planner<L> {
     node.g = state.g(n);
     node.rhs = state.rhs(n);
     node.rp = state.rp(n);
-    if (along_path_ && node.rp != kNoNode && n != goal_) leaps_.push_back(n);
+    if (along_path_ && node.rp != kNoNode && n != goal_) keep({n, node.rp});
     node.lp = kNoDirection;
     if (const NodeId parent = state.lp(n); parent != kNoNode && n != goal_)
       for (std::uint32_t rest = lattice_.moves(n); rest != 0; rest &= rest - 1)
@@ -636,7 +717,12 @@ class DStarLite final : public Planner<L> {
   Counters counters_;
   Visits<T> visits_;
   std::unordered_map<NodeId, Cost> ways_;  // of vertices that a path was held against
-  std::vector<NodeId> leaps_;  // vertices of the last path that was read out, while their rp is set
+  KeptLeaps<L::kDimensions>
+      kept_leaps_;             // with along_path_: of the vertices whose rp is set, but for the goal
+  std::vector<NodeId> chain_;  // of local parents, as far as a leap may go
+  std::size_t at_ = 0;         // where that leap begins
+  NodeId leads_ = kNoNode;     // the last vertex whose leap was found to lead ahead, on the path that is read
+  std::vector<NodeId> turned_;  // cells that the last change made good or bad for sight, or may have
   std::vector<NodeId> affected_;
   std::vector<std::uint8_t> marked_;  // 1 while a node is among affected_
 };

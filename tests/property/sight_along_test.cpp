@@ -1,6 +1,7 @@
 // Sight checked along the path (`sight_checks=path`) beside the paper's way, in the search: the search is
 // that of the planner without sight, no path crosses an obstacle, loops or is longer than the lattice path,
-// and paths have fewer vertices with a fraction of the checks.
+// and paths have fewer vertices with a fraction of the checks. Leaps outlive a change of the map that stays
+// out of their boxes.
 #include <array>
 #include <cstdio>
 
@@ -152,13 +153,18 @@ TEST_P(SightAlong, leavesTheSearchAsItIsWithoutSight) {
         << "seed " << seed;
 }
 
-/// rp holds the path that was read out last and nothing else.
-void expect_path_in(const SearchState& state, const std::vector<NodeId>& path) {
-  std::size_t set = 0;
-  for (NodeId n = 0; n < state.node_count(); ++n) set += state.rp(n) != kNoNode;
-  ASSERT_EQ(set, path.size());
+/// rp holds the path that was read out last. Elsewhere it is what it was, or all of it was forgotten.
+void expect_path_in(const SearchState& before, const SearchState& state, const std::vector<NodeId>& path) {
   for (std::size_t k = 1; k < path.size(); ++k) ASSERT_EQ(state.rp(path[k - 1]), path[k]);
   ASSERT_EQ(state.rp(path.back()), path.back());
+  std::size_t elsewhere = 0, changed = 0;
+  for (NodeId n = 0; n < state.node_count(); ++n) {
+    if (std::find(path.begin(), path.end(), n) != path.end()) continue;
+    elsewhere += state.rp(n) != kNoNode;
+    changed += state.rp(n) != before.rp(n);
+  }
+  ASSERT_LE(elsewhere, 64 + 2 * path.size());
+  ASSERT_TRUE(changed == 0 || elsewhere == 0) << elsewhere << " leaps elsewhere, " << changed << " changed";
 }
 
 TEST_P(SightAlong, setsRemoteParentsOfThePathAlone) {
@@ -171,11 +177,231 @@ TEST_P(SightAlong, setsRemoteParentsOfThePathAlone) {
     planner->begin(changing.start, changing.goal);
     for (int i = 0; i < 5; ++i) {
       finish(*planner);
+      for (const Event& event : recorder.take()) state.apply(event);
+      const SearchState before = state;
       const std::vector<NodeId> path = planner->path().nodes;
       for (const Event& event : recorder.take()) state.apply(event);
-      if (!path.empty()) expect_path_in(state, path);
+      if (!path.empty()) expect_path_in(before, state, path);
       ASSERT_FALSE(HasFatalFailure()) << "seed " << seed;
       changing.change(*planner);
+    }
+  }
+}
+
+/// A planner that is followed by its log while the world changes, and the lattice planner beside it.
+struct Followed {
+  Changing changing;
+  Recorder recorder;
+  NoTrace nobody;
+  std::unique_ptr<Planner<Grid2>> planner, lattice;
+  SearchState state;
+  std::vector<Event> events;  // of the last call
+
+  Followed(const PlannerInfo& info, const Settings& settings, std::uint64_t seed)
+      : changing(seed, settings),
+        planner(make_planner(info, changing.world.lattice, settings, recorder)),
+        lattice(make_planner(lattice_twin(info), changing.world.lattice, {}, nobody)),
+        state(changing.world.lattice.node_count()) {
+    planner->begin(changing.start, changing.goal);
+    lattice->begin(changing.start, changing.goal);
+  }
+
+  void read_events() {
+    events = recorder.take();
+    for (const Event& event : events) state.apply(event);
+  }
+  Path read_path() {
+    finish(*planner);
+    finish(*lattice);
+    read_events();
+    Path path = planner->path();
+    read_events();
+    return path;
+  }
+  std::vector<CellEdit> change() {
+    const auto edits = random_edits<2>(changing.random, changing.world.plain, 3);
+    const auto moves = changing.world.apply(edits);
+    // Onwards along the leap, to its end, or somewhere else, or nowhere.
+    if (changing.random.below(4) == 0) changing.start = random_free(changing.random, changing.world.plain);
+    if (const NodeId next = state.rp(changing.start); next != kNoNode && changing.random.below(2) == 0) {
+      const Cell a = changing.world.lattice.position(changing.start),
+                 b = changing.world.lattice.position(next);
+      const NodeId middle = changing.world.lattice.node(Cell{(a.x + b.x) / 2, (a.y + b.y) / 2});
+      const NodeId there = changing.random.below(2) == 0 ? next : middle;
+      if (!changing.world.lattice.blocked(there)) changing.start = there;
+    }
+    planner->update({.cells = edits, .moves = moves}, changing.start);
+    lattice->update({.cells = edits, .moves = moves}, changing.start);
+    return edits;
+  }
+};
+
+TEST_P(SightAlong, isNeverLongerThanTheLatticePathAfterAnyNumberOfChanges) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    Followed run(*find_planner(GetParam()), with(true), seed);
+    for (int i = 0; i < 10; ++i) {
+      const Path path = run.read_path();
+      ASSERT_TRUE(path_is_free(run.changing.world.lattice, path.nodes, SightRule::supercover))
+          << "seed " << seed;
+      ASSERT_FALSE(path.loops) << "seed " << seed;
+      ASSERT_EQ(fault_of_length(run.changing.world.plain, path, run.lattice->path()), "") << "seed " << seed;
+      run.change();
+    }
+  }
+}
+
+/// Whether the cell lies in the box that the two cells span.
+bool in_box(const Grid2& lattice, NodeId a, NodeId b, NodeId cell) {
+  const Cell p = lattice.position(a), q = lattice.position(b), at = lattice.position(cell);
+  return std::min(p.x, q.x) <= at.x && at.x <= std::max(p.x, q.x) && std::min(p.y, q.y) <= at.y &&
+         at.y <= std::max(p.y, q.y);
+}
+
+/// Cells that a leap may look at, and that the change made good or bad for it: those that were written, and
+/// with clearance those that came near an obstacle or are no longer.
+std::vector<NodeId> turned_cells(const SearchState& before, const SearchState& after,
+                                 const std::vector<CellEdit>& edits) {
+  std::vector<NodeId> turned;
+  for (const CellEdit& edit : edits) turned.push_back(edit.node);
+  for (NodeId n = 0; n < before.node_count(); ++n)
+    if ((before.dist(n) == Cost::zero()) != (after.dist(n) == Cost::zero())) turned.push_back(n);
+  return turned;
+}
+
+TEST_P(SightAlong, forgetsTheLeapsWithAChangedCellInTheirBoxAndNoOther) {
+  std::size_t kept = 0, forgotten = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    Followed run(*find_planner(GetParam()), with(true), seed);
+    for (int i = 0; i < 8; ++i) {
+      (void)run.read_path();
+      const SearchState before = run.state;
+      const auto edits = run.change();
+      run.read_events();
+      const auto turned = turned_cells(before, run.state, edits);
+      for (NodeId n = 0; n < before.node_count(); ++n) {
+        const NodeId end = before.rp(n);
+        if (end == kNoNode || n == run.changing.goal) continue;
+        const bool touched = std::any_of(turned.begin(), turned.end(), [&](NodeId cell) {
+          return in_box(run.changing.world.lattice, n, end, cell);
+        });
+        ASSERT_EQ(run.state.rp(n), touched ? kNoNode : end) << "seed " << seed << " vertex " << n;
+        ++(touched ? forgotten : kept);
+      }
+    }
+  }
+  EXPECT_GT(kept, 200u);
+  EXPECT_GT(forgotten, 200u);
+}
+
+TEST_P(SightAlong, asksAndWritesNothingIfItIsReadAgain) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    Followed run(*find_planner(GetParam()), with(true), seed);
+    for (int i = 0; i < 8; ++i) {
+      const Path path = run.read_path();
+      const Path again = run.read_path();
+      ASSERT_EQ(again.nodes, path.nodes) << "seed " << seed;
+      ASSERT_TRUE(run.events.empty()) << "seed " << seed;
+      run.change();
+    }
+  }
+}
+
+/// Two walls that leave a way round their ends, start and goal on both sides of them:
+///   0         10        20        30        40
+///   S         #                             G
+///             #         |
+///             #         |  (walls: x = 10 from above, x = 30 from below)
+GridMap two_walls() {
+  GridMap map(41, 31);
+  for (int y = 0; y <= 20; ++y) map.set({10, y}, true);
+  for (int y = 10; y <= 30; ++y) map.set({30, y}, true);
+  return map;
+}
+
+/// What a change of one cell makes the reading of the path ask, the robot at `start`.
+struct Reading {
+  std::vector<NodeId> path;
+  std::int64_t checks = 0;
+};
+
+struct Hall {
+  Grid2 lattice;
+  NoTrace nobody;
+  std::unique_ptr<Planner<Grid2>> planner;
+
+  explicit Hall(const char* id) : lattice({41, 31}, two_walls().blocked.plain()) {
+    planner = make_planner(*find_planner(id), lattice, with(true), nobody);
+    planner->begin(node(1, 1), node(39, 29));
+  }
+  [[nodiscard]] NodeId node(int x, int y) const { return lattice.node(Cell{x, y}); }
+  Reading read() {
+    EXPECT_EQ(finish(*planner), PlanStatus::found);
+    const std::int64_t before = planner->counters().sight_checks;
+    std::vector<NodeId> path = planner->path().nodes;
+    return {std::move(path), planner->counters().sight_checks - before};
+  }
+  Reading write(Cell cell, bool blocked, NodeId start) {
+    const std::vector<CellEdit> edits = {{lattice.node(cell), blocked}};
+    const auto moves = lattice.apply(edits);
+    planner->update({.cells = edits, .moves = moves}, start);
+    return read();
+  }
+};
+
+TEST_P(SightAlong, keepsAllLeapsIfTheChangeIsOutOfTheirBoxes) {
+  Hall hall(GetParam());
+  const Reading first = hall.read();
+  EXPECT_GT(first.checks, 0);
+  const Reading then = hall.write({39, 1}, true, hall.node(1, 1));
+  EXPECT_EQ(then.path, first.path);
+  EXPECT_EQ(then.checks, 0);
+  const Reading last = hall.write({39, 1}, false, hall.node(1, 1));
+  EXPECT_EQ(last.path, first.path);
+  EXPECT_EQ(last.checks, 0);
+}
+
+TEST_P(SightAlong, looksAgainFromTheOneLeapWithAChangeInItsBox) {
+  Hall hall(GetParam());
+  const Reading first = hall.read();
+  // Beside the first leap, out of its way; what was found from the start must come out as it did.
+  const Reading blocked = hall.write({2, 6}, true, hall.node(1, 1));
+  EXPECT_GT(blocked.checks, 0);
+  EXPECT_LT(blocked.checks, first.checks);
+  const Reading freed = hall.write({2, 6}, false, hall.node(1, 1));
+  EXPECT_GT(freed.checks, 0);
+  EXPECT_LT(freed.checks, first.checks);
+}
+
+TEST_P(SightAlong, goesOnAlongItsLeapsFromTheMiddleOfOne) {
+  Hall hall(GetParam());
+  const Reading first = hall.read();
+  ASSERT_GT(first.path.size(), 3u);
+  const Cell a = hall.lattice.position(first.path[0]), b = hall.lattice.position(first.path[1]);
+  const Reading then = hall.write({39, 1}, true, hall.node((a.x + b.x) / 2, (a.y + b.y) / 2));
+  EXPECT_EQ(then.path.back(), first.path.back());
+  EXPECT_EQ(then.path[then.path.size() - 2], first.path[first.path.size() - 2]);
+  EXPECT_LT(then.checks, first.checks);
+}
+
+TEST_P(SightAlong, goesOnFromItsLogAsIfItHadNeverStopped) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const PlannerInfo& info = *find_planner(GetParam());
+    Followed run(info, with(true), seed);
+    for (int i = 0; i < 6; ++i) {
+      (void)run.read_path();
+      Recorder recorder;
+      const auto second = make_planner(info, run.changing.world.lattice, with(true), recorder);
+      second->restore(run.state, run.planner->counters());
+      const auto edits = random_edits<2>(run.changing.random, run.changing.world.plain, 3);
+      const auto moves = run.changing.world.apply(edits);
+      for (const auto& each : {run.planner.get(), second.get()}) {
+        each->update({.cells = edits, .moves = moves}, run.changing.start);
+        finish(*each);
+      }
+      ASSERT_EQ(second->path().nodes, run.planner->path().nodes) << "seed " << seed;
+      ASSERT_EQ(second->counters().sight_checks, run.planner->counters().sight_checks) << "seed " << seed;
+      run.read_events();
+      ASSERT_EQ(recorder.take(), run.events) << "seed " << seed;
     }
   }
 }

@@ -30,7 +30,7 @@ class Bench {
       state_.apply(event);
       if (event.kind == EventKind::queue) written_.insert(event.node);
       if (event.kind == EventKind::known) map_stale_ = true;
-      if (event.kind == EventKind::sight && (event.line == 106 || event.line > 200) && event.delta >> 32 != 0)
+      if (event.kind == EventKind::sight && event.line == 106 && event.delta >> 32 != 0)
         seen_[event.node] = static_cast<NodeId>(event.delta);
       if (!stands) continue;
       if (const auto wrong = plan_fault(static_cast<PlanStatus>(event.delta))) return Fault{i + 1, {*wrong}};
@@ -140,15 +140,17 @@ class Bench {
   }
 
   std::optional<NodeId> path_fault(Raw way) {
-    const bool printed =
-        view_.settings.get("remote_parents", 0) != 0 && view_.settings.get("sight_checks", 0) == 0;
+    const bool along_path = view_.settings.get("sight_checks", 0) != 0;
+    const bool printed = view_.settings.get("remote_parents", 0) != 0 && !along_path;
     Raw length = 0;
     const auto sight = static_cast<SightRule>(static_cast<int>(view_.settings.get("sight", 0)));
     std::set<NodeId> passed;
     for (NodeId s = state_.node(Scalar::start); s != state_.node(Scalar::goal);) {
       if (!passed.insert(s).second) return s;
       const auto remote = seen_.find(s);
-      const NodeId next = printed ? state_.rp(s) : remote != seen_.end() ? remote->second : state_.lp(s);
+      const NodeId next = printed || along_path   ? state_.rp(s)
+                          : remote != seen_.end() ? remote->second
+                                                  : state_.lp(s);
       if (!on_map(next)) return s;
       if (!is_move(s, next) && !sees(world_, world_.blocked, rules_.corners, sight, s, next)) return s;
       length += segment(s, next);

@@ -88,9 +88,11 @@ const char* remote_words(const CellView& view) {
   if (!view.run.info().sight) return "";
   const NodeId local = view.state.lp(view.node), remote = view.state.rp(view.node);
   if (parameters::checks_along_path(view.run.choice().settings))
-    return remote == kNoNode ? "Sight is checked along the path alone, and this cell is no vertex of the "
-                               "last one: it has no rp."
-                             : "Its rp is the farthest cell that was found in sight along the path.";
+    return remote == kNoNode
+               ? "Sight is checked along the path alone, and no leap from this cell is kept: it "
+                 "has no rp."
+               : "Its rp was found in sight along a path. It is kept until a cell of the box "
+                 "between both changes.";
   if (remote == kNoNode || remote == view.node) return "";
   if (remote == local) return "Its rp is its lp, which needs no sight check.";
   return view.state.queued(view.node) ? "Sight to its rp is assumed. It is checked when the cell is taken."
