@@ -42,8 +42,10 @@ class OpenList {
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
   [[nodiscard]] std::size_t peak_bytes() const { return entries_.capacity() * sizeof(Entry); }
 
+  // Inline in every search: each vertex is put in once, and whether that costs a call shall not depend on
+  // what else a planner has in it.
   template <class Slots>
-  void push(Slots& slots, const K& key, NodeId node) {
+  [[gnu::always_inline]] void push(Slots& slots, const K& key, NodeId node) {
     entries_.push_back({key, node});
     rise(slots, entries_.size() - 1, {key, node});
   }

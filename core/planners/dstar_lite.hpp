@@ -659,7 +659,7 @@ class DStarLite final : public Planner<L> {
     ++counters_.queue_operations;
     tr_.note(EventKind::queue, s, raw(before) ^ raw(after));
   }
-  void put_in(NodeId s, const Key& key) {
+  [[gnu::always_inline]] void put_in(NodeId s, const Key& key) {  // see OpenList::push()
     note_queue(s, Cost::zero(), {key.k1.raw + 1});
     open_.push(nodes_, key, s);
   }

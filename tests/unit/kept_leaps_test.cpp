@@ -5,7 +5,7 @@
 
 #include "core/base/random.hpp"
 
-namespace replan {
+namespace replan::kept_leaps_test {
 namespace {
 
 constexpr int kSide = 40;
@@ -76,4 +76,4 @@ TEST(KeptLeaps, GivesUpThoseBesideAPathAndKeepsTheOthersWithTheirBoxes) {
 }
 
 }  // namespace
-}  // namespace replan
+}  // namespace replan::kept_leaps_test
