@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <span>
 
 #include "core/field/wide.hpp"
 
@@ -31,22 +32,28 @@ std::int64_t measure(const std::array<int, D>& by, Transform transform) {
 using Bytes [[gnu::vector_size(32)]] = std::uint8_t;
 constexpr int kTogether = sizeof(Bytes);
 
-/// row = min(row, rank) wherever there is an obstacle in the other row.
-REPLAN_WIDE void lower_row(std::uint8_t* row, const std::uint8_t* obstacles, int count, std::uint8_t rank) {
-  if (count < kTogether) {
-    for (int x = 0; x < count; ++x)
-      if (obstacles[x] != 0) row[x] = std::min(row[x], rank);
-    return;
-  }
+/// The rank of an obstacle that stands so far behind a cell.
+struct Shifted {
+  std::ptrdiff_t delta;
+  std::uint8_t rank;
+};
+
+/// The least rank of the obstacles around each of `count` cells. There are cells at all shifts from each, and
+/// from kTogether more.
+REPLAN_WIDE void gather_row(std::uint8_t* ranks, const std::uint8_t* cells, int count,
+                            std::span<const Shifted> shifts) {
   for (int x = 0; x < count; x += kTogether) {
-    // Cells at the end of the row are written twice, which changes nothing.
-    const int first = std::min(x, count - kTogether);
-    Bytes here, there;
-    std::memcpy(&here, row + first, sizeof here);
-    std::memcpy(&there, obstacles + first, sizeof there);
-    const Bytes offered = reinterpret_cast<Bytes>(there == 0) | rank;
-    here = here < offered ? here : offered;
-    std::memcpy(row + first, &here, sizeof here);
+    Bytes least = Bytes{} - 1;
+    for (const Shifted& shift : shifts) {
+      Bytes there;
+      std::memcpy(&there, cells + x + shift.delta, sizeof there);
+      const Bytes offered = reinterpret_cast<Bytes>(there == 0) | shift.rank;
+      least = least < offered ? least : offered;
+    }
+    if (count - x >= kTogether)
+      std::memcpy(ranks + x, &least, sizeof least);
+    else
+      std::memcpy(ranks + x, &least, static_cast<std::size_t>(count - x));
   }
 }
 
@@ -69,29 +76,32 @@ ClearanceField<D>::ClearanceField(const BoxLattice<D>& lattice, ClearanceRules r
       if (!is_inside(lattice, lattice.coordinates(node), reach_)) ranks_[node] = rank_of(lattice, node);
 }
 
-/// Row by row and offset by offset: a cell takes the rank if there is an obstacle at that offset from it.
+/// Row by row, many cells at a time: each takes the least rank of all offsets at which there is an obstacle.
+/// That is looked up in a copy of the cells with as many free ones around as an offset reaches, so that none
+/// leads out.
 template <int D>
 void ClearanceField<D>::gather(const BoxLattice<D>& lattice) {
-  const auto width = static_cast<std::size_t>(lattice.width());
-  const std::uint8_t* cells = lattice.cells().data();
-  for (NodeId first = 0; first < ranks_.size(); first += static_cast<NodeId>(width)) {
-    std::uint8_t* row = &ranks_[first];
-    const auto at = lattice.coordinates(first);
-    for (const Offset& offset : stencil_) {
-      bool inside = true;
-      for (std::size_t axis = 1; axis < D; ++axis) {
-        const int there = at[axis] + offset.by[axis];
-        inside &= there >= 0 && there < lattice.size()[axis];
-      }
-      if (!inside) continue;
-      // Where the other row has a cell at that offset.
-      const int left = std::max(-offset.by[0], 0);
-      const int count = lattice.width() - left - std::max(offset.by[0], 0);
-      if (count > 0)
-        lower_row(row + left, cells + (std::ptrdiff_t{first} + left + offset.delta), count, offset.rank);
-    }
-    lower_row(row, cells + first, lattice.width(), 0);
-  }
+  std::array<std::ptrdiff_t, D> stride{};
+  std::ptrdiff_t size = 1;
+  for (std::size_t axis = 0; axis < D; size *= lattice.size()[axis] + 2 * reach_, ++axis) stride[axis] = size;
+  const auto place = [&](const std::array<int, D>& at) {
+    std::ptrdiff_t sum = 0;
+    for (std::size_t axis = 0; axis < D; ++axis) sum += at[axis] * stride[axis];
+    return sum;
+  };
+  std::array<int, D> corner{};
+  corner.fill(reach_);
+  std::vector<std::uint8_t> padded(static_cast<std::size_t>(size + kTogether));
+  const auto row_of = [&](NodeId first) {
+    return &padded[static_cast<std::size_t>(place(corner) + place(lattice.coordinates(first)))];
+  };
+  std::vector<Shifted> shifts = {{0, 0}};
+  for (const Offset& offset : stencil_) shifts.push_back({place(offset.by), offset.rank});
+  const auto width = static_cast<NodeId>(lattice.width());
+  for (NodeId first = 0; first < ranks_.size(); first += width)
+    std::memcpy(row_of(first), &lattice.cells()[first], width);
+  for (NodeId first = 0; first < ranks_.size(); first += width)
+    gather_row(&ranks_[first], row_of(first), lattice.width(), shifts);
 }
 
 /// Obstacle by obstacle: the cells around it take their ranks if they had none that is nearer.
