@@ -71,23 +71,16 @@ void complain_of_mismatches(const std::string& scen, const BatchReport& report) 
              (report.mismatches - told == 1 ? "" : "es"));
 }
 
-/// The problems, the map that they are for, and the planners. In two or three dimensions.
-template <class Scen, class Map, class Problem>
+/// The problems, the map that they are for, and the planners.
 struct BatchInput {
-  Scen scen;
+  ScenFile scen;
   std::string map_path;
-  Map map;
+  GridMap map;
   std::vector<PlannerChoice> planners;
-  std::vector<Problem> problems;
+  std::vector<ScenProblem> problems;
 };
 
-Result<ScenFile> read_problems(const std::string& path, const ScenFile*) {
-  return read_scen(path);
-}
-Result<VoxelScen> read_problems(const std::string& path, const VoxelScen*) {
-  return read_voxel_scen(path);
-}
-Result<GridMap> read_map_for(const std::string& path, const BatchArguments& arguments, const GridMap*) {
+Result<GridMap> read_map_for(const std::string& path, const BatchArguments& arguments) {
   const auto how = arguments.reading.reading();
   if (!how) return Error{how.error()};
   auto file = read_map_file(path, *how);
@@ -95,27 +88,20 @@ Result<GridMap> read_map_for(const std::string& path, const BatchArguments& argu
   tell_notes(file->found.notes);
   return std::move(file->map);
 }
-Result<VoxelMap> read_map_for(const std::string& path, const BatchArguments& arguments, const VoxelMap*) {
-  if (arguments.reading.given())
-    return Error{"--threshold, --invert, --unknown and --occupied are for a map of two dimensions; '" + path +
-                 "' has three"};
-  return read_voxel_map(path);
-}
 
-template <class Input>
-Result<Input> load(const BatchArguments& arguments) {
-  Input input;
+Result<BatchInput> load(const BatchArguments& arguments) {
+  BatchInput input;
   auto choices = arguments.planners.choose();
   if (!choices) return Error{choices.error()};
   input.planners = std::move(choices.value());
   const auto limit = arguments.limit.empty() ? 0 : parse_count("--limit", arguments.limit, 1);
   if (!limit) return Error{limit.error()};
-  auto scen = read_problems(arguments.scen, &input.scen);
+  auto scen = read_scen(arguments.scen);
   if (!scen) return Error{scen.error()};
   input.scen = std::move(scen.value());
   const auto path = arguments.map.empty() ? map_beside(arguments.scen, input.scen.map_name) : arguments.map;
   if (!path) return Error{path.error()};
-  auto map = read_map_for(input.map_path = *path, arguments, &input.map);
+  auto map = read_map_for(input.map_path = *path, arguments);
   if (!map) return Error{map.error()};
   input.map = std::move(map.value());
   if (const auto fits = check_scen_fits(input.scen, input.map, *path); !fits) return Error{fits.error()};
@@ -123,9 +109,8 @@ Result<Input> load(const BatchArguments& arguments) {
   return input;
 }
 
-template <class Input>
-Result<int> solve(const BatchArguments& arguments) {
-  const auto input = load<Input>(arguments);
+Result<int> batch(const BatchArguments& arguments) {
+  const auto input = load(arguments);
   if (!input) return Error{input.error()};
   std::vector<BatchReport> reports;
   bool passed = true;
@@ -143,12 +128,6 @@ Result<int> solve(const BatchArguments& arguments) {
           table(reports) + remarks(reports));
   for (const BatchReport& report : reports) complain_of_mismatches(arguments.scen, report);
   return passed ? kDone : kFailed;
-}
-
-Result<int> batch(const BatchArguments& arguments) {
-  if (file_extension(arguments.scen) == ".3dscen")
-    return solve<BatchInput<VoxelScen, VoxelMap, VoxelProblem>>(arguments);
-  return solve<BatchInput<ScenFile, GridMap, ScenProblem>>(arguments);
 }
 
 std::string batch_footer() {

@@ -31,15 +31,9 @@ struct ConvertArguments {
 std::string described(const GridMap& map) {
   const auto obstacles =
       std::count_if(map.blocked.begin(), map.blocked.end(), [](auto cell) { return cell != 0; });
-  return std::to_string(map.width) + " x " + std::to_string(map.height) + " cells, " +
+  const std::string plane = std::to_string(map.width) + " x " + std::to_string(map.height);
+  return plane + (map.depth == 1 ? " cells, " : " x " + std::to_string(map.depth) + " voxels, ") +
          counted(obstacles, "obstacle");
-}
-
-std::string described(const VoxelMap& map) {
-  const auto obstacles =
-      std::count_if(map.blocked.begin(), map.blocked.end(), [](auto cell) { return cell != 0; });
-  return std::to_string(map.width) + " x " + std::to_string(map.height) + " x " + std::to_string(map.depth) +
-         " voxels, " + counted(obstacles, "obstacle");
 }
 
 int done(const ConvertArguments& arguments, const std::string& what, std::span<const std::string> notes) {
@@ -72,9 +66,9 @@ Result<int> write_problem(const ConvertArguments& arguments, const MapFile& file
   problem.printed = decimals(plan.figures.length, 8);
   if (map_name.find_first_of("\t\r\n") != std::string::npos)
     return Error{"a .scen cannot name the map '" + map_name + "': its name holds a tab or a line's end"};
-  const auto written =
-      write_file_atomically(arguments.out, scen_text({arguments.out, map_name, {problem}, {}}));
-  if (!written) return Error{written.error()};
+  const ScenFile scen{.path = arguments.out, .map_name = map_name, .problems = {problem}, .lengths = {}};
+  if (const auto written = write_file_atomically(arguments.out, scen_text(scen)); !written)
+    return Error{written.error()};
   return done(arguments, "1 problem of length " + problem.printed + " on " + map_name, notes);
 }
 
@@ -82,10 +76,7 @@ Result<int> write_as_map(const ConvertArguments& arguments, const MapFile& file,
                          std::vector<std::string> notes) {
   const std::string extension = file_extension(arguments.out);
   if (extension == ".scen") return write_problem(arguments, file, notes);
-  const bool voxels = extension == ".3dmap";
-  const auto written =
-      voxels ? write_voxel_map(voxels_of(file.map), arguments.out) : write_map_file(file, arguments.out);
-  if (!written) return Error{written.error()};
+  if (const auto written = write_map_file(file, arguments.out); !written) return Error{written.error()};
   return done(arguments, described(file.map), notes);
 }
 
@@ -132,14 +123,14 @@ Result<int> from_scenario(ConvertArguments& arguments) {
 
 /// A box of voxels stays one, or one plane of it becomes a map.
 Result<int> from_voxels(const ConvertArguments& arguments) {
-  const auto voxels = read_voxel_map(arguments.in);
+  const auto voxels = read_map(arguments.in);
   if (!voxels) return Error{voxels.error()};
   const std::string extension = file_extension(arguments.out);
   if (arguments.slice.empty()) {
     if (extension != ".3dmap")
       return Error{"'" + arguments.in + "' has three dimensions: give --slice Z with Z from 0 to " +
                    std::to_string(voxels->depth - 1)};
-    if (const auto written = write_voxel_map(*voxels, arguments.out); !written) return Error{written.error()};
+    if (const auto written = write_map(*voxels, arguments.out); !written) return Error{written.error()};
     return done(arguments, described(*voxels), {});
   }
   const auto z = parse_count("--slice", arguments.slice, 0);
@@ -180,9 +171,8 @@ std::string convert_footer() {
          "  replan convert maps/demo.json demo.txt\n"
          "      A scenario's map as text, to paste.\n\n"
          "Reads maps (" +
-         map_extensions(false) + "), .3dmap, generators and scenario .json.\nWrites maps (" +
-         map_extensions(true) +
-         "),\n.3dmap, scenario .json, and a .scen with one problem and its optimal length. What the new "
+         map_extensions(false) + "), generators and scenario .json.\nWrites maps (" + map_extensions(true) +
+         "),\nscenario .json, and a .scen with one problem and its optimal length. What the new "
          "format\n"
          "cannot hold is told, a line each that begins with 'note: '. A .yaml gets its .pgm beside it. A "
          "scenario\n"

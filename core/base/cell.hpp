@@ -7,29 +7,26 @@
 
 namespace replan {
 
-/// A cell of a 2D grid: x to the right, y down, (0, 0) at the top left, as in a `.map` file.
+/// A cell of a grid: x to the right, y down, (0, 0) at the top left, as in a `.map` file; z is 0 in the
+/// plane.
 struct Cell {
   int x = 0;
   int y = 0;
+  int z = 0;
   friend constexpr auto operator<=>(const Cell&, const Cell&) = default;
 };
 
-/// A cell of a 3D grid.
-struct Voxel {
-  int x = 0;
-  int y = 0;
-  int z = 0;
-  friend constexpr auto operator<=>(const Voxel&, const Voxel&) = default;
-};
+/// A cell of a box in space.
+using Voxel = Cell;
 
-/// The index of a lattice node: row-major, `y * width + x` in 2D.
+/// The index of a lattice node: row-major, `(z * height + y) * width + x`.
 using NodeId = std::uint32_t;
 inline constexpr NodeId kNoNode = 0xFFFFFFFFu;
 
 /// The squared distance of two cells' centres. In 64 bits: in a world 60 000 cells wide it is beyond 32.
 constexpr std::int64_t squared_distance(Cell a, Cell b) {
-  const std::int64_t dx = std::int64_t{a.x} - b.x, dy = std::int64_t{a.y} - b.y;
-  return dx * dx + dy * dy;
+  const std::int64_t dx = std::int64_t{a.x} - b.x, dy = std::int64_t{a.y} - b.y, dz = std::int64_t{a.z} - b.z;
+  return dx * dx + dy * dy + dz * dz;
 }
 /// Their distance. A root is the same on every machine, as std::hypot is not.
 inline double distance(Cell a, Cell b) {
@@ -38,7 +35,8 @@ inline double distance(Cell a, Cell b) {
 /// The scalar product of the ways from `from` to `a` and to `b`.
 constexpr std::int64_t scalar_product(Cell from, Cell a, Cell b) {
   return (std::int64_t{a.x} - from.x) * (std::int64_t{b.x} - from.x) +
-         (std::int64_t{a.y} - from.y) * (std::int64_t{b.y} - from.y);
+         (std::int64_t{a.y} - from.y) * (std::int64_t{b.y} - from.y) +
+         (std::int64_t{a.z} - from.z) * (std::int64_t{b.z} - from.z);
 }
 
 /// The most cells a world may have (8192 x 8192): stated limit of every reader and generator.

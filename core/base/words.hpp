@@ -9,9 +9,10 @@
 
 namespace replan {
 
-/// "(3, 4)"
-inline std::string cell_text(Cell cell) {
-  return "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
+/// "(3, 4)", or "(3, 4, 5)" of a cell in space
+inline std::string cell_text(Cell cell, bool solid = false) {
+  const std::string plane = std::to_string(cell.x) + ", " + std::to_string(cell.y);
+  return "(" + plane + (solid ? ", " + std::to_string(cell.z) : "") + ")";
 }
 
 /// "1 cell", "2 cells"

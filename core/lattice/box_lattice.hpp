@@ -61,7 +61,6 @@ class BoxLattice {
  public:
   static constexpr int kDimensions = D;
   static constexpr int kDirections = Directions<D>::kCount;
-  using Position = std::conditional_t<D == 2, Cell, Voxel>;
   using Coordinates = std::array<int, D>;
   using MoveMask = std::conditional_t<D == 2, std::uint8_t, std::uint32_t>;
 
@@ -121,16 +120,16 @@ class BoxLattice {
     at[D - 1] = static_cast<int>(node);
     return at;
   }
-  [[nodiscard]] Position position(NodeId node) const {
+  [[nodiscard]] Cell position(NodeId node) const {
     const Coordinates at = coordinates(node);
     if constexpr (D == 2)
       return {at[0], at[1]};
     else
       return {at[0], at[1], at[2]};
   }
-  [[nodiscard]] bool contains(const Position& at) const { return contains(to_coordinates(at)); }
-  [[nodiscard]] NodeId node(const Position& at) const { return node(to_coordinates(at)); }
-  static constexpr Coordinates to_coordinates(const Position& at) {
+  [[nodiscard]] bool contains(Cell at) const { return (D == 3 || at.z == 0) && contains(to_coordinates(at)); }
+  [[nodiscard]] NodeId node(Cell at) const { return node(to_coordinates(at)); }
+  static constexpr Coordinates to_coordinates(Cell at) {
     if constexpr (D == 2)
       return {at.x, at.y};
     else

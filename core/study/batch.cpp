@@ -25,8 +25,7 @@ class Batch {
     report_.comparable = lengths_apply(choice);
   }
 
-  template <class Problem>
-  void solve(const Problem& problem) {
+  void solve(const ScenProblem& problem) {
     ++report_.problems;
     const NodeId start = lattice_.node(problem.start), goal = lattice_.node(problem.goal);
     if (lattice_.blocked(start) || lattice_.blocked(goal)) {
@@ -50,8 +49,7 @@ class Batch {
   }
 
  private:
-  template <class Problem>
-  void compare(const Problem& problem, double length) {
+  void compare(const ScenProblem& problem, double length) {
     ++report_.found;
     if (!lengths_.agrees(length, problem.printed)) mismatch(problem, length);
     if (problem.length == 0) {  // the way from a cell to itself: any length is an error as it stands
@@ -64,8 +62,7 @@ class Batch {
     ++ratios_;
   }
 
-  template <class Problem>
-  void mismatch(const Problem& problem, double found) {
+  void mismatch(const ScenProblem& problem, double found) {
     if (!report_.comparable) return;
     ++report_.mismatches;
     if (report_.first_mismatches.size() < BatchReport::kMismatchesKept)
@@ -81,10 +78,10 @@ class Batch {
   std::int64_t ratios_ = 0;
 };
 
-template <class L, class Problem>
-BatchReport solve_all(Batch<L>&& batch, std::span<const Problem> problems, const BatchWatch& watch) {
+template <class L>
+BatchReport solve_all(Batch<L>&& batch, std::span<const ScenProblem> problems, const BatchWatch& watch) {
   std::size_t done = 0;
-  for (const Problem& problem : problems) {
+  for (const ScenProblem& problem : problems) {
     if (watch.stop.stop_requested()) break;
     batch.solve(problem);
     if (watch.progress) watch.progress(++done);
@@ -100,17 +97,22 @@ bool lengths_apply(const PlannerChoice& choice) {
          rules.corners == MoveRules{}.corners;
 }
 
-BatchReport run_batch(const GridMap& map, const LengthFormat& lengths, std::span<const ScenProblem> problems,
-                      const PlannerChoice& choice, const BatchWatch& watch) {
-  return solve_all(Batch<Grid2>({map.width, map.height}, map.blocked.plain(), lengths, choice), problems,
-                   watch);
+std::vector<ScenProblem> even_sample(const std::vector<ScenProblem>& problems, std::size_t limit) {
+  if (limit == 0 || limit >= problems.size()) return problems;
+  std::vector<ScenProblem> sample;
+  sample.reserve(limit);
+  const std::size_t gaps = limit > 1 ? limit - 1 : 1;
+  for (std::size_t i = 0; i < limit; ++i) sample.push_back(problems[i * (problems.size() - 1) / gaps]);
+  return sample;
 }
 
-BatchReport run_batch(const VoxelMap& map, const LengthFormat& lengths,
-                      std::span<const VoxelProblem> problems, const PlannerChoice& choice,
-                      const BatchWatch& watch) {
-  return solve_all(Batch<Voxel3>({map.width, map.height, map.depth}, map.blocked, lengths, choice), problems,
-                   watch);
+BatchReport run_batch(const GridMap& map, const LengthFormat& lengths, std::span<const ScenProblem> problems,
+                      const PlannerChoice& choice, const BatchWatch& watch) {
+  if (map.depth == 1)
+    return solve_all(Batch<Grid2>({map.width, map.height}, map.blocked.plain(), lengths, choice), problems,
+                     watch);
+  return solve_all(Batch<Voxel3>({map.width, map.height, map.depth}, map.blocked.plain(), lengths, choice),
+                   problems, watch);
 }
 
 std::string batch_json(std::span<const BatchReport> reports) {

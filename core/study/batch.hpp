@@ -11,7 +11,6 @@
 
 #include "core/world/movingai.hpp"
 #include "core/world/scenario.hpp"
-#include "core/world/voxel_map.hpp"
 
 namespace replan {
 
@@ -55,23 +54,11 @@ bool lengths_apply(const PlannerChoice& choice);
 
 /// `limit` problems spread evenly over the file in its order, the first and the last among them; all if there
 /// are no more than that. 0: all.
-template <class Problem>
-std::vector<Problem> even_sample(const std::vector<Problem>& problems, std::size_t limit) {
-  if (limit == 0 || limit >= problems.size()) return problems;
-  std::vector<Problem> sample;
-  sample.reserve(limit);
-  const std::size_t gaps = limit > 1 ? limit - 1 : 1;
-  for (std::size_t i = 0; i < limit; ++i) sample.push_back(problems[i * (problems.size() - 1) / gaps]);
-  return sample;
-}
+std::vector<ScenProblem> even_sample(const std::vector<ScenProblem>& problems, std::size_t limit);
 
 /// Solves the problems with one instance of the planner. They must fit the map (check_scen_fits()).
 BatchReport run_batch(const GridMap& map, const LengthFormat& lengths, std::span<const ScenProblem> problems,
                       const PlannerChoice& choice, const BatchWatch& watch = {});
-/// The same for problems in a box of voxels.
-BatchReport run_batch(const VoxelMap& map, const LengthFormat& lengths,
-                      std::span<const VoxelProblem> problems, const PlannerChoice& choice,
-                      const BatchWatch& watch = {});
 
 /// `{"planners": [...]}`.
 std::string batch_json(std::span<const BatchReport> reports);

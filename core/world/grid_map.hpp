@@ -26,10 +26,12 @@ inline constexpr std::uint8_t kUnmapped = 2;
 /// What files may say of a map's resolution and origin.
 inline constexpr double kMinResolution = 1e-6, kMaxResolution = 1e6, kMaxOrigin = 1e9;
 
-/// A rectangle of cells, row-major. Copies share their cells until one of them is written to.
+/// A box of cells, one layer deep in the plane: x runs fastest, then y, then z. Copies share their cells
+/// until one of them is written to.
 struct GridMap {
   int width = 0;
   int height = 0;
+  int depth = 1;
   SharedBytes blocked;    ///< kFree, kObstacle or kUnmapped
   double resolution = 1;  ///< length of a cell's side; metres in ROS maps, 1 where the source says nothing
   /// Pose of the lower left corner in the source's own frame (ROS): x and y in the resolution's unit, yaw in
@@ -38,14 +40,21 @@ struct GridMap {
 
   GridMap() = default;
   /// An all-free map.
-  GridMap(int columns, int rows)
+  GridMap(int columns, int rows, int layers = 1)
       : width(columns),
         height(rows),
-        blocked(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
+        depth(layers),
+        blocked(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) *
+                static_cast<std::size_t>(layers)) {}
 
-  [[nodiscard]] bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
+  [[nodiscard]] bool contains(Cell c) const {
+    return c.x >= 0 && c.y >= 0 && c.z >= 0 && c.x < width && c.y < height && c.z < depth;
+  }
   [[nodiscard]] std::size_t index(Cell c) const {
-    return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c.x);
+    return (static_cast<std::size_t>(c.z) * static_cast<std::size_t>(height) +
+            static_cast<std::size_t>(c.y)) *
+               static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(c.x);
   }
   [[nodiscard]] bool at(Cell c) const { return blocked[index(c)] != 0; }
   void set(Cell c, bool value) { blocked[index(c)] = value ? kObstacle : kFree; }

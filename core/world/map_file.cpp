@@ -10,34 +10,102 @@
 #include "core/world/npy_map.hpp"
 #include "core/world/ros_map.hpp"
 #include "core/world/sbpl_cfg.hpp"
+#include "core/world/voxel_map.hpp"
 
 namespace replan {
 namespace {
-
-constexpr std::array kFormats = {
-    MapFormat{.extension = ".map", .name = "MovingAI map"},
-    MapFormat{.extension = ".yaml", .name = "ROS map", .unknown = true, .resolution = true, .unmapped = true},
-    MapFormat{.extension = ".yml", .name = "ROS map", .unknown = true, .resolution = true, .unmapped = true},
-    MapFormat{.extension = ".cfg", .name = "SBPL environment", .ends = true},
-    MapFormat{.extension = ".txt", .name = "text map", .numbers = true, .unmapped = true, .ends = true},
-    MapFormat{.extension = ".csv", .name = "text map", .writes = false, .numbers = true},
-    MapFormat{.extension = ".npy", .name = "numpy array", .writes = false, .numbers = true},
-    MapFormat{.extension = ".png", .name = "picture", .picture = true},
-    MapFormat{.extension = ".bmp", .name = "picture", .picture = true},
-    MapFormat{.extension = ".tga", .name = "picture", .picture = true},
-    MapFormat{.extension = ".pgm", .name = "picture", .picture = true},
-    MapFormat{.extension = ".ppm", .name = "picture", .writes = false, .picture = true},
-    MapFormat{.extension = ".pbm", .name = "picture", .writes = false, .picture = true},
-    MapFormat{.extension = ".pnm", .name = "picture", .writes = false, .picture = true},
-    MapFormat{.extension = ".gif", .name = "picture", .writes = false, .picture = true},
-    MapFormat{.extension = ".jpg", .name = "picture", .writes = false, .picture = true},
-    MapFormat{.extension = ".jpeg", .name = "picture", .writes = false, .picture = true},
-};
 
 Result<MapFile> alone(Result<GridMap> map) {
   if (!map) return Error{map.error()};
   return MapFile{std::move(map.value())};
 }
+
+Result<MapFile> read_picture(const std::string& path, const MapReading& reading) {
+  return alone(read_image_map(path, reading.image));
+}
+Result<void> write_picture(const MapFile& file, const std::string& path) {
+  return write_image_map(file.map, path);
+}
+Result<MapFile> read_ros(const std::string& path, const MapReading& reading) {
+  return read_ros_map(path, reading.unknown);
+}
+Result<MapFile> read_numbers(const std::string& path, const MapReading& reading) {
+  return read_ascii_map(path, reading.occupied);
+}
+Result<void> write_ascii(const MapFile& file, const std::string& path) {
+  return write_file_atomically(path, ascii_text(file));
+}
+Result<MapFile> read_array(const std::string& path, const MapReading& reading) {
+  return read_npy_map(path, reading.occupied);
+}
+Result<MapFile> read_sbpl(const std::string& path, const MapReading&) {
+  return read_sbpl_cfg(path);
+}
+Result<MapFile> read_letters(const std::string& path, const MapReading&) {
+  return alone(read_movingai_map(path));
+}
+Result<void> write_letters(const MapFile& file, const std::string& path) {
+  return write_movingai_map(file.map, path);
+}
+Result<MapFile> read_voxels(const std::string& path, const MapReading&) {
+  return alone(read_voxel_map(path));
+}
+Result<void> write_voxels(const MapFile& file, const std::string& path) {
+  return write_voxel_map(file.map, path);
+}
+
+constexpr MapFormat picture(std::string_view extension, bool writes) {
+  return {.extension = extension,
+          .name = "picture",
+          .read = read_picture,
+          .write = writes ? write_picture : nullptr,
+          .picture = true};
+}
+constexpr MapFormat ros(std::string_view extension) {
+  return {.extension = extension,
+          .name = "ROS map",
+          .read = read_ros,
+          .write = write_ros_map,
+          .unknown = true,
+          .resolution = true,
+          .unmapped = true};
+}
+
+// Listed to users in this order.
+constexpr std::array kFormats = {
+    MapFormat{.extension = ".map", .name = "MovingAI map", .read = read_letters, .write = write_letters},
+    ros(".yaml"),
+    ros(".yml"),
+    MapFormat{.extension = ".cfg",
+              .name = "SBPL environment",
+              .read = read_sbpl,
+              .write = write_sbpl_cfg,
+              .ends = true},
+    MapFormat{.extension = ".txt",
+              .name = "text map",
+              .read = read_numbers,
+              .write = write_ascii,
+              .numbers = true,
+              .unmapped = true,
+              .ends = true},
+    MapFormat{.extension = ".csv", .name = "text map", .read = read_numbers, .numbers = true},
+    MapFormat{.extension = ".npy", .name = "numpy array", .read = read_array, .numbers = true},
+    MapFormat{.extension = ".3dmap",
+              .name = "voxel map",
+              .read = read_voxels,
+              .write = write_voxels,
+              .solid = true},
+    picture(".png", true),
+    picture(".bmp", true),
+    picture(".tga", true),
+    picture(".pgm", true),
+    picture(".ppm", false),
+    picture(".pbm", false),
+    picture(".pnm", false),
+    picture(".gif", false),
+    picture(".jpg", false),
+    picture(".jpeg", false),
+};
 
 }  // namespace
 
@@ -55,7 +123,7 @@ const MapFormat* find_map_format(std::string_view path) {
 std::string map_extensions(bool written) {
   std::string list, last;
   for (const MapFormat& format : kFormats) {
-    if (written && !format.writes) continue;
+    if (written && format.write == nullptr) continue;
     if (!last.empty()) list += (list.empty() ? "" : ", ") + last;
     last = format.extension;
   }
@@ -81,12 +149,14 @@ Result<MapFile> read_map_file(const std::string& path, const MapReading& reading
   if (format == nullptr)
     return Error{"cannot read '" + path + "' as a map: its name must end in " + map_extensions(false)};
   if (Result<void> checked = check_reading(path, reading); !checked) return Error{checked.error()};
-  if (format->picture) return alone(read_image_map(path, reading.image));
-  if (format->unknown) return read_ros_map(path, reading.unknown);
-  if (format->extension == ".cfg") return read_sbpl_cfg(path);
-  if (format->extension == ".npy") return read_npy_map(path, reading.occupied);
-  if (format->numbers) return read_ascii_map(path, reading.occupied);
-  return alone(read_movingai_map(path));
+  return format->read(path, reading);
+}
+
+Result<MapFile> read_plane_file(const std::string& path, const MapReading& reading) {
+  Result<MapFile> file = read_map_file(path, reading);
+  if (!file || file->map.depth == 1) return file;
+  return Error{"'" + path + "' has three dimensions; take one plane of it: replan convert " + path +
+               " plane.map --slice Z, with Z from 0 to " + std::to_string(file->map.depth - 1)};
 }
 
 Result<GridMap> read_map(const std::string& path, const MapReading& reading) {
@@ -97,13 +167,12 @@ Result<GridMap> read_map(const std::string& path, const MapReading& reading) {
 
 Result<void> write_map_file(const MapFile& file, const std::string& path) {
   const MapFormat* format = find_map_format(path);
-  if (format == nullptr || !format->writes)
+  if (format == nullptr || format->write == nullptr)
     return Error{"cannot write a map to '" + path + "': its name must end in " + map_extensions(true)};
-  if (format->picture) return write_image_map(file.map, path);
-  if (format->unknown) return write_ros_map(file, path);
-  if (format->extension == ".cfg") return write_sbpl_cfg(file, path);
-  if (format->extension == ".txt") return write_file_atomically(path, ascii_text(file));
-  return write_movingai_map(file.map, path);
+  if (file.map.depth > 1 && !format->solid)
+    return Error{"'" + path + "' would hold one layer, and the map has " + std::to_string(file.map.depth) +
+                 ": choose one of them, or a .3dmap"};
+  return format->write(file, path);
 }
 
 Result<void> write_map(const GridMap& map, const std::string& path) {

@@ -14,17 +14,19 @@ namespace replan {
 
 struct Scenario;
 
-/// A format of map files and what it can hold besides free cells and obstacles.
+/// A format of map files, how it is read and written, and what it can hold besides free cells and obstacles.
 struct MapFormat {
   std::string_view extension;  ///< lower case, with its dot
   std::string_view name;       ///< "MovingAI map"
-  bool writes = true;          ///< all are read
-  bool picture = false;        ///< MapReading::image applies
-  bool unknown = false;        ///< MapReading::unknown applies
-  bool numbers = false;        ///< MapReading::occupied applies
-  bool resolution = false;     ///< holds resolution and origin
-  bool unmapped = false;       ///< holds kUnmapped cells
-  bool ends = false;           ///< holds start and goal
+  Result<MapFile> (*read)(const std::string& path, const MapReading& reading) = nullptr;
+  Result<void> (*write)(const MapFile& file, const std::string& path) = nullptr;  ///< nullptr: only read
+  bool solid = false;       ///< holds more than one layer
+  bool picture = false;     ///< MapReading::image applies
+  bool unknown = false;     ///< MapReading::unknown applies
+  bool numbers = false;     ///< MapReading::occupied applies
+  bool resolution = false;  ///< holds resolution and origin
+  bool unmapped = false;    ///< holds kUnmapped cells
+  bool ends = false;        ///< holds start and goal
 };
 
 /// All formats of map files, in the order in which they are listed to a user.
@@ -37,6 +39,8 @@ std::string map_extensions(bool written);
 /// Reads a map with whatever its file holds. An option of `reading` that is not the default and has no
 /// meaning for the format is an error.
 Result<MapFile> read_map_file(const std::string& path, const MapReading& reading = {});
+/// As read_map_file(), but a map of more than one layer is an error that says how to get at one of them.
+Result<MapFile> read_plane_file(const std::string& path, const MapReading& reading = {});
 /// As read_map_file(), the map alone.
 Result<GridMap> read_map(const std::string& path, const MapReading& reading = {});
 /// Whether the options of `reading` have a meaning for a file of that name; the error names the one that has
@@ -49,7 +53,7 @@ Result<void> write_map_file(const MapFile& file, const std::string& path);
 /// Writes a map without start and goal.
 Result<void> write_map(const GridMap& map, const std::string& path);
 
-/// What a file with that extension (of a map format, or .3dmap) cannot hold of a map, a sentence each: ".map
+/// What a file with that extension (of a map format) cannot hold of a map, a sentence each: ".map
 /// cannot hold the resolution (0.05 per cell)". Empty if the file would hold it all.
 std::vector<std::string> lost_in(std::string_view extension, const MapFile& file);
 /// As lost_in() for a scenario: its planners, surprises and so on as well. A scenario file (.json) holds all

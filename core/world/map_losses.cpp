@@ -59,13 +59,10 @@ void lost_unknown(const MapFile& file, const MapFormat& format, std::vector<std:
 
 std::vector<std::string> lost_in(std::string_view extension, const MapFile& file) {
   std::vector<std::string> lost;
-  constexpr MapFormat kVoxels{.extension = ".3dmap", .name = "voxel map"};
   constexpr MapFormat kScenario{
       .extension = ".json", .name = "scenario", .resolution = true, .unmapped = true, .ends = true};
-  const MapFormat* format = extension == kVoxels.extension ? &kVoxels
-                            : extension == kScenario.extension
-                                ? &kScenario
-                                : find_map_format("x" + std::string(extension));
+  const MapFormat* format =
+      extension == kScenario.extension ? &kScenario : find_map_format("x" + std::string(extension));
   if (format == nullptr) return lost;
   const GridMap& map = file.map;
   std::size_t unmapped = 0;  // but for the unknown ones, which are told apart

@@ -29,19 +29,20 @@ std::string movingai_map_text(const GridMap& map);
 /// Writes a `.map` atomically.
 Result<void> write_movingai_map(const GridMap& map, const std::string& path);
 
-/// One problem of a `.scen` file.
+/// One problem of a `.scen` or `.3dscen` file.
 struct ScenProblem {
-  int bucket = 0;
-  int line = 0;   ///< in the file, from 1
-  int width = 0;  ///< of the map that the problem is for
+  int line = 0;    ///< in the file, from 1
+  int bucket = 0;  ///< `.scen` alone
+  int width = 0;   ///< of the map that the problem is for; `.scen` alone
   int height = 0;
   Cell start;
   Cell goal;
-  double length = 0;    ///< optimal length, in cells
-  std::string printed;  ///< `length` as it stands in the file
+  double length = 0;          ///< optimal length, in cells
+  std::string printed;        ///< `length` as it stands in the file
+  std::string printed_ratio;  ///< of the length to that of the empty box; `.3dscen` alone
 };
 
-/// How a `.scen` file prints its lengths, which decides how near a found length has to be.
+/// How a file of problems prints its lengths, which decides how near a found length has to be.
 ///
 /// Files in use print a fixed number of decimals (two or eight) or, as C++ streams do, six significant digits
 /// with trailing zeros dropped ("62.15", "1"). One line cannot tell which; the file can: if all lengths have
@@ -57,14 +58,8 @@ struct LengthFormat {
 
   /// Finds the format out from all lengths of a file.
   static LengthFormat of(std::span<const std::string_view> printed);
-  /// As above, of all problems of a file: anything with `printed`.
-  template <class Problem>
-  static LengthFormat of(const std::vector<Problem>& problems) {
-    std::vector<std::string_view> printed;
-    printed.reserve(problems.size());
-    for (const Problem& problem : problems) printed.push_back(problem.printed);
-    return of(std::span<const std::string_view>(printed));
-  }
+  /// As above, of all problems of a file.
+  static LengthFormat of(std::span<const ScenProblem> problems);
   /// How far the exact length may be from the printed `value`: half a unit of the last place, and the roots'
   /// error.
   [[nodiscard]] double tolerance(double value) const;
@@ -73,10 +68,11 @@ struct LengthFormat {
   [[nodiscard]] bool agrees(double found, std::string_view printed) const;
 };
 
-/// A `.scen` file.
+/// A `.scen` file, or a `.3dscen`.
 struct ScenFile {
   std::string path;      ///< as opened; names the file in errors
   std::string map_name;  ///< as written in the file: often the author's path
+  bool solid = false;    ///< a `.3dscen`
   std::vector<ScenProblem> problems;
   LengthFormat lengths;
 
@@ -86,17 +82,19 @@ struct ScenFile {
   }
 };
 
-/// Reads a `.scen` (version 1). A line with a tab is parted at its tabs, so that the map's name may hold
-/// blanks; others at blanks. Errors name file, line and what is wrong.
+/// Reads a `.scen` (version 1), or a `.3dscen` if that is how the name ends. A line with a tab is parted at
+/// its tabs, so that the map's name may hold blanks; others at blanks. Errors name file, line and what is
+/// wrong.
 Result<ScenFile> read_scen(const std::string& path);
-/// As read_scen() from text; `origin` names it in errors.
+/// As read_scen() of a `.scen` from text; `origin` names it in errors.
 Result<ScenFile> parse_scen(std::string_view text, const std::string& origin);
-/// The problems as `.scen` text, fields parted by tabs, lengths as they were printed.
+/// The problems as text of their format, numbers as they were printed.
 std::string scen_text(const ScenFile& scen);
-/// The `.map` that a `.scen` names, looked for beside it by its file name. The error says where it was looked
-/// for.
+/// The map that a `.scen` or `.3dscen` names, looked for beside it by its file name. The error says where it
+/// was looked for.
 Result<std::string> map_beside(const std::string& scen_path, const std::string& map_name);
-/// Checks that the problems are for this map: same size, start and goal on it. The error names the line.
+/// Checks that the problems are for this map: same size where that is told, start and goal on it. The error
+/// names the line.
 Result<void> check_scen_fits(const ScenFile& scen, const GridMap& map, const std::string& map_path);
 
 }  // namespace replan

@@ -3,9 +3,11 @@
 #include <filesystem>
 
 #include "core/base/file.hpp"
+#include "core/base/words.hpp"
 #include "core/world/movingai.hpp"
 #include "core/world/scen_lines.hpp"
 #include "core/world/text_lines.hpp"
+#include "core/world/voxel_map.hpp"
 
 namespace replan {
 namespace {
@@ -79,7 +81,45 @@ class ScenParser {
   ScenFile scen_;
 };
 
+std::string plane_line(const ScenProblem& problem, const std::string& map_name) {
+  std::string line = std::to_string(problem.bucket) + "\t" + map_name + "\t";
+  for (const int number :
+       {problem.width, problem.height, problem.start.x, problem.start.y, problem.goal.x, problem.goal.y})
+    line += std::to_string(number) + "\t";
+  return line + problem.printed + "\n";
+}
+
+std::string solid_line(const ScenProblem& problem) {
+  std::string line;
+  for (const Cell end : {problem.start, problem.goal})
+    for (const int number : {end.x, end.y, end.z}) line += std::to_string(number) + " ";
+  return line + problem.printed + " " + problem.printed_ratio + "\n";
+}
+
+/// Whether a problem's size is the map's, if it has one, and its ends lie on it.
+Result<void> check_fits(const ScenProblem& problem, bool solid, const GridMap& map,
+                        const std::string& map_path) {
+  if (!solid && (problem.width != map.width || problem.height != map.height))
+    return Error{"is for a map of " + std::to_string(problem.width) + " x " + std::to_string(problem.height) +
+                 " cells, '" + map_path + "' has " + std::to_string(map.width) + " x " +
+                 std::to_string(map.height) + ": give the right map with --map"};
+  for (const Cell end : {problem.start, problem.goal}) {
+    if (map.contains(end)) continue;
+    if (!solid) return Error{cell_text(end) + " is outside the map"};
+    return Error{cell_text(end, true) + " lies outside the box of '" + map_path +
+                 "': give the right map with --map"};
+  }
+  return {};
+}
+
 }  // namespace
+
+LengthFormat LengthFormat::of(std::span<const ScenProblem> problems) {
+  std::vector<std::string_view> printed;
+  printed.reserve(problems.size());
+  for (const ScenProblem& problem : problems) printed.push_back(problem.printed);
+  return of(std::span<const std::string_view>(printed));
+}
 
 LengthFormat LengthFormat::of(std::span<const std::string_view> printed) {
   LengthFormat format;
@@ -118,18 +158,13 @@ Result<ScenFile> parse_scen(std::string_view text, const std::string& origin) {
 Result<ScenFile> read_scen(const std::string& path) {
   const Result<std::string> text = read_file(path);
   if (!text) return Error{text.error()};
-  return parse_scen(*text, path);
+  return file_extension(path) == ".3dscen" ? parse_voxel_scen(*text, path) : parse_scen(*text, path);
 }
 
 std::string scen_text(const ScenFile& scen) {
-  std::string text = "version 1\n";
-  for (const ScenProblem& problem : scen.problems) {
-    text += std::to_string(problem.bucket) + "\t" + scen.map_name + "\t";
-    for (const int number :
-         {problem.width, problem.height, problem.start.x, problem.start.y, problem.goal.x, problem.goal.y})
-      text += std::to_string(number) + "\t";
-    text += problem.printed + "\n";
-  }
+  std::string text = scen.solid ? "version 1\n" + scen.map_name + "\n" : "version 1\n";
+  for (const ScenProblem& problem : scen.problems)
+    text += scen.solid ? solid_line(problem) : plane_line(problem, scen.map_name);
   return text;
 }
 
@@ -144,18 +179,9 @@ Result<std::string> map_beside(const std::string& scen_path, const std::string& 
 }
 
 Result<void> check_scen_fits(const ScenFile& scen, const GridMap& map, const std::string& map_path) {
-  for (const ScenProblem& problem : scen.problems) {
-    const std::string place = scen.path + ":" + std::to_string(problem.line) + ": ";
-    if (problem.width != map.width || problem.height != map.height)
-      return Error{place + "is for a map of " + std::to_string(problem.width) + " x " +
-                   std::to_string(problem.height) + " cells, '" + map_path + "' has " +
-                   std::to_string(map.width) + " x " + std::to_string(map.height) +
-                   ": give the right map with --map"};
-    for (const Cell end : {problem.start, problem.goal})
-      if (!map.contains(end))
-        return Error{place + "(" + std::to_string(end.x) + ", " + std::to_string(end.y) +
-                     ") is outside the map"};
-  }
+  for (const ScenProblem& problem : scen.problems)
+    if (const auto fits = check_fits(problem, scen.solid, map, map_path); !fits)
+      return Error{scen.path + ":" + std::to_string(problem.line) + ": " + fits.error()};
   return {};
 }
 

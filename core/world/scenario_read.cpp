@@ -84,7 +84,7 @@ class ScenarioReader {
     if (scenario_.map_file.empty()) return file->fail("must name a file");
     scenario_.map_reading = reading;
     Result<MapFile> map =
-        read_map_file((std::filesystem::path(folder_) / scenario_.map_file).string(), reading);
+        read_plane_file((std::filesystem::path(folder_) / scenario_.map_file).string(), reading);
     if (!map) return file->fail(map.error());
     scenario_.map = std::move(map->map);
     scenario_.map_found = std::move(map->found);

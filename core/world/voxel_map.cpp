@@ -23,7 +23,7 @@ class VoxelMapParser {
  public:
   VoxelMapParser(std::string_view text, const std::string& origin) : lines_(text), origin_(origin) {}
 
-  Result<VoxelMap> parse() {
+  Result<GridMap> parse() {
     std::string_view header = lines_.next().value_or("");
     int width = 0, height = 0, depth = 0;
     int* const sides[] = {&width, &height, &depth};
@@ -32,7 +32,7 @@ class VoxelMapParser {
       return wrong("not a voxel map: the first line must be 'voxel X Y Z', three whole numbers from 1");
     if (height > kMaxVoxels / width || depth > kMaxVoxels / (std::int64_t{width} * height))
       return wrong("the map is too large: at most " + std::to_string(kMaxVoxels) + " voxels are read");
-    VoxelMap map(width, height, depth);
+    GridMap map(width, height, depth);
     while (const auto line = lines_.next()) {
       if (line->empty()) continue;
       Voxel voxel;
@@ -60,9 +60,10 @@ class VoxelScenParser {
  public:
   VoxelScenParser(std::string_view text, const std::string& origin) : lines_(text, origin) {
     scen_.path = origin;
+    scen_.solid = true;
   }
 
-  Result<VoxelScen> parse() {
+  Result<ScenFile> parse() {
     if (auto version = lines_.read_version("3D scenario"); !version) return Error{version.error()};
     scen_.map_name = lines_.next_line().value_or("");
     if (scen_.map_name.empty()) return lines_.wrong("the second line must name the map");
@@ -74,7 +75,7 @@ class VoxelScenParser {
 
  private:
   Result<void> read_problem(ScenFields& fields) {
-    VoxelProblem problem;
+    ScenProblem problem;
     problem.line = lines_.number();
     Voxel &start = problem.start, &goal = problem.goal;
     int* const numbers[] = {&start.x, &start.y, &start.z, &goal.x, &goal.y, &goal.z};
@@ -92,7 +93,7 @@ class VoxelScenParser {
   }
 
   ScenLines lines_;
-  VoxelScen scen_;
+  ScenFile scen_;
 };
 
 std::string voxel_text(Voxel v) {
@@ -101,17 +102,17 @@ std::string voxel_text(Voxel v) {
 
 }  // namespace
 
-Result<VoxelMap> parse_voxel_map(std::string_view text, const std::string& origin) {
+Result<GridMap> parse_voxel_map(std::string_view text, const std::string& origin) {
   return VoxelMapParser(text, origin).parse();
 }
 
-Result<VoxelMap> read_voxel_map(const std::string& path) {
+Result<GridMap> read_voxel_map(const std::string& path) {
   const Result<std::string> text = read_file(path);
   if (!text) return Error{text.error()};
   return parse_voxel_map(*text, path);
 }
 
-std::string voxel_map_text(const VoxelMap& map) {
+std::string voxel_map_text(const GridMap& map) {
   std::string text = "voxel " + voxel_text({map.width, map.height, map.depth}) + "\n";
   for (int x = 0; x < map.width; ++x)
     for (int y = 0; y < map.height; ++y)
@@ -120,11 +121,11 @@ std::string voxel_map_text(const VoxelMap& map) {
   return text;
 }
 
-Result<void> write_voxel_map(const VoxelMap& map, const std::string& path) {
+Result<void> write_voxel_map(const GridMap& map, const std::string& path) {
   return write_file_atomically(path, voxel_map_text(map));
 }
 
-Result<GridMap> voxel_slice(const VoxelMap& map, int z) {
+Result<GridMap> voxel_slice(const GridMap& map, int z) {
   if (z < 0 || z >= map.depth)
     return Error{"there is no slice " + std::to_string(z) + ": z goes from 0 to " +
                  std::to_string(map.depth - 1)};
@@ -134,38 +135,8 @@ Result<GridMap> voxel_slice(const VoxelMap& map, int z) {
   return slice;
 }
 
-VoxelMap voxels_of(const GridMap& map) {
-  VoxelMap voxels(map.width, map.height, 1);
-  for (std::size_t i = 0; i < map.blocked.size(); ++i)
-    voxels.blocked[i] = map.blocked[i] != kFree ? kObstacle : kFree;
-  return voxels;
-}
-
-Result<VoxelScen> parse_voxel_scen(std::string_view text, const std::string& origin) {
+Result<ScenFile> parse_voxel_scen(std::string_view text, const std::string& origin) {
   return VoxelScenParser(text, origin).parse();
-}
-
-Result<VoxelScen> read_voxel_scen(const std::string& path) {
-  const Result<std::string> text = read_file(path);
-  if (!text) return Error{text.error()};
-  return parse_voxel_scen(*text, path);
-}
-
-std::string voxel_scen_text(const VoxelScen& scen) {
-  std::string text = "version 1\n" + scen.map_name + "\n";
-  for (const VoxelProblem& problem : scen.problems)
-    text += voxel_text(problem.start) + " " + voxel_text(problem.goal) + " " + problem.printed + " " +
-            problem.printed_ratio + "\n";
-  return text;
-}
-
-Result<void> check_scen_fits(const VoxelScen& scen, const VoxelMap& map, const std::string& map_path) {
-  for (const VoxelProblem& problem : scen.problems)
-    for (const Voxel end : {problem.start, problem.goal})
-      if (!map.contains(end))
-        return Error{scen.path + ":" + std::to_string(problem.line) + ": (" + voxel_text(end) +
-                     ") lies outside the box of '" + map_path + "': give the right map with --map"};
-  return {};
 }
 
 }  // namespace replan

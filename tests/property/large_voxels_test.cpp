@@ -8,6 +8,7 @@
 #include <sys/resource.h>
 
 #include "core/study/batch.hpp"
+#include "core/world/voxel_map.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace replan::test::large_voxels_test {
@@ -24,8 +25,8 @@ double straight(Voxel a, Voxel b) {
 }
 
 /// A wall across the box with one hole in it, straight through which the way must go.
-VoxelMap wall_with_a_hole() {
-  VoxelMap map(kWidth, kHeight, kDepth);
+GridMap wall_with_a_hole() {
+  GridMap map(kWidth, kHeight, kDepth);
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) map.blocked[map.index({x, y, kGap.z})] = kObstacle;
   map.blocked[map.index(kGap)] = kFree;
@@ -40,12 +41,13 @@ TEST(LargeVoxels, AreReadAndSolvedWithinTheMemoryOfADesktop) {
   ASSERT_TRUE(map.ok()) << map.error();
   ASSERT_EQ(map->blocked.size(), std::size_t{kWidth} * kHeight * kDepth);
   const Voxel before{kGap.x, kGap.y, kGap.z - 1}, behind{kGap.x, kGap.y, kGap.z + 1};
-  VoxelScen scen;
+  ScenFile scen;
   scen.map_name = "large.3dmap";
+  scen.solid = true;
   char length[32];
   std::snprintf(length, sizeof length, "%.8f", straight(kStart, before) + 2 + straight(behind, kGoal));
-  scen.problems = {{0, kStart, kGoal, 0, length, "1"}};
-  const auto read = parse_voxel_scen(voxel_scen_text(scen), "large.3dscen");
+  scen.problems = {{.start = kStart, .goal = kGoal, .printed = length, .printed_ratio = "1"}};
+  const auto read = parse_voxel_scen(scen_text(scen), "large.3dscen");
   ASSERT_TRUE(read.ok()) << read.error();
   const BatchReport report = run_batch(*map, read->lengths, read->problems, {"astar", {}});
   rusage used{};

@@ -7,6 +7,7 @@
 #include "core/plan/registry.hpp"
 #include "core/study/batch.hpp"
 #include "core/study/run_report.hpp"
+#include "core/world/voxel_map.hpp"
 
 namespace replan::test::study_test {
 namespace {
@@ -52,7 +53,7 @@ TEST(EvenSample, spreadsOverTheFileWithItsEnds) {
 }
 
 TEST(Batch, solvesProblemsInThreeDimensions) {
-  VoxelMap box(5, 4, 3);
+  GridMap box(5, 4, 3);
   for (int y = 0; y < 4; ++y)
     for (int x = 1; x < 5; ++x) box.blocked[box.index({x, y, 1})] = 1;  // a floor with a gap at x = 0
   const auto scen = parse_voxel_scen(

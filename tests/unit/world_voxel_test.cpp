@@ -62,7 +62,7 @@ TEST(VoxelMap, SlicesAreMaps) {
   EXPECT_EQ(slice->width, 3);
   EXPECT_EQ(slice->height, 2);
   EXPECT_EQ(slice->blocked, (std::vector<std::uint8_t>{0, 1, 0, 0, 0, 1}));
-  EXPECT_EQ(*voxel_slice(voxels_of(*slice), 0), *slice);
+  EXPECT_EQ(*voxel_slice(*slice, 0), *slice);
   for (const int z : {-1, 2})
     EXPECT_EQ(voxel_slice(*map, z).error(),
               "there is no slice " + std::to_string(z) + ": z goes from 0 to 1");
@@ -78,10 +78,10 @@ TEST(VoxelScen, ReadsAndWritesProblems) {
   EXPECT_EQ(scen->problems[0].goal, (Voxel{48, 85, 45}));
   EXPECT_EQ(scen->problems[0].length, 15.31710829);
   EXPECT_EQ(scen->problems[1].line, 4);
-  EXPECT_EQ(voxel_scen_text(*scen), text);
-  EXPECT_TRUE(check_scen_fits(*scen, VoxelMap(57, 86, 53), "b.3dmap").ok());
-  EXPECT_EQ(check_scen_fits(*scen, VoxelMap(56, 86, 53), "b.3dmap").error(),
-            "m.3dscen:3: (56 76 52) lies outside the box of 'b.3dmap': give the right map with --map");
+  EXPECT_EQ(scen_text(*scen), text);
+  EXPECT_TRUE(check_scen_fits(*scen, GridMap(57, 86, 53), "b.3dmap").ok());
+  EXPECT_EQ(check_scen_fits(*scen, GridMap(56, 86, 53), "b.3dmap").error(),
+            "m.3dscen:3: (56, 76, 52) lies outside the box of 'b.3dmap': give the right map with --map");
 }
 
 TEST(VoxelScen, RefusesBrokenOnes) {
@@ -110,12 +110,12 @@ TEST(VoxelShared, ReadsThePublishedFiles) {
     ASSERT_TRUE(map.ok()) << map.error();
     EXPECT_EQ(std::count(map->blocked.begin(), map->blocked.end(), kObstacle), count);
     EXPECT_EQ(*parse_voxel_map(voxel_map_text(*map), name), *map);
-    const auto scen = read_voxel_scen(path + ".3dscen");
+    const auto scen = read_scen(path + ".3dscen");
     ASSERT_TRUE(scen.ok()) << scen.error();
     EXPECT_EQ(scen->problems.size(), 10'000u);
     EXPECT_TRUE(check_scen_fits(*scen, *map, path).ok());
-    EXPECT_EQ(parse_voxel_scen(voxel_scen_text(*scen), name)->problems.size(), 10'000u);
-    for (const VoxelProblem& problem : scen->problems) {
+    EXPECT_EQ(parse_voxel_scen(scen_text(*scen), name)->problems.size(), 10'000u);
+    for (const ScenProblem& problem : scen->problems) {
       EXPECT_FALSE(map->at(problem.start));
       EXPECT_FALSE(map->at(problem.goal));
     }

@@ -35,7 +35,7 @@ Result<Scenario> open_document(const std::string& path, const Scenario& current,
   if (file_extension(path) == ".json") return read_scenario(path);
   if (file_extension(path) == ".scen")
     return Error{path + ": a .scen file lists problems, not a world; open the .map that it is for"};
-  Result<MapFile> file = read_map_file(path, reading);
+  Result<MapFile> file = read_plane_file(path, reading);
   if (!file) return Error{file.error()};
   Scenario scenario = world_of(std::move(file->map), current);
   scenario.map_found = std::move(file->found);
@@ -64,7 +64,7 @@ Result<void> save_document(const Session& session, const ViewState& view, const 
   Scenario scenario = session.to_save();
   if (file_extension(path) != ".json") {
     const MapFormat* format = find_map_format(path);
-    if (format == nullptr || !format->writes)
+    if (format == nullptr || format->write == nullptr)
       return Error{"End the name with .json for the whole scenario, or with " + map_extensions(true) +
                    " for the map alone."};
     return write_map_file(

@@ -103,7 +103,7 @@ Preview make_preview(const std::string& path, const MapReading& reading, const s
     else if (!stop.stop_requested())
       describe(*scenario, preview);
   } else if (kind == FileKind::map || kind == FileKind::picture) {
-    const Result<MapFile> file = read_map_file(path, reading);
+    const Result<MapFile> file = read_plane_file(path, reading);
     if (!file)
       preview.error = file.error();
     else if (!stop.stop_requested())

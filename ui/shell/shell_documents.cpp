@@ -28,7 +28,8 @@ std::vector<FileFilter> filters_to_open() {
 std::vector<FileFilter> filters_to_save() {
   std::vector<FileFilter> filters = {{"Scenario (.json)", {".json"}}};
   for (const MapFormat& format : map_formats()) {
-    if (!format.writes || format.extension == ".yml") continue;  // .yaml is the same
+    // .yml is the same as .yaml.
+    if (format.write == nullptr || format.solid || format.extension == ".yml") continue;
     std::string name(format.name);
     if (name.front() >= 'a' && name.front() <= 'z')
       name.front() = static_cast<char>(name.front() - 'a' + 'A');
