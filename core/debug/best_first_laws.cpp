@@ -7,7 +7,17 @@
 namespace replan {
 namespace {
 
-class BestFirstLaws final : public LawBook {
+template <int D>
+class BestFirstLaws final : public LawBook<D> {
+  using Laws = LawBook<D>;
+  using Laws::cell;
+  using Laws::direction;
+  using Laws::find;
+  using Laws::follow;
+  using Laws::hold;
+  using Laws::hold_status;
+  using Laws::named;
+  using Laws::values_;
   enum Bit : std::uint8_t { kParent = 1, kSpread = 2, kKey = 4 };
 
   static constexpr const char* kStartLaw = "g(start) is 0";
@@ -20,13 +30,14 @@ class BestFirstLaws final : public LawBook {
       "parents lead from the goal to the start, by moves along which g falls";
 
  public:
-  explicit BestFirstLaws(LawValues& values) : LawBook(values), start_(values.start()), goal_(values.goal()) {}
+  explicit BestFirstLaws(LawValues<D>& values)
+      : LawBook<D>(values), start_(values.start()), goal_(values.goal()) {}
 
   void step() override {
     follow(start_, values_.start());
     const bool other_goal = goal_ != values_.goal();
     goal_ = values_.goal();
-    for (const LawValues::Touched& each : values_.touched()) {
+    for (const typename LawValues<D>::Touched& each : values_.touched()) {
       const LawVertex& vertex = values_.at(each.node);
       const bool spread = vertex.g != each.g || vertex.queued() != each.queued;
       // A better g of a vertex that waits in the list asks nothing of its neighbours yet.
@@ -55,14 +66,14 @@ class BestFirstLaws final : public LawBook {
 
  private:
   void look_at_neighbours(NodeId u) {
-    const Grid2& known = values_.known();
+    const BoxLattice<D>& known = values_.known();
     const LawVertex& vertex = values_.at(u);
     for (std::uint32_t rest = known.moves(u); rest != 0; rest &= rest - 1) {
       const int d = std::countr_zero(rest);
       const NodeId s = known.neighbour(u, d);
       const LawVertex& other = values_.at(s);
       if (other.lp == u + 1) hold_parent(s);
-      const bool kept_back = !other.queued() && vertex.g > other.g + Grid2::step_cost(d);
+      const bool kept_back = !other.queued() && vertex.g > other.g + BoxLattice<D>::step_cost(d);
       if (kept_back || (other.broken & kSpread) != 0) hold_spread(s);
       any_broken_ |= other.broken != 0;
     }
@@ -87,19 +98,19 @@ class BestFirstLaws final : public LawBook {
     const int d = vertex.lp == 0 ? -1 : direction(s, vertex.lp - 1u);
     if (d < 0) return false;
     const LawVertex& parent = values_.at(vertex.lp - 1u);
-    const Cost sum = parent.g + Grid2::step_cost(d);
+    const Cost sum = parent.g + BoxLattice<D>::step_cost(d);
     return vertex.g == sum || (vertex.g > sum && parent.queued());
   }
 
   void hold_spread(NodeId u) {
-    const Grid2& known = values_.known();
+    const BoxLattice<D>& known = values_.known();
     const LawVertex& vertex = values_.at(u);
     NodeId behind = kNoNode;
     Cost offered;
     if (!vertex.g.is_infinite() && !vertex.queued())
       for (std::uint32_t rest = known.moves(u); rest != 0 && behind == kNoNode; rest &= rest - 1) {
         const int d = std::countr_zero(rest);
-        offered = vertex.g + Grid2::step_cost(d);
+        offered = vertex.g + BoxLattice<D>::step_cost(d);
         if (values_.at(known.neighbour(u, d)).g > offered) behind = known.neighbour(u, d);
       }
     hold(u, kSpread, kSpreadLaw, behind == kNoNode, [&] {
@@ -138,8 +149,12 @@ class BestFirstLaws final : public LawBook {
 
 }  // namespace
 
-std::unique_ptr<LawBook> make_best_first_laws(LawValues& values) {
-  return std::make_unique<BestFirstLaws>(values);
+template <int D>
+std::unique_ptr<LawBook<D>> make_best_first_laws(LawValues<D>& values) {
+  return std::make_unique<BestFirstLaws<D>>(values);
 }
+
+template std::unique_ptr<LawBook<2>> make_best_first_laws(LawValues<2>&);
+template std::unique_ptr<LawBook<3>> make_best_first_laws(LawValues<3>&);
 
 }  // namespace replan

@@ -94,7 +94,7 @@ std::string cost_text(Cost cost, int decimals) {
 }
 
 std::string node_text(const Box& lattice, NodeId node) {
-  return node >= lattice.node_count() ? "none" : cell_text(lattice.position(node));
+  return node >= lattice.node_count() ? "none" : cell_text(lattice.position(node), lattice.solid());
 }
 
 std::string value_text(const Box& lattice, EventKind kind, std::uint64_t raw) {

@@ -28,9 +28,10 @@ struct Hop {
 
 /// Holds a run's values against the laws, once a step: the vertices that it touched and those that depend on
 /// them. A law that does not hold somewhere is found once, until it held there again.
+template <int D>
 class LawBook {
  public:
-  explicit LawBook(LawValues& values) : values_(values) {}
+  explicit LawBook(LawValues<D>& values) : values_(values) {}
   virtual ~LawBook() = default;
   LawBook(const LawBook&) = delete;
   LawBook& operator=(const LawBook&) = delete;
@@ -58,7 +59,7 @@ class LawBook {
   }
   /// "rhs(31, 18)"
   [[nodiscard]] std::string named(const char* value, NodeId node) const {
-    return value + (values_.on_map(node) ? cell_text(values_.known().position(node)) : " of no cell");
+    return value + (values_.on_map(node) ? cell_text(values_.known().position(node), D == 3) : " of no cell");
   }
   [[nodiscard]] std::string cell(NodeId node) const { return named("", node); }
   /// The direction from a node to a neighbour that the known map lets it move to; -1 if there is none.
@@ -70,15 +71,18 @@ class LawBook {
   /// A plan is there exactly if the value that promises one is finite and its ends are free.
   void hold_status(PlanStatus status, const char* value, NodeId node, Cost promised);
 
-  LawValues& values_;
+  LawValues<D>& values_;
 
  private:
   std::vector<Finding> found_;
 };
 
 /// The laws for the view's planner. `values` must outlive them.
-std::unique_ptr<LawBook> make_law_book(const LogView& view, LawValues& values);
-std::unique_ptr<LawBook> make_lookahead_laws(const LogView& view, LawValues& values);
-std::unique_ptr<LawBook> make_best_first_laws(LawValues& values);
+template <int D>
+std::unique_ptr<LawBook<D>> make_law_book(const LogView& view, LawValues<D>& values);
+template <int D>
+std::unique_ptr<LawBook<D>> make_lookahead_laws(const LogView& view, LawValues<D>& values);
+template <int D>
+std::unique_ptr<LawBook<D>> make_best_first_laws(LawValues<D>& values);
 
 }  // namespace replan

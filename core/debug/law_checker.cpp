@@ -14,13 +14,57 @@ constexpr std::uint8_t kReadsPath = 106;
 
 }  // namespace
 
+/// The values of a run and the laws that they are held against, whatever its dimension.
+class LawKeeper {
+ public:
+  virtual ~LawKeeper() = default;
+  LawKeeper() = default;
+  LawKeeper(const LawKeeper&) = delete;
+  LawKeeper& operator=(const LawKeeper&) = delete;
+
+  virtual void apply(const Event& event) = 0;
+  /// Holds what the step touched against the laws.
+  virtual void step() = 0;
+  virtual void plan(PlanStatus status, std::span<const Hop> hops) = 0;
+  virtual void look(NodeId node) = 0;
+  [[nodiscard]] virtual std::vector<Finding> take() = 0;
+  [[nodiscard]] virtual std::size_t bytes() const = 0;
+};
+
+template <int D>
+class LawKeeperOf final : public LawKeeper {
+ public:
+  LawKeeperOf(const LogView& view, std::size_t position)
+      : values_(view, position), laws_(make_law_book(view, values_)) {}
+
+  void apply(const Event& event) override { values_.apply(event); }
+  void step() override {
+    values_.finish_step();
+    laws_->step();
+    values_.settle();
+  }
+  void plan(PlanStatus status, std::span<const Hop> hops) override { laws_->plan(status, hops); }
+  void look(NodeId node) override { laws_->look(node); }
+  std::vector<Finding> take() override { return laws_->take(); }
+  [[nodiscard]] std::size_t bytes() const override { return values_.bytes(); }
+
+ private:
+  LawValues<D> values_;
+  std::unique_ptr<LawBook<D>> laws_;
+};
+
+static std::unique_ptr<LawKeeper> make_law_keeper(const LogView& view, std::size_t position) {
+  return with_dimensions(view.lattice, [&](auto d) -> std::unique_ptr<LawKeeper> {
+    return std::make_unique<LawKeeperOf<d()>>(view, position);
+  });
+}
+
 struct LawChecker::State {
   const Timeline* log;
   const PlannerInfo* info;
   Settings settings;
   Box frame;
-  std::unique_ptr<LawValues> values;
-  std::unique_ptr<LawBook> laws;
+  std::unique_ptr<LawKeeper> laws;
   std::vector<Hop> hops;  // of the path that is being read out
   std::size_t read = 0;
   std::vector<Breach> breaches;
@@ -32,9 +76,7 @@ struct LawChecker::State {
   }
 
   void begin_at(std::size_t position) {
-    const LogView view{*log, frame, *info, settings};
-    values = std::make_unique<LawValues>(view, position);
-    laws = make_law_book(view, *values);
+    laws = make_law_keeper({*log, frame, *info, settings}, position);
     hops.clear();
     read = position;
   }
@@ -42,14 +84,12 @@ struct LawChecker::State {
   void take(const Event& event) {
     const bool stands = event.kind == EventKind::plan_end;
     if (stands || event.kind == EventKind::pop) {
-      values->finish_step();
       laws->step();
-      values->settle();
       keep(read);
     }
     if (event.kind == EventKind::sight && event.line == kReadsPath && event.delta >> 32 != 0)
       hops.push_back({event.node, static_cast<NodeId>(event.delta)});
-    values->apply(event);
+    laws->apply(event);
     ++read;
     if (!stands) return;
     laws->plan(static_cast<PlanStatus>(event.delta), hops);
@@ -101,7 +141,7 @@ std::size_t LawChecker::breach_count() const {
   return state_->count;
 }
 std::size_t LawChecker::bytes() const {
-  return state_->values->bytes();
+  return state_->laws->bytes();
 }
 
 }  // namespace replan

@@ -16,16 +16,19 @@ Heuristic heuristic_of(const PlannerInfo& info, const Settings& settings) {
   return static_cast<Heuristic>(std::find(all.begin(), all.end(), name) - all.begin());
 }
 
-LawValues::LawValues(const LogView& view, std::size_t position)
+template <int D>
+LawValues<D>::LawValues(const LogView& view, std::size_t position)
     : heuristic_(heuristic_of(view.info, view.settings)) {
   const SearchState state = view.log.state_at(position);
-  known_ = Grid2(view.lattice.size(), state.known_map().plain(), move_rules(view.settings));
+  known_ =
+      BoxLattice<D>(view.lattice.template sides<D>(), state.known_map().plain(), move_rules(view.settings));
   if (view.info.clearance) clearance_.emplace(known_, parameters::clearance_rules_of(view.settings));
   pages_.resize((known_.node_count() + kPage - 1) / kPage);
   load(state);
 }
 
-void LawValues::load(const SearchState& state) {
+template <int D>
+void LawValues<D>::load(const SearchState& state) {
   constexpr std::size_t kStatePage = SearchState::kPage;
   constexpr EventKind kKinds[] = {EventKind::g,  EventKind::rhs, EventKind::queue,
                                   EventKind::lp, EventKind::rp,  EventKind::dist};
@@ -48,24 +51,28 @@ void LawValues::load(const SearchState& state) {
   }
 }
 
-LawVertex& LawValues::write(NodeId node) {
+template <int D>
+LawVertex& LawValues<D>::write(NodeId node) {
   auto& page = pages_[node / kPage];
   if (!page) page = std::make_unique<LawVertex[]>(kPage);
   return page[node % kPage];
 }
 
-LawVertex& LawValues::changing(NodeId node, std::uint8_t change) {
+template <int D>
+LawVertex& LawValues<D>::changing(NodeId node, std::uint8_t change) {
   LawVertex& vertex = write(node);
   if (vertex.changed == 0) touched_.push_back({node, vertex.g, vertex.rhs, vertex.lp, vertex.queued()});
   vertex.changed |= change;
   return vertex;
 }
 
-void LawValues::touch(NodeId node, LawVertex::Change change) {
+template <int D>
+void LawValues<D>::touch(NodeId node, LawVertex::Change change) {
   changing(node, change);
 }
 
-void LawValues::apply(const Event& event) {
+template <int D>
+void LawValues<D>::apply(const Event& event) {
   const auto flip = [&event](Cost& cost) {
     cost.raw = static_cast<std::int64_t>(static_cast<std::uint64_t>(cost.raw) ^ event.delta);
   };
@@ -100,7 +107,8 @@ void LawValues::apply(const Event& event) {
   }
 }
 
-void LawValues::forget_search() {
+template <int D>
+void LawValues<D>::forget_search() {
   for_each_page([this](NodeId node, const LawVertex& vertex) {
     const bool blank = vertex.g.is_infinite() && vertex.rhs.is_infinite() && !vertex.queued() &&
                        vertex.lp == 0 && vertex.rp == 0;
@@ -112,7 +120,8 @@ void LawValues::forget_search() {
   });
 }
 
-void LawValues::finish_step() {
+template <int D>
+void LawValues<D>::finish_step() {
   if (turned_.empty()) return;
   std::sort(turned_.begin(), turned_.end());
   std::vector<CellEdit> edits;  // each cell once, if it is not as it was
@@ -124,22 +133,27 @@ void LawValues::finish_step() {
       edits.push_back({turned_[i], !known_.blocked(turned_[i])});
   }
   turned_.clear();
-  for (const Grid2::MoveChange& move : known_.apply(edits)) touch(move.node, LawVertex::all);
+  for (const auto& move : known_.apply(edits)) touch(move.node, LawVertex::all);
   if (clearance_)
     for (const ClearanceChange& change : clearance_->update(known_, edits))
       touch(change.node, LawVertex::offer);
 }
 
-void LawValues::settle() {
-  for (const Touched& each : touched_) write(each.node).changed = 0;
+template <int D>
+void LawValues<D>::settle() {
+  for (const auto& each : touched_) write(each.node).changed = 0;
   touched_.clear();
 }
 
-std::size_t LawValues::bytes() const {
+template <int D>
+std::size_t LawValues<D>::bytes() const {
   std::size_t bytes = pages_.size() * sizeof pages_[0] + known_.node_count() * 2;
   for (const auto& page : pages_)
     if (page) bytes += kPage * sizeof(LawVertex);
   return bytes + (clearance_ ? clearance_->memory_bytes() : 0);
 }
+
+template class LawValues<2>;
+template class LawValues<3>;
 
 }  // namespace replan

@@ -39,6 +39,7 @@ struct LawVertex {
 /// The estimate that a planner of these settings makes: `zero` if it has no setting for it.
 Heuristic heuristic_of(const PlannerInfo& info, const Settings& settings);
 
+template <int D>
 class LawValues {
  public:
   /// Where something changed since the last finished step, and what stood there before.
@@ -76,7 +77,7 @@ class LawValues {
           visit(static_cast<NodeId>(p * kPage + i), pages_[p][i]);
   }
 
-  [[nodiscard]] const Grid2& known() const { return known_; }
+  [[nodiscard]] const BoxLattice<D>& known() const { return known_; }
   /// What dist should be; zero for planners without clearance.
   [[nodiscard]] Cost penalty(NodeId node) const {
     return clearance_ ? clearance_->penalty(node) : Cost::zero();
@@ -105,11 +106,14 @@ class LawValues {
 
   std::vector<std::unique_ptr<LawVertex[]>> pages_;
   std::vector<Touched> touched_;
-  Grid2 known_;
-  std::optional<ClearanceField<2>> clearance_;
+  BoxLattice<D> known_;
+  std::optional<ClearanceField<D>> clearance_;
   std::vector<NodeId> turned_;  // cells of the robot's map since the last finished step
   std::array<std::uint64_t, static_cast<std::size_t>(Scalar::count)> scalars_{};
   Heuristic heuristic_;
 };
+
+extern template class LawValues<2>;
+extern template class LawValues<3>;
 
 }  // namespace replan

@@ -15,7 +15,17 @@
 namespace replan {
 namespace {
 
-class LookaheadLaws final : public LawBook {
+template <int D>
+class LookaheadLaws final : public LawBook<D> {
+  using Laws = LawBook<D>;
+  using Laws::cell;
+  using Laws::direction;
+  using Laws::find;
+  using Laws::follow;
+  using Laws::hold;
+  using Laws::hold_status;
+  using Laws::named;
+  using Laws::values_;
   enum Bit : std::uint8_t { kRhs = 1, kParent = 2, kQueue = 4, kKey = 8, kDist = 16 };
 
   static constexpr const char* kRhsLaw = "rhs(s) is the least c + g + dist of its successors";
@@ -33,8 +43,8 @@ class LookaheadLaws final : public LawBook {
   static constexpr const char* kLengthLaw = "a path is no longer than the way along local parents";
 
  public:
-  LookaheadLaws(const LogView& view, LawValues& values)
-      : LawBook(values),
+  LookaheadLaws(const LogView& view, LawValues<D>& values)
+      : LawBook<D>(values),
         sight_(view.info.sight),
         along_path_(view.info.sight && parameters::checks_along_path(view.settings)),
         printed_(view.info.sight && !along_path_ && view.settings.get(parameters::kRemoteParents) != 0),
@@ -48,7 +58,7 @@ class LookaheadLaws final : public LawBook {
     follow(goal_, values_.goal());
     const bool any_key = keys_may_be_too_large();
     // What is touched no longer changes; nothing below touches anything.
-    for (const LawValues::Touched& each : values_.touched()) {
+    for (const typename LawValues<D>::Touched& each : values_.touched()) {
       const std::uint8_t changed = values_.at(each.node).changed;
       if ((changed & (LawVertex::offer | LawVertex::all)) != 0) look_at_predecessors(each.node);
       look_at_touched(each);
@@ -93,13 +103,13 @@ class LookaheadLaws final : public LawBook {
 
   /// What u offers has changed.
   void look_at_predecessors(NodeId u) {
-    const Grid2& known = values_.known();
+    const BoxLattice<D>& known = values_.known();
     const Cost through = offer_of(u);
     for (std::uint32_t rest = known.moves(u); rest != 0; rest &= rest - 1) {
       const int d = std::countr_zero(rest);
       const NodeId s = known.neighbour(u, d);
       const LawVertex& vertex = values_.at(s);
-      const Cost sum = Grid2::step_cost(d) + through;
+      const Cost sum = BoxLattice<D>::step_cost(d) + through;
       const bool fits = vertex.lp == u + 1 ? sum == vertex.rhs && !sum.is_infinite()
                                            : sum > vertex.rhs || (sum == vertex.rhs &&
                                                                   (sum.is_infinite() || u + 1 > vertex.lp));
@@ -107,7 +117,7 @@ class LookaheadLaws final : public LawBook {
     }
   }
 
-  void look_at_touched(const LawValues::Touched& before) {
+  void look_at_touched(const typename LawValues<D>::Touched& before) {
     const LawVertex& vertex = values_.at(before.node);
     const bool worse = vertex.rhs > before.rhs || (vertex.rhs == before.rhs && vertex.lp > before.lp);
     const bool all = (vertex.changed & LawVertex::all) != 0 || (vertex.broken & (kRhs | kParent)) != 0;
@@ -121,7 +131,7 @@ class LookaheadLaws final : public LawBook {
     const LawVertex& vertex = values_.at(s);
     if (vertex.rhs.is_infinite()) return vertex.lp == 0;
     const int d = direction(s, vertex.lp - 1u);
-    return d >= 0 && Grid2::step_cost(d) + offer_of(vertex.lp - 1u) == vertex.rhs;
+    return d >= 0 && BoxLattice<D>::step_cost(d) + offer_of(vertex.lp - 1u) == vertex.rhs;
   }
 
   void look_at_successors(NodeId s) {
@@ -132,10 +142,10 @@ class LookaheadLaws final : public LawBook {
       best = Cost::zero();
       parent = s;
     } else {
-      const Grid2& known = values_.known();
+      const BoxLattice<D>& known = values_.known();
       for (std::uint32_t rest = known.moves(s); rest != 0; rest &= rest - 1) {
         const int d = std::countr_zero(rest);
-        const Cost sum = Grid2::step_cost(d) + offer_of(known.neighbour(s, d));
+        const Cost sum = BoxLattice<D>::step_cost(d) + offer_of(known.neighbour(s, d));
         if (!(sum < best)) continue;
         best = sum;
         parent = known.neighbour(s, d);
@@ -208,7 +218,7 @@ class LookaheadLaws final : public LawBook {
         find(s, kWayLaw, way_words(s, next, d >= 0));
         return Cost::infinity();
       }
-      way = way + Grid2::step_cost(d);
+      way = way + BoxLattice<D>::step_cost(d);
       s = next;
     }
     return way;
@@ -244,12 +254,12 @@ class LookaheadLaws final : public LawBook {
                cost_text(way));
   }
   [[nodiscard]] bool sees(NodeId a, NodeId b) const {
-    const Grid2& known = values_.known();
+    const BoxLattice<D>& known = values_.known();
     return line_of_sight(
         known, sight_rule_, a, b, [&known](NodeId c) { return known.blocked(c); }, NoSightMap{});
   }
   [[nodiscard]] std::string crossing_words(NodeId s, NodeId next) const {
-    const Grid2& known = values_.known();
+    const BoxLattice<D>& known = values_.known();
     NodeId obstacle = kNoNode;
     walk_supercover(known, s, next, [&](NodeId node, int) {
       if (known.blocked(node)) obstacle = node;
@@ -271,8 +281,12 @@ class LookaheadLaws final : public LawBook {
 
 }  // namespace
 
-std::unique_ptr<LawBook> make_lookahead_laws(const LogView& view, LawValues& values) {
-  return std::make_unique<LookaheadLaws>(view, values);
+template <int D>
+std::unique_ptr<LawBook<D>> make_lookahead_laws(const LogView& view, LawValues<D>& values) {
+  return std::make_unique<LookaheadLaws<D>>(view, values);
 }
+
+template std::unique_ptr<LawBook<2>> make_lookahead_laws(const LogView&, LawValues<2>&);
+template std::unique_ptr<LawBook<3>> make_lookahead_laws(const LogView&, LawValues<3>&);
 
 }  // namespace replan

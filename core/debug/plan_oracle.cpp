@@ -13,34 +13,13 @@
 #include "core/plan/planner.hpp"
 
 namespace replan {
+namespace {
 
-bool claims_cheapest(const PlannerInfo& info, const Settings& settings) {
-  return info.values == SearchValues::lookahead || info.optimal(settings);
-}
-
-PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t position) {
-  const SearchState state = view.log.state_at(position);
-  PlanQuestion question;
-  question.plan = plan;
-  question.position = position;
-  question.size = view.lattice.size();
-  question.rules = move_rules(view.settings);
-  question.known = state.known_map();
-  if (view.info.clearance) question.clearance = parameters::clearance_rules_of(view.settings);
-  question.start = state.node(Scalar::start);
-  question.goal = state.node(Scalar::goal);
-  const auto status = static_cast<PlanStatus>(view.log.event(position - 1).delta);
-  question.claimed = !has_path(status)                             ? Cost::infinity()
-                     : view.info.values == SearchValues::lookahead ? state.rhs(question.start)
-                                                                   : state.g(question.goal);
-  question.exact = claims_cheapest(view.info, view.settings);
-  return question;
-}
-
-Cost right_cost(const PlanQuestion& question, const std::stop_token& stop) {
-  const Grid2 map(question.size, question.known.plain(), question.rules);
+template <int D>
+Cost cost_by_dijkstra(const PlanQuestion& question, const std::stop_token& stop) {
+  const BoxLattice<D> map(question.box.sides<D>(), question.known.plain(), question.rules);
   if (map.blocked(question.start) || map.blocked(question.goal)) return Cost::infinity();
-  std::optional<ClearanceField<2>> field;
+  std::optional<ClearanceField<D>> field;
   if (question.clearance) field.emplace(map, *question.clearance);
   std::vector<Cost> costs(map.node_count(), Cost::infinity());
   using Entry = std::pair<std::int64_t, NodeId>;
@@ -55,13 +34,42 @@ Cost right_cost(const PlanQuestion& question, const std::stop_token& stop) {
     for (std::uint32_t rest = map.moves(u); rest != 0; rest &= rest - 1) {
       const int d = std::countr_zero(rest);
       const NodeId s = map.neighbour(u, d);
-      const Cost sum = Cost{cost} + Grid2::step_cost(d) + (field ? field->penalty(s) : Cost::zero());
+      const Cost sum = Cost{cost} + BoxLattice<D>::step_cost(d) + (field ? field->penalty(s) : Cost::zero());
       if (!(sum < costs[s])) continue;
       costs[s] = sum;
       open.push({sum.raw, s});
     }
   }
   return Cost::infinity();
+}
+
+}  // namespace
+
+bool claims_cheapest(const PlannerInfo& info, const Settings& settings) {
+  return info.values == SearchValues::lookahead || info.optimal(settings);
+}
+
+PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t position) {
+  const SearchState state = view.log.state_at(position);
+  PlanQuestion question;
+  question.plan = plan;
+  question.position = position;
+  question.box = view.lattice;
+  question.rules = move_rules(view.settings);
+  question.known = state.known_map();
+  if (view.info.clearance) question.clearance = parameters::clearance_rules_of(view.settings);
+  question.start = state.node(Scalar::start);
+  question.goal = state.node(Scalar::goal);
+  const auto status = static_cast<PlanStatus>(view.log.event(position - 1).delta);
+  question.claimed = !has_path(status)                             ? Cost::infinity()
+                     : view.info.values == SearchValues::lookahead ? state.rhs(question.start)
+                                                                   : state.g(question.goal);
+  question.exact = claims_cheapest(view.info, view.settings);
+  return question;
+}
+
+Cost right_cost(const PlanQuestion& question, const std::stop_token& stop) {
+  return with_dimensions(question.box, [&](auto d) { return cost_by_dijkstra<d()>(question, stop); });
 }
 
 std::optional<Disagreement> judge(const PlanQuestion& question, Cost right) {

@@ -17,7 +17,7 @@ namespace replan {
 struct PlanQuestion {
   std::size_t plan = 0;      ///< how many came before it
   std::size_t position = 0;  ///< past its plan_end
-  Grid2::Coordinates size{};
+  Box box;
   MoveRules rules;
   SharedBytes known;                        ///< nonzero = obstacle
   std::optional<ClearanceRules> clearance;  ///< of planners that pay for coming near obstacles

@@ -227,6 +227,13 @@ bool path_is_free(const BoxLattice<D>& lattice, std::span<const NodeId> path, Si
   return true;
 }
 
+PathFigures path_figures(const Box& box, const SharedBytes& cells, MoveRules rules,
+                         std::span<const NodeId> path) {
+  return with_dimensions(box, [&](auto d) {
+    return path_figures(BoxLattice<d()>(box.sides<d()>(), cells.plain(), rules), path);
+  });
+}
+
 template double path_length<2>(const BoxLattice<2>&, std::span<const NodeId>);
 template double path_length<3>(const BoxLattice<3>&, std::span<const NodeId>);
 template PathFigures path_figures<2>(const BoxLattice<2>&, std::span<const NodeId>);

@@ -3,6 +3,8 @@
 
 #include <span>
 
+#include "core/base/shared_array.hpp"
+#include "core/lattice/box.hpp"
 #include "core/lattice/box_lattice.hpp"
 #include "core/plan/planner.hpp"
 
@@ -27,6 +29,9 @@ double path_length(const BoxLattice<D>& lattice, std::span<const NodeId> path);
 /// All figures of a path on a map.
 template <int D>
 PathFigures path_figures(const BoxLattice<D>& lattice, std::span<const NodeId> path);
+/// The same on a box of cells, nonzero = obstacle.
+PathFigures path_figures(const Box& box, const SharedBytes& cells, MoveRules rules,
+                         std::span<const NodeId> path);
 
 /// True if every segment of the polyline is either a move of the lattice or a line of sight on its free
 /// cells.

@@ -29,18 +29,10 @@ class TouchCount {
   std::int64_t count_ = 0;
 };
 
-}  // namespace
-
-FreshPlanTask::FreshPlanTask(const Run& run)
-    : choice(run.choice()),
-      size(run.lattice().size()),
-      known(run.timeline().state().known_map()),
-      start(run.timeline().state().node(Scalar::start)),
-      goal(run.timeline().state().node(Scalar::goal)) {}
-
-FreshPlan plan_from_scratch(const FreshPlanTask& task, const std::stop_token& stop) {
+template <int D>
+FreshPlan plan_in(const FreshPlanTask& task, const std::stop_token& stop) {
   const PlannerChoice& choice = task.choice;
-  const Grid2 lattice(task.size, task.known.plain(), move_rules(choice.settings));
+  const BoxLattice<D> lattice(task.box.sides<D>(), task.known.plain(), move_rules(choice.settings));
   Recorder recorder;
   const auto planner = make_planner(*find_planner(choice.id), lattice, choice.settings, recorder);
   TouchCount touched(lattice.node_count());
@@ -62,6 +54,19 @@ FreshPlan plan_from_scratch(const FreshPlanTask& task, const std::stop_token& st
   fresh.touched = touched.count();
   fresh.expansions = planner->counters().expansions;
   return fresh;
+}
+
+}  // namespace
+
+FreshPlanTask::FreshPlanTask(const Run& run)
+    : choice(run.choice()),
+      box(run.lattice()),
+      known(run.timeline().state().known_map()),
+      start(run.timeline().state().node(Scalar::start)),
+      goal(run.timeline().state().node(Scalar::goal)) {}
+
+FreshPlan plan_from_scratch(const FreshPlanTask& task, const std::stop_token& stop) {
+  return with_dimensions(task.box, [&](auto d) { return plan_in<d()>(task, stop); });
 }
 
 FreshPlans::FreshPlans() : thread_([this](const std::stop_token& stop) { work(stop); }) {}

@@ -26,7 +26,7 @@ struct FreshPlanTask {
   explicit FreshPlanTask(const Run& run);
 
   PlannerChoice choice;
-  Grid2::Coordinates size{};
+  Box box;
   SharedBytes known;  ///< nonzero = obstacle
   NodeId start = kNoNode, goal = kNoNode;
 };

@@ -43,7 +43,7 @@ void Run::restart(std::shared_ptr<const Scenario> scenario) {
 /// The log of the scenario before its first event.
 void Run::begin_log() {
   info_ = find_planner(choice().id);
-  lattice_ = Box(scenario_->map.width, scenario_->map.height);
+  lattice_ = scenario_->map.box();
   if (timeline_) retire_log();
   if (reexecution_) dispose(std::move(reexecution_));
   const bool mapped = all_mapped();

@@ -7,6 +7,7 @@
 
 #include "core/base/cell.hpp"
 #include "core/base/shared_array.hpp"
+#include "core/lattice/box.hpp"
 
 namespace replan {
 
@@ -56,6 +57,7 @@ struct GridMap {
                static_cast<std::size_t>(width) +
            static_cast<std::size_t>(c.x);
   }
+  [[nodiscard]] Box box() const { return {width, height, depth}; }
   [[nodiscard]] bool at(Cell c) const { return blocked[index(c)] != 0; }
   void set(Cell c, bool value) { blocked[index(c)] = value ? kObstacle : kFree; }
   friend bool operator==(const GridMap&, const GridMap&) = default;

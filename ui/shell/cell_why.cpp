@@ -1,8 +1,7 @@
 // Part of the Cell tab: why the cell's rhs (A*: its g) is what it is.
-#include <algorithm>
-#include <bit>
 #include <vector>
 
+#include "core/debug/offers.hpp"
 #include "core/plan/common_parameters.hpp"
 #include "ui/shell/cell_view.hpp"
 #include "ui/shell/format.hpp"
@@ -11,37 +10,6 @@
 
 namespace replan::ui {
 namespace {
-
-/// One neighbour's offer: c + g + dist = sum.
-struct Offer {
-  NodeId node;
-  Cost step, g, dist, sum;
-};
-
-/// Moves from the cell on the robot's map at the cursor: of a window of 3 x 3 cells under the same rules.
-std::vector<Offer> offers(const CellView& view) {
-  const Box& lattice = view.run.lattice();
-  const int left = std::max(view.cell.x - 1, 0), top = std::max(view.cell.y - 1, 0);
-  const int right = std::min(view.cell.x + 1, lattice.width() - 1),
-            bottom = std::min(view.cell.y + 1, lattice.height() - 1);
-  std::vector<std::uint8_t> blocked;
-  for (int y = top; y <= bottom; ++y)
-    for (int x = left; x <= right; ++x)
-      blocked.push_back(view.state.known_blocked(lattice.node(Cell{x, y})) ? 1 : 0);
-  const Grid2 window({right - left + 1, bottom - top + 1}, std::move(blocked),
-                     move_rules(view.run.choice().settings));
-  const NodeId middle = window.node(Cell{view.cell.x - left, view.cell.y - top});
-  std::vector<Offer> all;
-  for (auto rest = static_cast<std::uint32_t>(window.moves(middle)); rest != 0; rest &= rest - 1) {
-    const int d = std::countr_zero(rest);
-    const Cell at = window.position(window.neighbour(middle, d));
-    const NodeId node = lattice.node(Cell{at.x + left, at.y + top});
-    const Cost g = view.state.g(node), dist = view.state.dist(node), step = Grid2::step_cost(d);
-    all.push_back({node, step, g, dist, step + g + dist});
-  }
-  std::stable_sort(all.begin(), all.end(), [](const Offer& a, const Offer& b) { return a.sum < b.sum; });
-  return all;
-}
 
 /// Why there is nothing to add up; empty if there is.
 const char* special_case(const CellView& view, const std::vector<Offer>& all) {
@@ -122,7 +90,7 @@ void draw_why(Frame& frame, const CellView& view) {
   const Cost value = view.lookahead ? view.state.rhs(view.node) : view.state.g(view.node);
   const char* name = view.lookahead ? "rhs" : "g";
   section_title(look, std::string("Why is ") + name + " " + cost_text(value) + "?");
-  const std::vector<Offer> all = offers(view);
+  const std::vector<Offer> all = offers_to(view.run.log_view(), view.state, view.node);
   if (const std::string_view special = special_case(view, all); !special.empty()) {
     paragraph(look.fonts.ui, look.theme.dim, special);
     return written_line(frame, view);

@@ -1,0 +1,21 @@
+// What a cell's neighbours offer it: why its rhs (A*: its g) is what it is.
+#pragma once
+
+#include <vector>
+
+#include "core/debug/log_view.hpp"
+#include "core/trace/search_state.hpp"
+
+namespace replan {
+
+/// One neighbour's offer: the move, its g and dist, and what these come to, sum = step + g + dist.
+struct Offer {
+  NodeId node;
+  Cost step, g, dist, sum;
+};
+
+/// The offers of all neighbours that the robot's map lets it move to, the least first, equal ones in the
+/// order of their directions. `state` is one of the log's.
+std::vector<Offer> offers_to(const LogView& view, const SearchState& state, NodeId node);
+
+}  // namespace replan
