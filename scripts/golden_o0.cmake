@@ -2,7 +2,8 @@
 # build without optimisation costs seconds. CMake includes this file at the end of project(), see CMakePresets.json.
 find_package(GTest REQUIRED)
 file(GLOB PLANNING_SOURCES CONFIGURE_DEPENDS
-  core/base/*.cpp core/field/*.cpp core/lattice/*.cpp core/plan/*.cpp core/trace/*.cpp)
+  core/base/*.cpp core/field/*.cpp core/lattice/*.cpp core/plan/*.cpp core/planners/*.cpp
+  core/trace/*.cpp)
 list(FILTER PLANNING_SOURCES EXCLUDE REGEX "/(stb|pages)\\.cpp$")
 add_executable(replan_golden_o0 EXCLUDE_FROM_ALL ${PLANNING_SOURCES} tests/unit/golden_log_test.cpp)
 target_link_libraries(replan_golden_o0 PRIVATE replan_flags GTest::gtest_main)
