@@ -330,14 +330,20 @@ bool line_of_sight(const BoxLattice<D>& lattice, SightRule rule, NodeId a, NodeI
   if (a > b) std::swap(a, b);
   const CornerRule corners = lattice.rules().corners;
   const int allowed = corners == CornerRule::none ? 0 : corners == CornerRule::one ? 1 : 8;
-  if constexpr (std::is_same_v<Tiles, SightMap<2>>)
-    return rule == SightRule::supercover
-               ? LineRuns<false>(lattice.coordinates(a), lattice.coordinates(b)).clear(tiles, allowed)
-               : LineRuns<true>(lattice.coordinates(a), lattice.coordinates(b)).clear(tiles, allowed);
-  else
+  if constexpr (std::is_same_v<Tiles, SightMap<2>>) {
+    const auto from = lattice.coordinates(a), to = lattice.coordinates(b);
+    const int across = to[0] - from[0], down = to[1] - from[1];
+    // Neighbours, as most are that are asked about in a narrow maze.
+    if (std::abs(across) <= 1 && down <= 1)
+      return across == 0 || down == 0 ||
+             int{bad(a + static_cast<NodeId>(across))} + int{bad(b - static_cast<NodeId>(across))} <= allowed;
+    return rule == SightRule::supercover ? LineRuns<false>(from, to).clear(tiles, allowed)
+                                         : LineRuns<true>(from, to).clear(tiles, allowed);
+  } else {
     return rule == SightRule::supercover
                ? ray_is_clear(SupercoverRay<D>(lattice, a, b), b, allowed, bad, tiles)
                : ray_is_clear(BresenhamRay<D>(lattice, a, b), b, allowed, bad, tiles);
+  }
 }
 
 }  // namespace replan
