@@ -2,21 +2,18 @@
 //
 // Laws, tested for every model (tests/unit/lattice_laws_test.cpp):
 //  1. Nodes are 0 .. node_count()-1. Direction d from n leads to neighbour(n, d) only where bit d of moves(n)
-//  is set.
+//     is set.
 //  2. Directions are ordered so that neighbour(n, d) grows with d: "the smallest index" is "the lowest bit".
 //  3. Moves are undirected: bit d of moves(n) is set exactly if bit reverse(d) of moves(neighbour(n, d)) is.
 //     So Succ(s) = Pred(s), and step_cost(d) == step_cost(reverse(d)).
 //  4. A blocked node has no moves and is nobody's neighbour.
 //  5. Lower bounds are consistent over step costs: bound(a, c) <= step(a, b) + bound(b, c). Step costs are
-//  rounded
-//     up and lower bounds down: bound is the floor of a metric, floor(x + y) <= floor(x) + ceil(y).
+//     rounded up and lower bounds down: bound is the floor of a metric, floor(x + y) <= floor(x) + ceil(y).
 //  6. bound_up(a, b) is the same bound rounded up, so that bound(a, c) <= bound_up(a, b) + bound(b, c): what
-//  km
-//     must grow by in D* Lite (a sum of floors alone can fall one unit short).
+//     km must grow by in D* Lite (a sum of floors alone can fall one unit short).
 //  7. Sight is symmetric in its two ends (sight.hpp).
-//  8. After apply(), moves() equals that of a lattice built afresh from the same cells, and the reported
-//  nodes are
-//     exactly those whose moves changed.
+//  8. After apply(), moves() equals that of a lattice built afresh from the same cells, and the reported nodes
+//     are exactly those whose moves changed.
 #pragma once
 
 #include <concepts>

@@ -1,8 +1,7 @@
 // A* and Dijkstra's algorithm: best-first search from the start, afresh for each plan.
 //
 //  A*        Hart, Nilsson & Raphael, "A formal basis for the heuristic determination of minimum cost paths",
-//  IEEE
-//            Trans. Systems Science and Cybernetics 4(2), 1968, doi 10.1109/TSSC.1968.300136
+//            IEEE Trans. Systems Science and Cybernetics 4(2), 1968, doi 10.1109/TSSC.1968.300136
 //  Dijkstra  "A note on two problems in connexion with graphs", Numerische Mathematik 1, 1959,
 //            doi 10.1007/BF01386390: the same with no estimate
 //

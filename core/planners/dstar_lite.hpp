@@ -13,27 +13,22 @@
 //
 // What the print leaves open, and what holds here:
 //  * rhs is updated incrementally (Koenig & Likhachev, "Fast replanning for navigation in unknown terrain",
-//  IEEE
-//    Trans. Robotics 21(3), 2005, "optimised D* Lite"): where one successor improved, the minimum is that of
-//    two numbers; where one got worse, it is taken anew only if that successor was the argmin. Costs and
-//    parents are those of the plain version.
+//    IEEE Trans. Robotics 21(3), 2005, "optimised D* Lite"): where one successor improved, the minimum is
+//    that of two numbers; where one got worse, it is taken anew only if that successor was the argmin. Costs
+//    and parents are those of the plain version.
 //  * A change of clearance is a change of edge costs: every predecessor of a vertex whose dist changed is
-//  updated.
+//    updated.
 //  * km grows by the heuristic rounded *up* (law 6 in lattice.hpp), so that keys in U stay lower bounds.
 //  * A remote parent goes stale when the map changes after its sight check. It is checked when it is used
-//  (next()):
-//    it must be in sight now, consistent, nearer to the goal, settled (key <= U.TopKey()), and no detour: the
-//    leap and what is left from there no longer than the way along local parents. Else the local parent is
-//    taken. `remote_parents=printed` trusts it instead.
+//    (next()): it must be in sight now, consistent, nearer to the goal, settled (key <= U.TopKey()), and no
+//    detour: the leap and what is left from there no longer than the way along local parents. Else the local
+//    parent is taken. `remote_parents=printed` trusts it instead.
 //  * `sight_checks=path` leaves sight out of the search, which then is that of the planner without it, and
-//  checks it
-//    along the path that is read out (sight_along.hpp). rp is set for vertices of such paths only, and kept
-//    while no cell that sight to it depends on has changed.
+//    checks it along the path that is read out (sight_along.hpp). rp is set for vertices of such paths only,
+//    and kept while no cell that sight to it depends on has changed.
 //  * begin() costs what the search before wrote (node_table.hpp); the clearance field and the map of sight
-//  are made
-//    anew only if the lattice has changed behind the planner's back.
-//  * A remote parent equal to the local parent needs no check: failing it would put the local parent in its
-//  place.
+//    are made anew only if the lattice has changed behind the planner's back.
+//  * A remote parent that equals the local parent needs no check.
 //  * While the start or the goal lies inside an obstacle the search rests: no work could find a path.
 #pragma once
 
