@@ -12,8 +12,8 @@
 //  6. bound_up(a, b) is the same bound rounded up, so that bound(a, c) <= bound_up(a, b) + bound(b, c): what
 //     km must grow by in D* Lite (a sum of floors alone can fall one unit short).
 //  7. Sight is symmetric in its two ends (sight.hpp).
-//  8. After apply(), moves() equals that of a lattice built afresh from the same cells, and the reported nodes
-//     are exactly those whose moves changed.
+//  8. After apply(), moves() equals that of a lattice built afresh from the same cells, and the reported
+//     nodes are exactly those whose moves changed.
 #pragma once
 
 #include <concepts>
