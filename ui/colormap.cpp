@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <span>
 
-#include "ui/theme.hpp"
-
 namespace replan::ui {
 namespace {
 
@@ -72,24 +70,11 @@ Colormap tabulate(std::span<const Rgb> stops) {
   return map;
 }
 
-Rgb unpack(ImU32 colour) {
-  const ImVec4 c = ImGui::ColorConvertU32ToFloat4(colour);
-  return {c.x, c.y, c.z};
-}
-
 }  // namespace
 
 const Colormap& viridis() {
   static const Colormap map = tabulate(kViridisStops);
   return map;
-}
-
-Colormap diverging(const Theme& theme) {
-  const std::array<Rgb, 5> stops = {
-      unpack(theme.diverging_low), unpack(mix(theme.diverging_low, theme.diverging_mid, 0.5f)),
-      unpack(theme.diverging_mid), unpack(mix(theme.diverging_mid, theme.diverging_high, 0.5f)),
-      unpack(theme.diverging_high)};
-  return tabulate(stops);
 }
 
 ImU32 sample(const Colormap& map, float t) {

@@ -7,17 +7,11 @@
 
 namespace replan::ui {
 
-struct Theme;
-
 /// 256 opaque colours; index 0 is the lowest value.
 using Colormap = std::array<ImU32, 256>;
 
 /// Viridis (S. van der Walt, N. Smith 2015, CC0), within 1/255 of the published table.
 const Colormap& viridis();
-
-/// For signed fields, such as g - rhs: negative (under) warm, zero near the free cell's colour, positive
-/// (over) blue. Blue against orange stays apart under all common colour blindnesses.
-Colormap diverging(const Theme& theme);
 
 /// The colour at t in [0, 1]; outside is clamped.
 ImU32 sample(const Colormap& map, float t);

@@ -22,7 +22,6 @@ constexpr Theme kDark = {
     .obstacle = rgb(0x39414d), .free = rgb(0x10131a), .path = rgb(0xffffff),
     .grid = rgb(0xffffff, 13), .arrow = rgb(0xffffff, 115), .outline = rgb(0x10131a),
     .selected = rgb(0x243746), .hover = rgb(0x2a313d), .series = rgb(0x253f51), .shade = rgb(0x0b0d10, 150),
-    .diverging_low = rgb(0xff8a3d), .diverging_mid = rgb(0x3a414c), .diverging_high = rgb(0x4c9dff),
     .field_opacity = 0.55f, .is_dark = true,
 };
 
@@ -36,7 +35,6 @@ constexpr Theme kLight = {
     .obstacle = rgb(0x3f4a59), .free = rgb(0xffffff), .path = rgb(0x111827),
     .grid = rgb(0x111827, 26), .arrow = rgb(0x111827, 115), .outline = rgb(0xffffff),
     .selected = rgb(0xd6e9f6), .hover = rgb(0xe9edf2), .series = rgb(0xcce4f3), .shade = rgb(0x1b2430, 90),
-    .diverging_low = rgb(0xe8590c), .diverging_mid = rgb(0xf0f2f5), .diverging_high = rgb(0x0b5fd0),
     .field_opacity = 0.62f, .is_dark = false,
 };
 // clang-format on

@@ -38,9 +38,6 @@ struct Theme {
   ImU32 hover;     ///< behind what the mouse is over
   ImU32 series;    ///< filled curves, as of expansions over the timeline
   ImU32 shade;     ///< over the window behind a dialog, translucent
-  ImU32 diverging_low;
-  ImU32 diverging_mid;
-  ImU32 diverging_high;
   float field_opacity;  ///< of colour maps over free cells
   bool is_dark;
 };

@@ -30,7 +30,7 @@ std::int64_t measure(const std::array<int, D>& by, Transform transform) {
 
 /// Cells that are gathered at a time.
 using Bytes [[gnu::vector_size(32)]] = std::uint8_t;
-constexpr int kTogether = sizeof(Bytes);
+constexpr int kLanes = sizeof(Bytes);
 
 /// The rank of an obstacle that stands so far behind a cell.
 struct Shifted {
@@ -39,10 +39,10 @@ struct Shifted {
 };
 
 /// The least rank of the obstacles around each of `count` cells. There are cells at all shifts from each, and
-/// from kTogether more.
+/// from kLanes more.
 REPLAN_WIDE void gather_row(std::uint8_t* ranks, const std::uint8_t* cells, int count,
                             std::span<const Shifted> shifts) {
-  for (int x = 0; x < count; x += kTogether) {
+  for (int x = 0; x < count; x += kLanes) {
     Bytes least = Bytes{} - 1;
     for (const Shifted& shift : shifts) {
       Bytes there;
@@ -50,7 +50,7 @@ REPLAN_WIDE void gather_row(std::uint8_t* ranks, const std::uint8_t* cells, int 
       const Bytes offered = reinterpret_cast<Bytes>(there == 0) | shift.rank;
       least = least < offered ? least : offered;
     }
-    if (count - x >= kTogether)
+    if (count - x >= kLanes)
       std::memcpy(ranks + x, &least, sizeof least);
     else
       std::memcpy(ranks + x, &least, static_cast<std::size_t>(count - x));
@@ -91,7 +91,7 @@ void ClearanceField<D>::gather(const BoxLattice<D>& lattice) {
   };
   std::array<int, D> corner{};
   corner.fill(reach_);
-  std::vector<std::uint8_t> padded(static_cast<std::size_t>(size + kTogether));
+  std::vector<std::uint8_t> padded(static_cast<std::size_t>(size + kLanes));
   const auto row_of = [&](NodeId first) {
     return &padded[static_cast<std::size_t>(place(corner) + place(lattice.coordinates(first)))];
   };

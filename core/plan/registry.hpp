@@ -36,9 +36,14 @@ struct PlannerInfo {
   bool from_goal = false;    ///< searches from the goal: g is the cost to go
   bool clearance = false;    ///< pays for coming near obstacles
   bool sight = false;        ///< asks for lines of sight
-  /// Finds a shortest lattice path with these settings (an inadmissible heuristic or a penalty takes that
-  /// away).
-  bool (*optimal)(const Settings& settings) = nullptr;
+  /// With these settings a path is at most so many times as long as a shortest lattice path: 1 if it is never
+  /// longer, infinite if there is no bound (only where a planner is meant to fail).
+  double (*length_bound)(const Settings& settings) = nullptr;
+
+  /// Whether it finds a shortest lattice path with these settings.
+  [[nodiscard]] bool optimal(const Settings& settings) const {
+    return !any_angle && length_bound(settings) == 1;
+  }
 };
 
 /// All planners, in the order of planners.def.

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numbers>
 #include <vector>
 
 #include "core/plan/common_parameters.hpp"
@@ -39,10 +40,12 @@ inline PlannerInfo describe(AStarSwitches switches) {
   info.source = switches.estimate ? "Hart, Nilsson & Raphael 1968, doi 10.1109/TSSC.1968.300136"
                                   : "Dijkstra 1959, doi 10.1007/BF01386390";
   if (switches.estimate) info.parameters = {parameters::kAnyHeuristic};
-  info.optimal = [](const Settings& settings) {
+  // No plan is longer by more than the estimate is too long, and that of Manhattan on a lattice with diagonals
+  // is so by the root of the number of axes.
+  info.length_bound = [](const Settings& settings) {
     const bool manhattan =
         settings.get(parameters::kAnyHeuristic) == static_cast<double>(Heuristic::manhattan);
-    return !manhattan || settings.get(parameters::kMoves) == 1;
+    return !manhattan || settings.get(parameters::kMoves) == 1 ? 1 : std::numbers::sqrt3;
   };
   return info;
 }

@@ -34,6 +34,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -85,9 +86,15 @@ inline PlannerInfo describe(DStarLiteSwitches switches) {
     info.name = "D* Lite";
     info.summary = "Searches from the goal and repairs its plan when the map changes.";
   }
-  static constexpr auto kAlways = [](const Settings&) { return true; };
-  static constexpr auto kNever = [](const Settings&) { return false; };
-  info.optimal = switches.sight || switches.clearance ? +kNever : +kAlways;
+  // A path costs no more than the shortest one, of which each cell costs at most 1 + range times its length.
+  static constexpr auto kBound = [](const Settings& settings, double by_clearance) {
+    const bool trusts = settings.get(kRemoteParents) != 0 && !checks_along_path(settings);
+    return trusts ? std::numeric_limits<double>::infinity() : by_clearance;
+  };
+  info.length_bound =
+      switches.clearance
+          ? +[](const Settings& settings) { return kBound(settings, 1 + settings.get(kRange)); }
+          : +[](const Settings& settings) { return kBound(settings, 1); };
   return info;
 }
 

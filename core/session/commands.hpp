@@ -185,12 +185,9 @@ struct RunToEnd {};
 struct Cancel {};
 
 using Command = std::variant<std::monostate
-#define REPLAN_COMMAND(NAME, TEXT) , NAME
+#define REPLAN_COMMAND(NAME) , NAME
 #include "core/session/commands.def"
 #undef REPLAN_COMMAND
                              >;
-
-/// What a command does, for menus and the log.
-const char* command_text(const Command& command);
 
 }  // namespace replan

@@ -17,16 +17,6 @@ std::optional<std::size_t> common_surprises(const Scenario& a, const Scenario& b
 
 }  // namespace
 
-const char* command_text(const Command& command) {
-  static constexpr const char* kTexts[] = {
-      "",
-#define REPLAN_COMMAND(NAME, TEXT) TEXT,
-#include "core/session/commands.def"
-#undef REPLAN_COMMAND
-  };
-  return kTexts[command.index()];
-}
-
 Session::Session(Scenario scenario, std::string file, const RunLimits& limits)
     : scenario_(std::make_shared<const Scenario>(std::move(scenario))),
       limits_(limits),

@@ -116,7 +116,7 @@ class Session {
   };
 
   Result<void> run_command(const std::monostate&) { return {}; }
-#define REPLAN_COMMAND(NAME, TEXT) Result<void> run_command(const NAME& command);
+#define REPLAN_COMMAND(NAME) Result<void> run_command(const NAME& command);
 #include "core/session/commands.def"
 #undef REPLAN_COMMAND
 

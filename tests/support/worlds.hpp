@@ -189,24 +189,20 @@ inline std::string fault_of_length(const oracle::World& world, const Path& any_a
   return "a path of length " + std::to_string(length) + " where the lattice path has " + std::to_string(way);
 }
 
-/// Why a checked plan is wrong, or empty: cost against a fresh plan of the oracle, status, and the path's
-/// nodes, segments and sum.
-template <int D>
-std::string fault_of_plan(const PlannerInfo& info, const Settings& settings, const oracle::World& world,
-                          NodeId start, NodeId goal, Planner<BoxLattice<D>>& planner) {
+/// The status that a plan must have, `shortest` being what a shortest lattice path costs.
+inline PlanStatus right_status(const oracle::World& world, NodeId start, NodeId goal, oracle::Raw shortest) {
+  return world.blocked[start] != 0    ? PlanStatus::start_blocked
+         : world.blocked[goal] != 0   ? PlanStatus::goal_blocked
+         : shortest == oracle::kNever ? PlanStatus::no_path
+                                      : PlanStatus::found;
+}
+
+/// Why a checked path is wrong, or empty: its ends, its nodes, and that each segment is a move, or a line of
+/// sight if the planner leaves the lattice's directions.
+inline std::string fault_of_segments(const PlannerInfo& info, const Settings& settings,
+                                     const oracle::World& world, NodeId start, NodeId goal,
+                                     const Path& path) {
   const MoveRules rules = move_rules(settings);
-  const auto penalty = expected_penalties(info, settings, world);
-  const oracle::Raw fresh =
-      world.blocked[start] != 0 ? oracle::kNever : oracle::costs_to(world, rules, penalty, goal)[start];
-  if (planner.cost().raw != fresh)
-    return "cost " + std::to_string(planner.cost().raw) + " but a fresh plan costs " + std::to_string(fresh);
-  const PlanStatus status = world.blocked[start] != 0  ? PlanStatus::start_blocked
-                            : world.blocked[goal] != 0 ? PlanStatus::goal_blocked
-                            : fresh == oracle::kNever  ? PlanStatus::no_path
-                                                       : PlanStatus::found;
-  if (planner.status() != status) return std::string("status ") + status_name(planner.status());
-  const Path path = planner.path();
-  if (status != PlanStatus::found) return path.nodes.empty() ? "" : "a path without a plan";
   if (path.loops || path.unchecked) return "a checked path loops or was not checked";
   if (path.nodes.empty() || path.nodes.front() != start || path.nodes.back() != goal)
     return "the path's ends";
@@ -214,7 +210,6 @@ std::string fault_of_plan(const PlannerInfo& info, const Settings& settings, con
   std::sort(sorted.begin(), sorted.end());
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return "the path repeats a node";
   const auto sight = static_cast<SightRule>(static_cast<int>(settings.get("sight", 0)));
-  oracle::Raw sum = 0;
   for (std::size_t i = 1; i < path.nodes.size(); ++i) {
     const NodeId a = path.nodes[i - 1], b = path.nodes[i];
     if (!oracle::sees(world, world.blocked, rules.corners, sight, a, b))
@@ -222,10 +217,55 @@ std::string fault_of_plan(const PlannerInfo& info, const Settings& settings, con
     if (info.any_angle) continue;
     const auto near = oracle::neighbours(world, rules, a);
     if (!std::binary_search(near.begin(), near.end(), std::size_t{b})) return "a step is not a move";
-    sum += oracle::step_between(world, a, b) + (penalty.empty() ? 0 : penalty[b]);
   }
-  if (!info.any_angle && sum != fresh) return "the steps do not sum to the cost";
   return "";
+}
+
+/// Why a planner's answer is none, or empty: whether there is a path, its cost, ends and segments, and its
+/// length against the bound that the planner declares. What every planner owes, be its plans cheapest or not.
+template <int D>
+std::string fault_of_answer(const PlannerInfo& info, const Settings& settings, const oracle::World& world,
+                            NodeId start, NodeId goal, Planner<BoxLattice<D>>& planner) {
+  const oracle::Raw shortest = world.blocked[start] != 0
+                                   ? oracle::kNever
+                                   : oracle::costs_to(world, move_rules(settings), {}, goal)[start];
+  const PlanStatus status = right_status(world, start, goal, shortest);
+  if (planner.status() != status)
+    return std::string("status ") + status_name(planner.status()) + ", not " + status_name(status);
+  if (planner.cost().is_infinite() != (status != PlanStatus::found)) return "a cost without a plan, or none";
+  const Path path = planner.path();
+  if (status != PlanStatus::found) return path.nodes.empty() ? "" : "a path without a plan";
+  if (const std::string fault = fault_of_segments(info, settings, world, start, goal, path); !fault.empty())
+    return fault;
+  const double length = static_cast<double>(length_of(world, path)),
+               bound = info.length_bound(settings) * static_cast<double>(shortest);
+  if (length <= bound) return "";
+  return "a length of " + std::to_string(length) + ", more than " + std::to_string(bound);
+}
+
+/// Why a checked plan is wrong, or empty: cost against a fresh plan of the oracle, status, and the path's
+/// nodes, segments and sum.
+template <int D>
+std::string fault_of_plan(const PlannerInfo& info, const Settings& settings, const oracle::World& world,
+                          NodeId start, NodeId goal, Planner<BoxLattice<D>>& planner) {
+  const auto penalty = expected_penalties(info, settings, world);
+  const oracle::Raw fresh = world.blocked[start] != 0
+                                ? oracle::kNever
+                                : oracle::costs_to(world, move_rules(settings), penalty, goal)[start];
+  if (planner.cost().raw != fresh)
+    return "cost " + std::to_string(planner.cost().raw) + " but a fresh plan costs " + std::to_string(fresh);
+  const PlanStatus status = right_status(world, start, goal, fresh);
+  if (planner.status() != status) return std::string("status ") + status_name(planner.status());
+  const Path path = planner.path();
+  if (status != PlanStatus::found) return path.nodes.empty() ? "" : "a path without a plan";
+  if (const std::string fault = fault_of_segments(info, settings, world, start, goal, path); !fault.empty())
+    return fault;
+  if (info.any_angle) return "";
+  oracle::Raw sum = 0;
+  for (std::size_t i = 1; i < path.nodes.size(); ++i)
+    sum += oracle::step_between(world, path.nodes[i - 1], path.nodes[i]) +
+           (penalty.empty() ? 0 : penalty[path.nodes[i]]);
+  return sum == fresh ? "" : "the steps do not sum to the cost";
 }
 
 }  // namespace replan::test

@@ -137,6 +137,7 @@ void check_fixture(const PlannerInfo& info, const Fixture& fixture, int depth, S
   const auto planner = make_planner(info, world.lattice, settings, nobody);
   planner->begin(stage.start, stage.goal);
   finish(*planner);
+  EXPECT_EQ(fault_of_answer<D>(info, settings, world.plain, stage.start, stage.goal, *planner), "");
   const bool exact = info.optimal(settings) || info.incremental;
   EXPECT_EQ(exact ? fault_of_plan<D>(info, settings, world.plain, stage.start, stage.goal, *planner) : "",
             "");
@@ -185,6 +186,7 @@ void check_random_worlds(const PlannerInfo& info, typename BoxLattice<D>::Coordi
     expect_counters_match(recorded);
     expect_same(recorded, answer<D, NoTrace>(info, world.lattice, settings, start, goal, 1000));
     finish(*planner);
+    ASSERT_EQ(fault_of_answer<D>(info, settings, world.plain, start, goal, *planner), "");
     const bool exact = info.optimal(settings) || info.incremental;
     ASSERT_EQ(exact ? fault_of_plan<D>(info, settings, world.plain, start, goal, *planner) : "", "");
   }
@@ -195,6 +197,40 @@ TEST_P(EveryPlanner, agreesWithTheOracleOnRandomWorldsIn2d) {
 }
 TEST_P(EveryPlanner, agreesWithTheOracleOnRandomWorldsIn3d) {
   check_random_worlds<3>(*GetParam(), {1, 1, 1}, {7, 6, 5});
+}
+
+/// After every change of the map and of its start a planner answers as it must: one whose update() does nothing
+/// shows here.
+template <int D>
+void check_changing_worlds(const PlannerInfo& info, typename BoxLattice<D>::Coordinates low,
+                           typename BoxLattice<D>::Coordinates high) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    Random random(seed);
+    const Settings settings = random_settings(random, info);
+    SCOPED_TRACE(describe_settings(info, settings) + ", seed " + std::to_string(seed));
+    const auto size = random_size<D>(random, low, high);
+    TwinWorld<D> world(size, random_cells<D>(random, size), move_rules(settings));
+    NodeId start = random_free(random, world.plain);
+    const NodeId goal = random_free(random, world.plain);
+    NoTrace trace;
+    const auto planner = make_planner(info, world.lattice, settings, trace);
+    planner->begin(start, goal);
+    for (int round = 0; round < 8; ++round) {
+      finish(*planner);
+      ASSERT_EQ(fault_of_answer<D>(info, settings, world.plain, start, goal, *planner), "") << round;
+      const auto edits = random_edits<D>(random, world.plain, 5);
+      const auto moves = world.apply(edits);
+      start = random_free(random, world.plain);
+      planner->update({.cells = edits, .moves = moves}, start);
+    }
+  }
+}
+
+TEST_P(EveryPlanner, answersAfterEveryChangeIn2d) {
+  check_changing_worlds<2>(*GetParam(), {2, 2}, {16, 12});
+}
+TEST_P(EveryPlanner, answersAfterEveryChangeIn3d) {
+  check_changing_worlds<3>(*GetParam(), {2, 2, 2}, {7, 6, 5});
 }
 
 /// Work that the log of a whole run shows; a search that starts afresh empties its open list on line 1, which
