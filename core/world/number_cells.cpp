@@ -46,8 +46,9 @@ void NumberCells::add(double number) {
   if (numbers_.empty() || numbers_[last_] != number) {
     const auto found = std::find(numbers_.begin(), numbers_.end(), number);
     const bool room = numbers_.size() < kMostNumbers || number == occupied_;
-    last_ = static_cast<std::uint8_t>(found != numbers_.end() || room ? found - numbers_.begin()
-                                                                      : kMostNumbers - 1);
+    const bool kept = found != numbers_.end() || room;
+    last_ = static_cast<std::uint8_t>(kept ? static_cast<std::size_t>(found - numbers_.begin())
+                                           : kMostNumbers - 1);
     if (found == numbers_.end() && room) numbers_.push_back(number);
   }
   cells_.push_back(static_cast<std::uint8_t>(kFirstNumber + last_));
