@@ -21,9 +21,9 @@ struct Command {
 
 Command add_run(CLI::App& program);
 Command add_batch(CLI::App& program);
-Command add_render(CLI::App& program);
 Command add_convert(CLI::App& program);
 Command add_show(CLI::App& program);
 Command add_list(CLI::App& program);
+Command add_render(CLI::App& program);  // in a program with a window alone
 
 }  // namespace replan::cli

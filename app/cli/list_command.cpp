@@ -6,6 +6,7 @@
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
+#include "app/cli/window.hpp"
 #include "core/base/file.hpp"
 #include "core/plan/glossary.hpp"
 #include "core/plan/registry.hpp"
@@ -14,7 +15,6 @@
 #include "core/world/library.hpp"
 #include "core/world/map_file.hpp"
 #include "core/world/scenario.hpp"
-#include "ui/shell/actions.hpp"
 
 namespace replan::cli {
 namespace {
@@ -165,10 +165,10 @@ Result<Listing> list_terms() {
 Result<Listing> list_actions() {
   Listing listing;
   Table table({{"id", left}, {"keys", left}, {"label", left}, {"what it does", left}});
-  for (const ui::Action& each : ui::actions()) {
-    table.add({each.name, each.keys, each.label, each.teach});
+  for (const ListedAction& each : listed_actions()) {
+    table.add({each.name, each.keys, each.label, each.help});
     listing.json["actions"].push_back(
-        {{"id", each.name}, {"keys", each.keys}, {"label", each.label}, {"help", each.teach}});
+        {{"id", each.name}, {"keys", each.keys}, {"label", each.label}, {"help", each.help}});
   }
   listing.text = table.text();
   return listing;

@@ -11,23 +11,26 @@
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
-#include "app/gui.hpp"
+#include "app/cli/window.hpp"
 
 namespace replan::cli {
 namespace {
 
-constexpr const char* kFooter =
-    "Examples:\n"
-    "  replan maps/demo.json\n"
-    "      Opens the demo in the window.\n"
-    "  replan run maps/demo.json\n"
-    "      Its figures, without a window.\n"
-    "  replan render maps/demo.json -o demo.png --at-end\n"
-    "      A picture, without a display.\n"
-    "  replan batch arena.map.scen --planner astar,dstar-lite\n"
-    "      All problems of a benchmark file.\n\n"
-    "'replan COMMAND --help' tells the options of a command, with examples and every planner setting.\n"
-    "Exit codes: 0 done, 1 no path or a failed check, 2 bad input.";
+std::string footer() {
+  return std::string("Examples:\n") +
+         (has_window() ? "  replan maps/demo.json\n"
+                         "      Opens the demo in the window.\n"
+                       : "") +
+         "  replan run maps/demo.json\n"
+         "      Its figures, without a window.\n" +
+         (has_window() ? "  replan render maps/demo.json -o demo.png --at-end\n"
+                         "      A picture, without a display.\n"
+                       : "") +
+         "  replan batch arena.map.scen --planner astar,dstar-lite\n"
+         "      All problems of a benchmark file.\n\n"
+         "'replan COMMAND --help' tells the options of a command, with examples and every planner setting.\n"
+         "Exit codes: 0 done, 1 no path or a failed check, 2 bad input.";
+}
 
 /// The command whose options are being read.
 const CLI::App& current(const CLI::App& program) {
@@ -79,9 +82,9 @@ Error sentence(const CLI::App& program, const std::string& file, const CLI::Pars
   return {std::string(error.what()) + help_hint(program)};
 }
 
-Result<int> open_window(const CLI::App& program, const std::string& file) {
+Result<int> show(const CLI::App& program, const std::string& file) {
   if (!file.empty() && !exists(file)) return no_such_file(program, file);
-  const auto closed = app::run_window(file.empty() ? std::nullopt : std::optional(file));
+  const auto closed = open_window(file.empty() ? std::nullopt : std::optional(file));
   if (!closed) return Error{closed.error()};
   return kDone;
 }
@@ -90,7 +93,7 @@ Result<int> carry_out(const CLI::App& program, const std::vector<Command>& comma
                       const std::string& file) {
   for (const Command& command : commands)
     if (command.app->parsed()) return command.action();
-  return open_window(program, file);
+  return show(program, file);
 }
 
 /// Prints the help or the version that was asked for.
@@ -105,18 +108,21 @@ int answer(const CLI::App& program, const CLI::Success& asked) {
 
 int run_program(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // print() sees a closed pipe as a failed write
-  CLI::App program("Replan: a laboratory for robot path planning. Without a command it opens the window.",
-                   "replan");
+  CLI::App program(
+      has_window() ? "Replan: a laboratory for robot path planning. Without a command it opens the window."
+                   : "Replan: a laboratory for robot path planning, built without its window.",
+      "replan");
   program.set_version_flag("--version", "replan " REPLAN_VERSION, "Print the version and exit");
   program.require_subcommand(0, 1);
-  program.footer(kFooter);
+  program.footer(footer());
   program.get_formatter()->label("SUBCOMMAND", "COMMAND");
   program.get_formatter()->label("Positionals", "Arguments");
   program.get_formatter()->label("TEXT", "");
   std::string file;
   program.add_option("FILE", file, "A scenario or a map to open in the window");
-  const std::vector<Command> commands = {add_run(program),     add_batch(program), add_render(program),
-                                         add_convert(program), add_show(program),  add_list(program)};
+  std::vector<Command> commands = {add_run(program), add_batch(program)};
+  for (Command& command : add_drawing(program)) commands.push_back(std::move(command));
+  for (const auto add : {add_convert, add_show, add_list}) commands.push_back(add(program));
   for (const Command& command : commands) command.app->group("Commands");
   try {
     program.parse(argc, argv);

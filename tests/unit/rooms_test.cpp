@@ -57,5 +57,22 @@ TEST(Rooms, IncludeOnlyWhatLiesBelowThem) {
   EXPECT_GT(includes, 300u);
 }
 
+/// The rooms of replan_plan, for programs that have no more than a compiler.
+TEST(Rooms, OfPlanningNeedNoOtherLibrary) {
+  std::size_t includes = 0;
+  for (const char* room : {"base", "lattice", "field", "trace", "plan", "planners"})
+    for (const auto& file : fs::directory_iterator(kRoot / "core" / room)) {
+      std::ifstream text(file.path());
+      for (std::string line; std::getline(text, line);) {
+        const std::string included = between(line, "#include <", '>');
+        const bool is_posix = included.starts_with("sys/") || included == "fcntl.h" || included == "unistd.h";
+        EXPECT_TRUE(is_posix || included.find_first_of("./") == std::string::npos)
+            << file.path() << " includes " << included;
+        includes += included.empty() ? 0 : 1;
+      }
+    }
+  EXPECT_GT(includes, 100u);
+}
+
 }  // namespace
 }  // namespace replan::rooms_test

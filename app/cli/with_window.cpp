@@ -1,0 +1,27 @@
+#include "app/cli/window.hpp"
+#include "app/gui.hpp"
+#include "ui/shell/actions.hpp"
+
+namespace replan::cli {
+
+bool has_window() {
+  return true;
+}
+
+Result<void> open_window(const std::optional<std::string>& file) {
+  return app::run_window(file);
+}
+
+std::vector<Command> add_drawing(CLI::App& program) {
+  return {add_render(program)};
+}
+
+std::vector<ListedAction> listed_actions() {
+  std::vector<ListedAction> all;
+  for (const ui::Action& each : ui::actions())
+    all.push_back(
+        {std::string(each.name), std::string(each.keys), std::string(each.label), std::string(each.teach)});
+  return all;
+}
+
+}  // namespace replan::cli

@@ -1,0 +1,21 @@
+#include "app/cli/window.hpp"
+
+namespace replan::cli {
+
+bool has_window() {
+  return false;
+}
+
+Result<void> open_window(const std::optional<std::string>&) {
+  return Error{"this replan was built without a window; 'replan --help' tells its commands"};
+}
+
+std::vector<Command> add_drawing(CLI::App&) {
+  return {};
+}
+
+std::vector<ListedAction> listed_actions() {
+  return {};
+}
+
+}  // namespace replan::cli
