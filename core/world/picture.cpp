@@ -9,9 +9,9 @@
 
 #include "core/base/cell.hpp"
 #include "core/base/file.hpp"
-#include "core/world/stb.hpp"
 #include "core/world/jpeg.hpp"
 #include "core/world/pnm.hpp"
+#include "core/world/stb.hpp"
 #include "core/world/text_lines.hpp"
 
 namespace replan {
