@@ -68,7 +68,7 @@ class Watcher {
   void note_key(const std::string& key) {
     std::vector<std::string>& keys = open_.back();
     if (std::find(keys.begin(), keys.end(), key) != keys.end())
-      throw Refused{"the key '" + key + "' is given twice"};
+      throw Refused{"the key " + replan::shown(key) + " is given twice"};
     if (keys.size() == kMaxKeys) throw Refused{"the object has too many keys"};
     keys.push_back(key);
   }

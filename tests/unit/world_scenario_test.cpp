@@ -240,6 +240,8 @@ TEST(Scenario, SyntaxErrorsNameLineAndColumn) {
     EXPECT_LT(error.size(), 300u);
   }
   EXPECT_EQ(broken("{\"replan\": 1,\n\"seed\": 1,\n\"seed\": 2}"), "s.json:3: the key 'seed' is given twice");
+  const std::string two_lines = broken("{\"replan\": 1, \"a\\nb\": 1, \"a\\nb\": 2}");
+  EXPECT_EQ(two_lines.find('\n'), std::string::npos) << two_lines;
   const std::string whole = full_document().dump(1);
   for (std::size_t length = 0; length < whole.size(); ++length)
     EXPECT_FALSE(parse_scenario(whole.substr(0, length), "s.json", ".").ok()) << length;
