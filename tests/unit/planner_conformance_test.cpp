@@ -169,16 +169,37 @@ TEST_P(EveryPlanner, answersTheFixturesUnderEverySetting) {
   }
 }
 
+/// A world, two of its cells and settings, drawn from a seed.
+template <int D>
+struct Trial {
+  using Coordinates = typename BoxLattice<D>::Coordinates;
+
+  Random random;
+  Settings settings;
+  TwinWorld<D> world;
+  NodeId start, goal;
+
+  Trial(const PlannerInfo& info, std::uint64_t seed, const Coordinates& low, const Coordinates& high)
+      : random(seed),
+        settings(random_settings(random, info)),
+        world(drawn_world(low, high)),
+        start(random_free(random, world.plain)),
+        goal(random_free(random, world.plain)) {}
+
+ private:
+  TwinWorld<D> drawn_world(const Coordinates& low, const Coordinates& high) {
+    const auto size = random_size<D>(random, low, high);
+    return {size, random_cells<D>(random, size), move_rules(settings)};
+  }
+};
+
 template <int D>
 void check_random_worlds(const PlannerInfo& info, typename BoxLattice<D>::Coordinates low,
                          typename BoxLattice<D>::Coordinates high) {
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
-    Random random(seed);
-    const Settings settings = random_settings(random, info);
+    Trial<D> trial(info, seed, low, high);
+    const auto& [random, settings, world, start, goal] = trial;
     SCOPED_TRACE(describe_settings(info, settings) + ", seed " + std::to_string(seed));
-    const auto size = random_size<D>(random, low, high);
-    const TwinWorld<D> world(size, random_cells<D>(random, size), move_rules(settings));
-    const NodeId start = random_free(random, world.plain), goal = random_free(random, world.plain);
     NoTrace trace;
     const auto planner = make_planner(info, world.lattice, settings, trace);
     planner->begin(start, goal);
@@ -205,13 +226,9 @@ template <int D>
 void check_changing_worlds(const PlannerInfo& info, typename BoxLattice<D>::Coordinates low,
                            typename BoxLattice<D>::Coordinates high) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    Random random(seed);
-    const Settings settings = random_settings(random, info);
+    Trial<D> trial(info, seed, low, high);
+    auto& [random, settings, world, start, goal] = trial;
     SCOPED_TRACE(describe_settings(info, settings) + ", seed " + std::to_string(seed));
-    const auto size = random_size<D>(random, low, high);
-    TwinWorld<D> world(size, random_cells<D>(random, size), move_rules(settings));
-    NodeId start = random_free(random, world.plain);
-    const NodeId goal = random_free(random, world.plain);
     NoTrace trace;
     const auto planner = make_planner(info, world.lattice, settings, trace);
     planner->begin(start, goal);
@@ -250,12 +267,8 @@ Counters work_in(std::span<const Event> log, std::size_t nodes) {
 
 TEST_P(EveryPlanner, tracedOrNotReplansAlikeAndCountsItsWork) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    Random random(seed);
-    const Settings settings = random_settings(random, *GetParam());
-    const auto size = random_size<2>(random, {6, 6}, {16, 12});
-    TwinWorld<2> world(size, random_cells<2>(random, size), move_rules(settings));
-    NodeId start = random_free(random, world.plain);
-    const NodeId goal = random_free(random, world.plain);
+    Trial<2> trial(*GetParam(), seed, {6, 6}, {16, 12});
+    auto& [random, settings, world, start, goal] = trial;
     NoTrace nobody;
     Recorder recorder;
     const auto silent = make_planner(*GetParam(), world.lattice, settings, nobody);
