@@ -42,22 +42,11 @@ struct GridMap {
   GridMap() = default;
   /// An all-free map.
   GridMap(int columns, int rows, int layers = 1)
-      : width(columns),
-        height(rows),
-        depth(layers),
-        blocked(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) *
-                static_cast<std::size_t>(layers)) {}
+      : width(columns), height(rows), depth(layers), blocked(box().node_count()) {}
 
-  [[nodiscard]] bool contains(Cell c) const {
-    return c.x >= 0 && c.y >= 0 && c.z >= 0 && c.x < width && c.y < height && c.z < depth;
-  }
-  [[nodiscard]] std::size_t index(Cell c) const {
-    return (static_cast<std::size_t>(c.z) * static_cast<std::size_t>(height) +
-            static_cast<std::size_t>(c.y)) *
-               static_cast<std::size_t>(width) +
-           static_cast<std::size_t>(c.x);
-  }
   [[nodiscard]] Box box() const { return {width, height, depth}; }
+  [[nodiscard]] bool contains(Cell c) const { return box().contains(c); }
+  [[nodiscard]] std::size_t index(Cell c) const { return box().node(c); }
   [[nodiscard]] bool at(Cell c) const { return blocked[index(c)] != 0; }
   void set(Cell c, bool value) { blocked[index(c)] = value ? kObstacle : kFree; }
   friend bool operator==(const GridMap&, const GridMap&) = default;
