@@ -224,7 +224,7 @@ void WorldArguments::declare(CLI::App& command) {
   command.add_option("SCENARIO", scenario, "A scenario file (.json)");
   command
       .add_option("--map", map,
-                  "A map instead: " + map_extensions(false) +
+                  "A map instead: " + map_extensions(MapUse::read_as_plane) +
                       ", or generator:ID?KEY=VALUE&... ('replan list generators')")
       ->type_name("FILE");
   command.add_option("--start", start, "Where the robot starts")->type_name("X,Y");

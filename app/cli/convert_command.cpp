@@ -171,7 +171,8 @@ std::string convert_footer() {
          "  replan convert maps/demo.json demo.txt\n"
          "      A scenario's map as text, to paste.\n\n"
          "Reads maps (" +
-         map_extensions(false) + "), generators and scenario .json.\nWrites maps (" + map_extensions(true) +
+         map_extensions(MapUse::read) + "), generators and scenario .json.\nWrites maps (" +
+         map_extensions(MapUse::write) +
          "),\nscenario .json, and a .scen with one problem and its optimal length. What the new "
          "format\n"
          "cannot hold is told, a line each that begins with 'note: '. A .yaml gets its .pgm beside it. A "

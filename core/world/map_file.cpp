@@ -120,10 +120,11 @@ const MapFormat* find_map_format(std::string_view path) {
   return found == kFormats.end() ? nullptr : &*found;
 }
 
-std::string map_extensions(bool written) {
+std::string map_extensions(MapUse use) {
   std::string list, last;
   for (const MapFormat& format : kFormats) {
-    if (written && format.write == nullptr) continue;
+    if (use == MapUse::write && format.write == nullptr) continue;
+    if (use == MapUse::read_as_plane && format.solid) continue;
     if (!last.empty()) list += (list.empty() ? "" : ", ") + last;
     last = format.extension;
   }
@@ -147,7 +148,7 @@ Result<void> check_reading(const std::string& path, const MapReading& reading) {
 Result<MapFile> read_map_file(const std::string& path, const MapReading& reading) {
   const MapFormat* format = find_map_format(path);
   if (format == nullptr)
-    return Error{"cannot read '" + path + "' as a map: its name must end in " + map_extensions(false)};
+    return Error{"cannot read '" + path + "' as a map: its name must end in " + map_extensions(MapUse::read)};
   if (Result<void> checked = check_reading(path, reading); !checked) return Error{checked.error()};
   return format->read(path, reading);
 }
@@ -168,7 +169,8 @@ Result<GridMap> read_map(const std::string& path, const MapReading& reading) {
 Result<void> write_map_file(const MapFile& file, const std::string& path) {
   const MapFormat* format = find_map_format(path);
   if (format == nullptr || format->write == nullptr)
-    return Error{"cannot write a map to '" + path + "': its name must end in " + map_extensions(true)};
+    return Error{"cannot write a map to '" + path + "': its name must end in " +
+                 map_extensions(MapUse::write)};
   if (file.map.depth > 1 && !format->solid)
     return Error{"'" + path + "' would hold one layer, and the map has " + std::to_string(file.map.depth) +
                  ": choose one of them, or a .3dmap"};

@@ -1,6 +1,7 @@
 // Maps from and to files of any known format, told apart by the file name's extension.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,8 +34,10 @@ struct MapFormat {
 std::span<const MapFormat> map_formats();
 /// The format of a file by its name, or nullptr.
 const MapFormat* find_map_format(std::string_view path);
-/// The extensions of the formats that are read (or written), as a text: ".map, .png and .yaml".
-std::string map_extensions(bool written);
+/// What is done with a map's file; a plane is what missions and the window take.
+enum class MapUse : std::uint8_t { read, read_as_plane, write };
+/// The extensions of the formats for that, as a text: ".map, .png or .yaml".
+std::string map_extensions(MapUse use);
 
 /// Reads a map with whatever its file holds. An option of `reading` that is not the default and has no
 /// meaning for the format is an error.

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/plan/registry.hpp"
+#include "core/world/map_file.hpp"
 #include "tests/cli/child.hpp"
 
 namespace replan::test::help_test {
@@ -58,6 +59,18 @@ TEST(Help, namesEverySettingOfEveryPlanner) {
           << info.id;
       for (const Parameter& parameter : info.parameters)
         EXPECT_TRUE(names(help, std::string(parameter.key))) << info.id << " " << parameter.key;
+    }
+  }
+}
+
+TEST(Help, namesTheMapsThatACommandTakes) {
+  const std::string convert = run_program({"convert", "--help"}).out;
+  for (const char* command : {"run", "render", "show"}) {
+    const std::string help = run_program({command, "--help"}).out;
+    for (const MapFormat& format : map_formats()) {
+      const std::string extension = std::string(format.extension);
+      EXPECT_EQ(help.find(extension) != std::string::npos, !format.solid) << command << " " << extension;
+      EXPECT_NE(convert.find(extension), std::string::npos) << extension;
     }
   }
 }

@@ -65,8 +65,8 @@ Result<void> save_document(const Session& session, const ViewState& view, const 
   if (file_extension(path) != ".json") {
     const MapFormat* format = find_map_format(path);
     if (format == nullptr || format->write == nullptr)
-      return Error{"End the name with .json for the whole scenario, or with " + map_extensions(true) +
-                   " for the map alone."};
+      return Error{"End the name with .json for the whole scenario, or with " +
+                   map_extensions(MapUse::write) + " for the map alone."};
     return write_map_file(
         {std::move(scenario.map), scenario.start, scenario.goal, std::move(scenario.map_found)}, path);
   }
@@ -99,7 +99,7 @@ Dropped sort_out(const std::vector<std::string>& paths) {
     dropped.path.clear();
     dropped.sentence = "'" + file_name(*best) +
                        "' is no world: drop a scenario (.json), or a map that ends in " +
-                       map_extensions(false) + ".";
+                       map_extensions(MapUse::read_as_plane) + ".";
   } else if (paths.size() > 1) {
     dropped.sentence = "One world is open at a time: of " + std::to_string(paths.size()) +
                        " dropped files '" + file_name(*best) + "' was taken.";

@@ -19,6 +19,7 @@ constexpr auto kMessageTime = std::chrono::seconds(6), kErrorTime = std::chrono:
 std::vector<FileFilter> filters_to_open() {
   FileFilter worlds{"Worlds: scenarios and maps", {".json"}}, maps{"Maps", {}}, pictures{"Pictures", {}};
   for (const MapFormat& format : map_formats()) {
+    if (format.solid) continue;
     worlds.extensions.emplace_back(format.extension);
     (format.picture ? pictures : maps).extensions.emplace_back(format.extension);
   }
