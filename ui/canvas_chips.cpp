@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/plan/stage.hpp"
 #include "core/world/ends.hpp"
 #include "ui/colormap.hpp"
 #include "ui/icons.hpp"
@@ -127,6 +128,9 @@ std::string distinction(const Run& run) {
       if (own.settings.get(parameter) != other.settings.get(parameter))
         text += (text.empty() ? ", " : " · ") + std::string(parameter.label) + " " +
                 format_value(parameter, own.settings.get(parameter));
+    if (own.stages != other.stages)
+      for (const StageChoice& stage : own.stages)
+        text += (text.empty() ? ", " : " · ") + std::string(find_stage(stage.id)->name);
     return text;
   }
   return text;
@@ -199,8 +203,8 @@ ImVec2 draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scen
   const std::size_t cursor = run.timeline().cursor();
   const replan::Mark* mark = run.mark_at(cursor);
   std::string figures = grouped(memory.expansions(run, cursor)) + " expansions";
-  if (mark != nullptr && !mark->plan->nodes().empty())
-    figures += " · " + grouped(static_cast<std::int64_t>(mark->plan->nodes().size())) + " nodes";
+  if (mark != nullptr && !mark->plan->path->empty())
+    figures += " · " + grouped(static_cast<std::int64_t>(mark->plan->path->size())) + " nodes";
   const std::string name = std::string(run.info().name) + distinction(run);
   const std::array<TextRun, 3> title = {{{name, theme.text, look.fonts.title},
                                          {figures, theme.dim, look.fonts.small},

@@ -8,6 +8,7 @@
 #include "app/cli/output.hpp"
 #include "core/base/file.hpp"
 #include "core/plan/registry.hpp"
+#include "core/plan/stage.hpp"
 #include "core/world/generator_list.hpp"
 #include "core/world/map_file.hpp"
 #include "core/world/number_cells.hpp"
@@ -77,6 +78,25 @@ Result<void> assign(const Assignment& set, std::span<PlannerChoice> choices) {
                "' is not among the planners here; add it with --planner"};
 }
 
+/// "STAGE" for all planners, or "PLANNER.STAGE" for one.
+Result<void> add_stage(std::string_view typed, std::vector<PlannerChoice>& choices) {
+  const std::size_t dot = typed.find('.');
+  const std::string_view planner = dot == std::string_view::npos ? "" : typed.substr(0, dot);
+  const std::string_view id = dot == std::string_view::npos ? typed : typed.substr(dot + 1);
+  const Result<const StageInfo*> stage = require_stage(id);
+  if (!stage) return Error{"--stage: " + stage.error()};
+  bool added = false;
+  for (PlannerChoice& choice : choices) {
+    if (!planner.empty() && planner != choice.id) continue;
+    choice.stages.push_back({std::string(id), {}});
+    added = true;
+  }
+  if (added) return {};
+  if (const auto info = require_planner(planner); !info) return Error{"--stage: " + info.error()};
+  return Error{"--stage " + std::string(typed) + ": planner '" + std::string(planner) +
+               "' is not among the planners here; add it with --planner"};
+}
+
 Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids,
                                           std::span<const PlannerChoice> own) {
   std::vector<PlannerChoice> result;
@@ -89,7 +109,7 @@ Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids,
     if (!info) return Error{"--planner: " + info.error()};
     const auto kept =
         std::find_if(own.begin(), own.end(), [&](const PlannerChoice& c) { return c.id == id; });
-    result.push_back({id, kept != own.end() ? kept->settings : Settings{}});
+    result.push_back(kept != own.end() ? *kept : PlannerChoice{id, {}});
   }
   if (ids.empty()) result.assign(own.begin(), own.end());
   if (result.empty())
@@ -160,6 +180,13 @@ void PlannerArguments::declare(CLI::App& command) {
                   "A setting, for each planner that has it or for the one named (repeatable)")
       ->type_name("[ID.]KEY=VALUE")
       ->allow_extra_args(false);
+  command
+      .add_option(
+          "--stage", stages,
+          "What paths go through once they are found, for each planner or for the one named (repeatable); "
+          "'replan list stages' shows them")
+      ->type_name("[ID.]STAGE")
+      ->allow_extra_args(false);
 }
 
 Result<std::vector<PlannerChoice>> PlannerArguments::choose(std::span<const PlannerChoice> own) const {
@@ -170,6 +197,8 @@ Result<std::vector<PlannerChoice>> PlannerArguments::choose(std::span<const Plan
     if (!set) return Error{set.error()};
     if (const auto done = assign(*set, choices.value()); !done) return Error{done.error()};
   }
+  for (const std::string& typed : stages)
+    if (const auto done = add_stage(typed, choices.value()); !done) return Error{done.error()};
   return choices;
 }
 
@@ -234,6 +263,8 @@ void WorldArguments::declare(CLI::App& command) {
                   "What it does where the goal cannot be reached: wait, or nearest: go to the reachable cell "
                   "nearest to it")
       ->type_name("WHAT");
+  command.add_option("--robot", robot, "The kind of robot; 'replan list robots' shows them")
+      ->type_name("KIND");
   reading.declare(command);
   planners.declare(command);
 }
@@ -287,6 +318,10 @@ Result<Scenario> WorldArguments::load() const {
       return Error{"--unreachable-goal cannot be '" + unreachable_goal + "'" +
                    suggestion(unreachable_goal, kUnreachableGoals, ": give wait or nearest")};
     world->robot.unreachable_goal = static_cast<UnreachableGoal>(found - std::begin(kUnreachableGoals));
+  }
+  if (!robot.empty()) {
+    if (const auto known = require_robot(robot); !known) return Error{"--robot: " + known.error()};
+    world->robot.kind = robot;
   }
   auto choices = planners.choose(world->planners);
   if (!choices) return Error{choices.error()};

@@ -17,14 +17,15 @@ class App;
 
 namespace replan::cli {
 
-/// `--planner` and `--set`, as typed.
+/// `--planner`, `--set` and `--stage`, as typed.
 struct PlannerArguments {
   std::vector<std::string> ids;
   std::vector<std::string> settings;
+  std::vector<std::string> stages;
 
   void declare(CLI::App& command);
   /// The planners asked for, in that order; those of `own` (a scenario's) if none is asked for. A planner
-  /// keeps the settings that it has in `own`, and `--set` changes them.
+  /// keeps the settings and stages that it has in `own`; `--set` changes them, `--stage` adds to them.
   [[nodiscard]] Result<std::vector<PlannerChoice>> choose(std::span<const PlannerChoice> own = {}) const;
 };
 
@@ -52,6 +53,7 @@ struct WorldArguments {
   std::string start;
   std::string goal;
   std::string unreachable_goal;
+  std::string robot;
   ReadingArguments reading;
   PlannerArguments planners;
 

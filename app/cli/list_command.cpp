@@ -10,6 +10,7 @@
 #include "core/base/file.hpp"
 #include "core/plan/glossary.hpp"
 #include "core/plan/registry.hpp"
+#include "core/plan/stage.hpp"
 #include "core/scene/view.hpp"
 #include "core/world/generator_list.hpp"
 #include "core/world/library.hpp"
@@ -48,13 +49,17 @@ Json parameter_json(const Parameter& parameter) {
   return result;
 }
 
+Json settings_json(std::span<const Parameter> parameters) {
+  Json settings = Json::array();
+  for (const Parameter& parameter : parameters) settings.push_back(parameter_json(parameter));
+  return settings;
+}
+
 Result<Listing> list_planners() {
   Listing listing;
   Table table({{"id", left}, {"name", left}, {"what it does", left}});
   for (const PlannerInfo& info : planners()) {
     table.add({std::string(info.id), std::string(info.name), std::string(info.summary)});
-    Json settings = Json::array();
-    for (const Parameter& parameter : info.parameters) settings.push_back(parameter_json(parameter));
     listing.json["planners"].push_back({{"id", info.id},
                                         {"name", info.name},
                                         {"summary", info.summary},
@@ -63,7 +68,36 @@ Result<Listing> list_planners() {
                                         {"any_angle", info.any_angle},
                                         {"clearance", info.clearance},
                                         {"exercise", info.exercise},
-                                        {"settings", std::move(settings)}});
+                                        {"settings", settings_json(info.parameters)}});
+  }
+  listing.text = table.text();
+  return listing;
+}
+
+Result<Listing> list_stages() {
+  Listing listing;
+  Table table({{"id", left}, {"name", left}, {"what it does to a path", left}});
+  for (const StageInfo& info : stages()) {
+    table.add({std::string(info.id), std::string(info.name), std::string(info.summary)});
+    listing.json["stages"].push_back({{"id", info.id},
+                                      {"name", info.name},
+                                      {"summary", info.summary},
+                                      {"source", info.source},
+                                      {"settings", settings_json(info.parameters)}});
+  }
+  listing.text = table.text();
+  return listing;
+}
+
+Result<Listing> list_robots() {
+  Listing listing;
+  Table table({{"id", left}, {"name", left}, {"how it moves", left}});
+  for (const RobotInfo& info : robots()) {
+    table.add({std::string(info.id), std::string(info.name), std::string(info.summary)});
+    listing.json["robots"].push_back({{"id", info.id},
+                                      {"name", info.name},
+                                      {"summary", info.summary},
+                                      {"settings", settings_json(info.parameters)}});
   }
   listing.text = table.text();
   return listing;
@@ -81,11 +115,6 @@ std::string parameter_line(const Parameter& parameter) {
 Result<Listing> list_generators() {
   Listing listing;
   Table table({{"id", left}, {"name", left}, {"what it makes", left}});
-  const auto json_of = [](std::span<const Parameter> parameters) {
-    Json settings = Json::array();
-    for (const Parameter& parameter : parameters) settings.push_back(parameter_json(parameter));
-    return settings;
-  };
   std::string settings = "\nSettings, as in generator:maze?width=61&height=41&corridor=2&seed=7:\n  all\n";
   for (const Parameter& parameter : generator_size_parameters()) settings += parameter_line(parameter);
   for (const GeneratorInfo& info : generators()) {
@@ -95,9 +124,9 @@ Result<Listing> list_generators() {
     listing.json["generators"].push_back({{"id", info.id},
                                           {"name", info.name},
                                           {"summary", info.summary},
-                                          {"settings", json_of(info.parameters)}});
+                                          {"settings", settings_json(info.parameters)}});
   }
-  listing.json["all"] = json_of(generator_size_parameters());
+  listing.json["all"] = settings_json(generator_size_parameters());
   listing.text = table.text() + settings;
   return listing;
 }
@@ -178,7 +207,8 @@ struct Kind {
   std::string_view name;
   Result<Listing> (*list)();
 };
-constexpr Kind kKinds[] = {{"planners", list_planners}, {"maps", list_maps},
+constexpr Kind kKinds[] = {{"planners", list_planners}, {"stages", list_stages},
+                           {"robots", list_robots},     {"maps", list_maps},
                            {"overlays", list_overlays}, {"generators", list_generators},
                            {"terms", list_terms},       {"actions", list_actions}};
 
@@ -193,7 +223,8 @@ Result<int> list(const std::string& what, bool json) {
     return kDone;
   }
   return Error{"cannot list '" + what + "'" +
-               suggestion(what, names, "; give planners, maps, overlays, generators, terms or actions")};
+               suggestion(what, names,
+                          "; give planners, stages, robots, maps, overlays, generators, terms or actions")};
 }
 
 std::string list_footer() {
@@ -214,11 +245,13 @@ Command add_list(CLI::App& program) {
     std::string what;
     bool json = false;
   };
-  CLI::App* app = program.add_subcommand("list",
-                                         "Show which planners, maps, overlays, generators or actions of the "
-                                         "window there are, and what words mean");
+  CLI::App* app = program.add_subcommand(
+      "list",
+      "Show which planners, stages, robots, maps, overlays, generators or actions of the "
+      "window there are, and what words mean");
   const auto arguments = std::make_shared<Arguments>();
-  app->add_option("WHAT", arguments->what, "planners, maps, overlays, generators, terms or actions")
+  app->add_option("WHAT", arguments->what,
+                  "planners, stages, robots, maps, overlays, generators, terms or actions")
       ->required();
   app->add_flag("--json", arguments->json, "Print the list as JSON");
   app->footer(list_footer);

@@ -34,15 +34,15 @@ _replan_settings() {
 
 _replan_options() {
   case "$1" in
-    run) echo "-h --help --map --start --goal --unreachable-goal --threshold --invert --unknown --occupied --planner --set --json --csv --markdown --latex --check --trace --trace-map --break" ;;
-    batch) echo "-h --help --map --threshold --invert --unknown --occupied --planner --set --limit --json" ;;
+    run) echo "-h --help --map --start --goal --unreachable-goal --robot --threshold --invert --unknown --occupied --planner --set --stage --json --csv --markdown --latex --check --trace --trace-map --break" ;;
+    batch) echo "-h --help --map --threshold --invert --unknown --occupied --planner --set --stage --limit --json" ;;
     render)
-      echo "-h --help --map --start --goal --unreachable-goal --threshold --invert --unknown --occupied --planner --set -o --output --size --scale" \
+      echo "-h --help --map --start --goal --unreachable-goal --robot --threshold --invert --unknown --occupied --planner --set --stage -o --output --size --scale" \
         "--at --at-end --at-plan" \
         "--overlay --theme --action --pin --camera --canvas-only --panes --fps --speed --hold --from --to"
       ;;
-    convert) echo "-h --help --start --goal --threshold --invert --unknown --occupied --slice --planner --set" ;;
-    show) echo "-h --help --map --start --goal --unreachable-goal --threshold --invert --unknown --occupied --planner --set --at --cell" ;;
+    convert) echo "-h --help --start --goal --threshold --invert --unknown --occupied --slice --planner --set --stage" ;;
+    show) echo "-h --help --map --start --goal --unreachable-goal --robot --threshold --invert --unknown --occupied --planner --set --stage --at --cell" ;;
     list) echo "-h --help --json" ;;
     *) echo "-h --help --version" ;;
   esac
@@ -55,6 +55,8 @@ _replan() {
   [ "$COMP_CWORD" -gt 1 ] && command="${COMP_WORDS[1]}"
   case "$before" in
     --planner) _replan_list "all $(_replan_ids planners)"; return ;;
+    --stage) _replan_list "$(_replan_ids stages)"; return ;;
+    --robot) _replan_list "$(_replan_ids robots)"; return ;;
     --overlay) _replan_list "$(_replan_ids overlays)"; return ;;
     --set)
       COMPREPLY=($(compgen -W "$(_replan_settings)" -- "$cur"))
@@ -84,7 +86,7 @@ _replan() {
     run | render | show) _replan_files json ;;
     batch) _replan_files scen 3dscen ;;
     convert) _replan_files json 3dmap $maps ;;
-    list) COMPREPLY=($(compgen -W "planners maps overlays generators terms actions" -- "$cur")) ;;
+    list) COMPREPLY=($(compgen -W "planners stages robots maps overlays generators terms actions" -- "$cur")) ;;
     *)
       _replan_files json $maps
       COMPREPLY+=($(compgen -W "$commands" -- "$cur"))

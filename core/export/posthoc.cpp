@@ -89,17 +89,16 @@ class PosthocTrace::Step {
     whole("x", cell.x);
     whole("y", cell.y);
   }
-  void points(const Box& lattice, std::span<const NodeId> nodes) {
+  void points(const Path& path) {
     name("points");
     out_ += '[';
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const Cell at = lattice.position(nodes[i]);
+    for (std::size_t i = 0; i < path.size(); ++i) {
       if (i > 0) out_ += yaml_ ? ", " : ",";
       out_ += yaml_ ? "{ x: " : "{\"x\":";
-      append_whole(out_, at.x);
-      out_ += yaml_ ? ".5, y: " : ".5,\"y\":";
-      append_whole(out_, at.y);
-      out_ += yaml_ ? ".5 }" : ".5}";
+      append_real(out_, path.point(i).x);
+      out_ += yaml_ ? ", y: " : ",\"y\":";
+      append_real(out_, path.point(i).y);
+      out_ += yaml_ ? " }" : "}";
     }
     out_ += ']';
   }
@@ -262,11 +261,11 @@ void PosthocTrace::robot(std::string& out, NodeId node) {
   step.whole("pass", pass_);
 }
 
-void PosthocTrace::plan(std::string& out, std::span<const NodeId> path) {
+void PosthocTrace::plan(std::string& out, const Path& path) {
   Step step(*this, out, "plan");
   step.word("id", "plan");
   step.whole("pass", pass_);
-  step.points(run_.view.lattice, path);
+  step.points(path);
 }
 
 void PosthocTrace::cell(std::string& out, std::string_view type, NodeId node, const SearchState& state,

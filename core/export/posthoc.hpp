@@ -57,7 +57,7 @@ class PosthocTrace final : public TraceEncoder {
   void close_all(std::string& out, const SearchState& state);
   void place(std::string& out, std::string_view type, NodeId node);
   void robot(std::string& out, NodeId node);
-  void plan(std::string& out, std::span<const NodeId> path);
+  void plan(std::string& out, const Path& path);
   void cell(std::string& out, std::string_view type, NodeId node, const SearchState& state,
             const Values& values);
   void parent(Step& step, NodeId node, const SearchState& state);

@@ -11,6 +11,7 @@
 
 #include "core/base/pending_file.hpp"
 #include "core/debug/log_view.hpp"
+#include "core/plan/path.hpp"
 
 namespace replan {
 
@@ -31,9 +32,8 @@ struct TraceRun {
   LogView view;
   std::string scenario;  ///< its name
   Cell start, goal;      ///< before the run
-  /// The corners of the path that the plan came to whose plan_end is the event of that index; empty without a
-  /// path.
-  std::function<std::vector<NodeId>(std::size_t)> path_at;
+  /// The path that the plan came to whose plan_end is the event of that index; empty without one.
+  std::function<Path(std::size_t)> path_at;
 };
 
 /// Turns events into the text of one format. Each function appends to `out`.

@@ -21,6 +21,11 @@ std::string_view scalar_name(Scalar scalar) {
   return kNames[static_cast<std::size_t>(scalar)];
 }
 
+void append_real(std::string& out, double number) {
+  char digits[32];
+  out.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+}
+
 void append_cost(std::string& out, Cost cost) {
   constexpr std::uint64_t kDecimals = 10'000'000'000;  // 10^10 > 2^30: finer than the fixed point
   const auto raw = static_cast<std::uint64_t>(cost.raw);

@@ -21,6 +21,9 @@ void append_whole(std::string& out, std::integral auto number) {
   out.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
 }
 
+/// With as many digits as tell it from all other numbers.
+void append_real(std::string& out, double number);
+
 /// A finite cost in cells, with as many decimals as it takes, ten at most: the number times 2^30, rounded, is
 /// the cost again. (A reader that holds numbers as doubles has it exactly up to 4 million cells.)
 void append_cost(std::string& out, Cost cost);

@@ -1,6 +1,7 @@
 // Which node is which cell: all that most readers of a run need to know of its world.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -47,6 +48,18 @@ class Box {
     const NodeId row = node / width;
     return {static_cast<int>(node % width), static_cast<int>(row % height), static_cast<int>(row / height)};
   }
+
+  /// Calls `visit(node)` for the cells at most `reach` away from `middle` along each axis, itself included, in the
+  /// order of their nodes.
+  template <class Visit>
+  void each_cell_around(Cell middle, int reach, Visit&& visit) const {
+    const auto low = [reach](int at) { return std::max(0, at - reach); };
+    const auto high = [reach](int at, int size) { return std::min(size - 1, at + reach); };
+    for (int z = low(middle.z); z <= high(middle.z, depth()); ++z)
+      for (int y = low(middle.y); y <= high(middle.y, height()); ++y)
+        for (int x = low(middle.x); x <= high(middle.x, width()); ++x) visit(node({x, y, z}));
+  }
+  friend bool operator==(const Box&, const Box&) = default;
 
  private:
   std::array<int, 3> size_{0, 0, 1};

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "core/lattice/box.hpp"
 #include "core/lattice/lattice.hpp"
 
 namespace replan {
@@ -78,6 +79,12 @@ class BoxLattice {
   BoxLattice(Coordinates size, std::vector<std::uint8_t> blocked, MoveRules rules = {});
 
   [[nodiscard]] const Coordinates& size() const { return size_; }
+  [[nodiscard]] Box box() const {
+    if constexpr (D == 2)
+      return {size_[0], size_[1]};
+    else
+      return {size_[0], size_[1], size_[2]};
+  }
   [[nodiscard]] int width() const { return size_[0]; }
   [[nodiscard]] int height() const { return size_[1]; }
   [[nodiscard]] const MoveRules& rules() const { return rules_; }

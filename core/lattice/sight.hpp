@@ -30,13 +30,19 @@ struct Ray {
   std::array<std::int64_t, D> length{};
 
   Ray(const BoxLattice<D>& lattice, NodeId from, NodeId to)
-      : at(lattice.coordinates(from)), target(lattice.coordinates(to)), node(from) {
+      : Ray(lattice.size(), lattice.coordinates(from), lattice.coordinates(to), from) {}
+  /// In a box of any depth.
+  Ray(const Box& box, NodeId from, NodeId to) requires(D == 3)
+      : Ray(box.sides<3>(), BoxLattice<3>::to_coordinates(box.position(from)),
+            BoxLattice<3>::to_coordinates(box.position(to)), from) {}
+  Ray(const Coordinates& sides, const Coordinates& from, const Coordinates& to, NodeId first)
+      : at(from), target(to), node(first) {
     NodeId stride = 1;
     for (std::size_t i = 0; i < D; ++i) {
       sign[i] = target[i] > at[i] ? 1 : -1;
       delta[i] = target[i] > at[i] ? stride : 0u - stride;
       length[i] = std::abs(target[i] - at[i]);
-      stride *= static_cast<NodeId>(lattice.size()[i]);
+      stride *= static_cast<NodeId>(sides[i]);
     }
   }
 
@@ -67,7 +73,8 @@ struct SupercoverRay : Ray<D> {
   static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
   std::array<std::int64_t, D> next{}, period{};
 
-  SupercoverRay(const BoxLattice<D>& lattice, NodeId from, NodeId to) : Ray<D>(lattice, from, to) {
+  template <class World>
+  SupercoverRay(const World& world, NodeId from, NodeId to) : Ray<D>(world, from, to) {
     for (std::size_t i = 0; i < D; ++i) {
       std::int64_t others = 1;
       for (std::size_t j = 0; j < D; ++j)
@@ -116,7 +123,8 @@ struct BresenhamRay : Ray<D> {
   std::array<std::int64_t, D> error{};
   std::int64_t longest = 0;
 
-  BresenhamRay(const BoxLattice<D>& lattice, NodeId from, NodeId to) : Ray<D>(lattice, from, to) {
+  template <class World>
+  BresenhamRay(const World& world, NodeId from, NodeId to) : Ray<D>(world, from, to) {
     for (const std::int64_t cells : this->length) longest = std::max(longest, cells);
   }
 
@@ -170,6 +178,24 @@ bool walk_bresenham(const BoxLattice<D>& lattice, NodeId from, NodeId to, Step&&
   for (BresenhamRay<D> ray(lattice, from, to); ray.node != to;) {
     const unsigned axes = ray.step();
     if (!step(ray.node, ray.direction(axes))) return false;
+  }
+  return true;
+}
+
+/// The same in a box of any depth; `visit(node)` is not told the direction.
+template <class Visit>
+bool walk_supercover(const Box& box, NodeId from, NodeId to, Visit&& visit) {
+  for (SupercoverRay<3> ray(box, from, to); ray.node != to;) {
+    ray.step();
+    if (!visit(ray.node)) return false;
+  }
+  return true;
+}
+template <class Visit>
+bool walk_bresenham(const Box& box, NodeId from, NodeId to, Visit&& visit) {
+  for (BresenhamRay<3> ray(box, from, to); ray.node != to;) {
+    ray.step();
+    if (!visit(ray.node)) return false;
   }
   return true;
 }

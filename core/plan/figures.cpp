@@ -1,9 +1,12 @@
 #include "core/plan/figures.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <cstdlib>
 #include <vector>
 
+#include "core/lattice/segment.hpp"
 #include "core/lattice/sight.hpp"
 
 namespace replan {
@@ -24,7 +27,7 @@ class ObstacleDistance {
   using Point = std::array<double, D>;  // in cells; the centre of cell (x, y) is (x, y)
   using Block = std::array<int, D>;
 
-  explicit ObstacleDistance(const BoxLattice<D>& lattice) : cells_(lattice.cells()), sizes_{lattice.size()} {
+  ObstacleDistance(const Block& sides, std::span<const std::uint8_t> cells) : cells_(cells), sizes_{sides} {
     while (*std::max_element(sizes_.back().begin(), sizes_.back().end()) > 1) add_level();
   }
 
@@ -113,23 +116,24 @@ class ObstacleDistance {
   std::vector<std::vector<std::uint8_t>> levels_;  // without the cells' own
 };
 
-template <int D>
-double diagonal(const BoxLattice<D>& lattice) {
-  double sum = 0;
-  for (const int extent : lattice.size()) sum += double{1} * extent * extent;
-  return std::sqrt(sum);
+double diagonal(const Box& box) {
+  const std::array<double, 3> sides = {double(box.width()), double(box.height()),
+                                       box.solid() ? double(box.depth()) : 0};
+  return std::sqrt(sides[0] * sides[0] + sides[1] * sides[1] + sides[2] * sides[2]);
 }
 
 /// Minimum and mean over samples at arc lengths 0, 0.1, 0.2, ... and at the end of the polyline.
 template <int D>
-void measure_clearance(const BoxLattice<D>& lattice, std::span<const NodeId> path, PathFigures& figures) {
-  const ObstacleDistance<D> obstacles(lattice);
-  const double farthest = diagonal(lattice);
+void measure_clearance(const Box& box, std::span<const std::uint8_t> cells, const Path& path,
+                       PathFigures& figures) {
+  const ObstacleDistance<D> obstacles(box.sides<D>(), cells);
+  const double farthest = diagonal(box);
   figures.min_clearance = figures.mean_clearance = farthest;
   if (!obstacles.any()) return;
   double sum = 0, last = farthest;
   std::int64_t samples = 0;
-  const auto sample = [&](const typename ObstacleDistance<D>::Point& point) {
+  using At = typename ObstacleDistance<D>::Point;
+  const auto sample = [&](const At& point) {
     // Two samples are at most a step apart, so the distance cannot have grown by more: a tight limit for the
     // search.
     last = obstacles.at(point, last + kSampleStep + 1e-6);
@@ -137,11 +141,17 @@ void measure_clearance(const BoxLattice<D>& lattice, std::span<const NodeId> pat
     sum += last;
     ++samples;
   };
+  const auto in_cells = [&path](std::size_t i) {
+    const std::array<double, 3> point = {path.point(i).x - 0.5, path.point(i).y - 0.5, path.point(i).z - 0.5};
+    At at{};
+    std::copy_n(point.begin(), D, at.begin());
+    return at;
+  };
   double travelled = 0;  // up to the segment's beginning
-  typename ObstacleDistance<D>::Point point{};
+  At point{};
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    const double length = std::sqrt(static_cast<double>(lattice.squared_distance(path[i], path[i + 1])));
-    const auto from = lattice.coordinates(path[i]), to = lattice.coordinates(path[i + 1]);
+    const double length = distance(path.point(i), path.point(i + 1));
+    const At from = in_cells(i), to = in_cells(i + 1);
     for (double at; (at = static_cast<double>(samples) * kSampleStep) < travelled + length;) {
       const double part = std::max(0.0, at - travelled) / length;
       for (std::size_t axis = 0; axis < D; ++axis) point[axis] = from[axis] + (to[axis] - from[axis]) * part;
@@ -149,34 +159,29 @@ void measure_clearance(const BoxLattice<D>& lattice, std::span<const NodeId> pat
     }
     travelled += length;
   }
-  const auto end = lattice.coordinates(path.back());
-  for (std::size_t axis = 0; axis < D; ++axis) point[axis] = end[axis];
-  sample(point);
+  sample(in_cells(path.size() - 1));
   figures.mean_clearance = sum / static_cast<double>(samples);
 }
 
 /// The angle between two headings, in radians.
-template <int D>
-double angle(const std::array<double, D>& a, const std::array<double, D>& b) {
+double angle(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   double dot = 0, crossed = 0;
-  for (std::size_t i = 0; i < D; ++i) {
+  for (std::size_t i = 0; i < 3; ++i) {
     dot += a[i] * b[i];
-    for (std::size_t j = i + 1; j < D; ++j)
+    for (std::size_t j = i + 1; j < 3; ++j)
       crossed += (a[i] * b[j] - a[j] * b[i]) * (a[i] * b[j] - a[j] * b[i]);
   }
   return std::atan2(std::sqrt(crossed), dot);
 }
 
-template <int D>
-void measure_turns(const BoxLattice<D>& lattice, std::span<const NodeId> path, PathFigures& figures) {
-  std::array<double, D> heading{};
+void measure_turns(const Path& path, PathFigures& figures) {
+  std::array<double, 3> heading{};
   bool moving = false;
   for (std::size_t i = 1; i < path.size(); ++i) {
-    if (path[i] == path[i - 1]) continue;
-    const auto from = lattice.coordinates(path[i - 1]), to = lattice.coordinates(path[i]);
-    std::array<double, D> next{};
-    for (std::size_t axis = 0; axis < D; ++axis) next[axis] = to[axis] - from[axis];
-    const double change = moving ? angle<D>(heading, next) : 0;
+    const Point from = path.point(i - 1), to = path.point(i);
+    if (from == to) continue;
+    const std::array<double, 3> next = {to.x - from.x, to.y - from.y, to.z - from.z};
+    const double change = moving ? angle(heading, next) : 0;
     figures.turns += change > kStraight ? 1 : 0;
     figures.turning_angle_deg += change * kDegrees;
     heading = next;
@@ -198,47 +203,38 @@ bool is_move(const BoxLattice<D>& lattice, NodeId from, NodeId to) {
 
 }  // namespace
 
-template <int D>
-double path_length(const BoxLattice<D>& lattice, std::span<const NodeId> path) {
+double path_length(const Path& path) {
   double length = 0;
-  for (std::size_t i = 1; i < path.size(); ++i)
-    length += std::sqrt(static_cast<double>(lattice.squared_distance(path[i - 1], path[i])));
+  for (std::size_t i = 1; i < path.size(); ++i) length += distance(path.point(i - 1), path.point(i));
   return length;
 }
 
-template <int D>
-PathFigures path_figures(const BoxLattice<D>& lattice, std::span<const NodeId> path) {
+PathFigures path_figures(const Box& box, std::span<const std::uint8_t> cells, const Path& path) {
   PathFigures figures;
   if (path.empty()) return figures;
   figures.nodes = static_cast<std::int64_t>(path.size());
-  figures.length = path_length(lattice, path);
-  measure_turns(lattice, path, figures);
-  measure_clearance(lattice, path, figures);
+  figures.length = path_length(path);
+  measure_turns(path, figures);
+  with_dimensions(box, [&](auto d) { measure_clearance<d()>(box, cells, path, figures); });
   return figures;
 }
 
 template <int D>
-bool path_is_free(const BoxLattice<D>& lattice, std::span<const NodeId> path, SightRule sight) {
+bool path_is_free(const BoxLattice<D>& lattice, const Path& path) {
   const auto bad = [&](NodeId node) { return lattice.blocked(node); };
-  if (path.size() == 1) return !bad(path.front());
+  const auto free_between = [&](std::size_t i) {
+    if (path.nodes().empty())
+      return walk_segment(lattice.box(), path.point(i - 1), path.point(i), [&](NodeId n) { return !bad(n); });
+    const NodeId from = path.nodes()[i - 1], to = path.nodes()[i];
+    return is_move(lattice, from, to) || line_of_sight(lattice, path.sight(), from, to, bad);
+  };
+  if (path.size() == 1) return !bad(lattice.node(cell_of(path.point(0))));
   for (std::size_t i = 1; i < path.size(); ++i)
-    if (!is_move(lattice, path[i - 1], path[i]) && !line_of_sight(lattice, sight, path[i - 1], path[i], bad))
-      return false;
+    if (!free_between(i)) return false;
   return true;
 }
 
-PathFigures path_figures(const Box& box, const SharedBytes& cells, MoveRules rules,
-                         std::span<const NodeId> path) {
-  return with_dimensions(box, [&](auto d) {
-    return path_figures(BoxLattice<d()>(box.sides<d()>(), cells.plain(), rules), path);
-  });
-}
-
-template double path_length<2>(const BoxLattice<2>&, std::span<const NodeId>);
-template double path_length<3>(const BoxLattice<3>&, std::span<const NodeId>);
-template PathFigures path_figures<2>(const BoxLattice<2>&, std::span<const NodeId>);
-template PathFigures path_figures<3>(const BoxLattice<3>&, std::span<const NodeId>);
-template bool path_is_free<2>(const BoxLattice<2>&, std::span<const NodeId>, SightRule);
-template bool path_is_free<3>(const BoxLattice<3>&, std::span<const NodeId>, SightRule);
+template bool path_is_free<2>(const BoxLattice<2>&, const Path&);
+template bool path_is_free<3>(const BoxLattice<3>&, const Path&);
 
 }  // namespace replan

@@ -1,12 +1,11 @@
 // Figures of a path, the same for every planner, computed in this one place from the geometry.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
-#include "core/base/shared_array.hpp"
-#include "core/lattice/box.hpp"
 #include "core/lattice/box_lattice.hpp"
-#include "core/plan/planner.hpp"
+#include "core/plan/path.hpp"
 
 namespace replan {
 
@@ -23,19 +22,18 @@ struct PathFigures {
 };
 
 /// The length alone: what a batch over thousands of problems needs.
-template <int D>
-double path_length(const BoxLattice<D>& lattice, std::span<const NodeId> path);
+double path_length(const Path& path);
 
-/// All figures of a path on a map.
+/// All figures of a path in a box of cells, nonzero = obstacle.
+PathFigures path_figures(const Box& box, std::span<const std::uint8_t> cells, const Path& path);
 template <int D>
-PathFigures path_figures(const BoxLattice<D>& lattice, std::span<const NodeId> path);
-/// The same on a box of cells, nonzero = obstacle.
-PathFigures path_figures(const Box& box, const SharedBytes& cells, MoveRules rules,
-                         std::span<const NodeId> path);
+PathFigures path_figures(const BoxLattice<D>& lattice, const Path& path) {
+  return path_figures(lattice.box(), lattice.cells(), path);
+}
 
-/// True if every segment of the polyline is either a move of the lattice or a line of sight on its free
-/// cells.
+/// True if every segment of a path over the lattice's nodes is one of its moves or a line of sight on its free
+/// cells; every segment of another path must touch free cells only.
 template <int D>
-bool path_is_free(const BoxLattice<D>& lattice, std::span<const NodeId> path, SightRule sight);
+bool path_is_free(const BoxLattice<D>& lattice, const Path& path);
 
 }  // namespace replan

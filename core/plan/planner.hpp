@@ -3,11 +3,10 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
-#include "core/base/cell.hpp"
 #include "core/base/cost.hpp"
 #include "core/lattice/lattice.hpp"
+#include "core/plan/path.hpp"
 
 namespace replan {
 
@@ -32,17 +31,6 @@ constexpr bool has_path(PlanStatus status) {
 const char* status_name(PlanStatus status);
 /// The status as a sentence for a user.
 const char* status_sentence(PlanStatus status);
-
-/// A polyline over lattice nodes, both ends included; empty if there is no path.
-struct Path {
-  std::vector<NodeId> nodes;
-  /// Parents led in a circle before the goal: only with `remote_parents=printed`. The nodes end at the
-  /// repetition.
-  bool loops = false;
-  /// Some segment was taken on trust and may cross an obstacle: only with `remote_parents=printed`.
-  bool unchecked = false;
-  friend bool operator==(const Path&, const Path&) = default;
-};
 
 /// Work done since begin(), replans included.
 struct Counters {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/plan/named.hpp"
+
 #define REPLAN_PLANNER_HEADERS
 #include "core/planners/planners.def"
 #undef REPLAN_PLANNER_HEADERS
@@ -37,19 +39,11 @@ std::span<const PlannerInfo> sound_planners() {
 }
 
 const PlannerInfo* find_planner(std::string_view id) {
-  for (const PlannerInfo& info : planners())
-    if (info.id == id) return &info;
-  return nullptr;
+  return find_by_id(planners(), id);
 }
 
 Result<const PlannerInfo*> require_planner(std::string_view id) {
-  if (const PlannerInfo* info = find_planner(id)) return info;
-  std::vector<std::string_view> ids;
-  for (const PlannerInfo& info : planners()) ids.push_back(info.id);
-  const std::string_view nearest = nearest_name(id, ids);
-  return Error{"unknown planner '" + std::string(id) + "'" +
-               (nearest.empty() ? "; 'replan list planners' shows those there are"
-                                : "; did you mean '" + std::string(nearest) + "'?")};
+  return require_by_id(planners(), id, "planner");
 }
 
 std::span<const Parameter> lattice_parameters() {

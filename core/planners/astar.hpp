@@ -90,12 +90,12 @@ class AStar final : public Planner<L> {
   }
 
   Path path() override {
-    Path result;
-    if (status() != PlanStatus::found) return result;
-    for (NodeId s = goal_; s != start_; s = parent(s)) result.nodes.push_back(s);
-    result.nodes.push_back(start_);
-    std::reverse(result.nodes.begin(), result.nodes.end());
-    return result;
+    if (status() != PlanStatus::found) return {};
+    std::vector<NodeId> nodes;
+    for (NodeId s = goal_; s != start_; s = parent(s)) nodes.push_back(s);
+    nodes.push_back(start_);
+    std::reverse(nodes.begin(), nodes.end());
+    return Path(lattice_.box(), std::move(nodes));
   }
 
   void restore(const SearchState& state, const Counters& counters) override {

@@ -403,31 +403,31 @@ class DStarLite final : public Planner<L> {
 
   /// Only parents that may be wrong are watched for circles.
   [[gnu::cold]] Path path_of_parents() {
-    Path result;
+    std::vector<NodeId> nodes = {start_};
     std::unordered_set<NodeId> passed;
+    bool unchecked = false;
     ways_.clear();
-    result.nodes.push_back(start_);
     for (NodeId s = start_; s != goal_;) {
-      if ((Faults::kAny || !checked_) && !passed.insert(s).second) {
-        result.loops = true;
-        break;
-      }
-      s = next(s, result);
+      if ((Faults::kAny || !checked_) && !passed.insert(s).second) break;
+      s = next(s, unchecked);
       if (s == kNoNode) break;  // printed mode only: a stale parent led where nothing leads on
-      result.nodes.push_back(s);
+      nodes.push_back(s);
     }
-    if (result.nodes.back() != goal_) result.loops = true;
-    return result;
+    const bool arrives = nodes.back() == goal_;
+    Path path(lattice_.box(), std::move(nodes), sight_rule_);
+    path.loops = !arrives;
+    path.unchecked = unchecked;
+    return path;
   }
 
   /// Where the robot goes from s: the remote parent if it can be trusted, else the local one.
-  NodeId next(NodeId s, Path& path) {
+  NodeId next(NodeId s, bool& unchecked) {
     const NodeId local = lp(s);
     const NodeId remote = nodes_[s].rp;
     if (!switches_.sight || remote == local) return local;
     if (!checked_) {
       if (remote != kNoNode) tr_.note(EventKind::unchecked, s, remote);
-      path.unchecked = true;
+      unchecked = true;
       return remote;
     }
     return remote != kNoNode && settled(remote) && saves_way(s, remote) && in_sight(remote, s) ? remote
@@ -459,17 +459,17 @@ class DStarLite final : public Planner<L> {
   [[gnu::noinline]] Path leaping_path() {
     chain_.clear();
     leads_ = kNoNode;
-    Path result{.nodes = {start_}};
-    result.nodes.reserve(kept_leaps_.size() + 1);
-    for (NodeId s = start_; s != goal_; result.nodes.push_back(s)) {
+    std::vector<NodeId> nodes = {start_};
+    nodes.reserve(kept_leaps_.size() + 1);
+    for (NodeId s = start_; s != goal_; nodes.push_back(s)) {
       if (!leads_ahead(s)) set_leap(s);
       s = nodes_[s].rp;
     }
-    if (kept_leaps_.size() > kMostKept + 2 * result.nodes.size()) {
+    if (kept_leaps_.size() > kMostKept + 2 * nodes.size()) {
       tr_.line(207);
-      forget(kept_leaps_.take_others(result.nodes));
+      forget(kept_leaps_.take_others(nodes));
     }
-    return result;
+    return Path(lattice_.box(), std::move(nodes), sight_rule_);
   }
 
   // Line 4: whether s has a leap, and it ends on the way from s along local parents, on which g falls.

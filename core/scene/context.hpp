@@ -43,8 +43,8 @@ struct SceneContext {
   [[nodiscard]] bool in_sight(Cell cell) const {
     return cell.x >= left && cell.x < right && cell.y >= top && cell.y < bottom;
   }
-  static Point centre(Cell cell) { return {cell.x + 0.5, cell.y + 0.5}; }
-  [[nodiscard]] Point centre(NodeId node) const { return centre(lattice.position(node)); }
+  static Point centre(Cell cell) { return centre_of(cell); }
+  [[nodiscard]] Point centre(NodeId node) const { return centre_of(lattice.position(node)); }
   void add(Shape shape) { scene.shapes.push_back(std::move(shape)); }
 };
 

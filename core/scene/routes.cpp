@@ -23,20 +23,20 @@ Point robot_point(const SceneContext& context) {
   if (mark == nullptr) return context.centre(robot_node(context));
   const double travel = std::min(context.run.travel(), 1.0);
   const auto between = [travel](double from, double to) { return to + (1 - travel) * (from - to); };
-  return {between(mark->before.x, mark->at.x), between(mark->before.y, mark->at.y)};
+  return {between(mark->before.x, mark->at.x), between(mark->before.y, mark->at.y),
+          between(mark->before.z, mark->at.z)};
 }
 
 /// The path from the robot on.
 std::vector<Point> ahead(const SceneContext& context, const Mark& mark) {
-  const std::vector<NodeId>& path = mark.plan->nodes();
+  const Path& path = *mark.plan->path;
   std::vector<Point> rest;
   if (path.empty()) return rest;
   rest.push_back(robot_point(context));
   double walked = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
-    const Point a = context.centre(path[i - 1]), b = context.centre(path[i]);
-    walked += std::hypot(b.x - a.x, b.y - a.y);
-    if (walked > mark.along_plan + 1e-9) rest.push_back(b);
+    walked += distance(path.point(i - 1), path.point(i));
+    if (walked > mark.along_plan + 1e-9) rest.push_back(path.point(i));
   }
   return rest;
 }
@@ -81,9 +81,8 @@ void add_trail(SceneContext& context) {
   Polyline line{{}, faded(context.palette.robot, 0.75), context.pixels(2), 0};
   for (const Mark& mark : context.run.marks()) {
     if (mark.event > context.cursor) break;
-    if (mark.plan->nodes().empty()) continue;  // it stood still
-    const Point at = {mark.at.x, mark.at.y};
-    if (line.points.empty() || line.points.back() != at) line.points.push_back(at);
+    if (mark.plan->path->empty()) continue;  // it stood still
+    if (line.points.empty() || line.points.back() != mark.at) line.points.push_back(mark.at);
   }
   if (context.run.travel() < 1 && !line.points.empty()) line.points.back() = robot_point(context);
   if (line.points.size() < 2) return;

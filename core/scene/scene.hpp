@@ -9,18 +9,13 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/point.hpp"
 #include "core/scene/digest.hpp"
 #include "core/scene/palette.hpp"
 #include "core/scene/view.hpp"
 #include "core/session/run.hpp"
 
 namespace replan {
-
-/// World coordinates: cell (x, y) covers x..x+1, y..y+1.
-struct Point {
-  double x = 0, y = 0;
-  friend bool operator==(const Point&, const Point&) = default;
-};
 
 /// Coloured texels over a rectangle of the world: one per cell, or one per pixel where cells are smaller than
 /// pixels.

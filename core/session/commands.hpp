@@ -94,6 +94,11 @@ struct SetParameter {
 struct ResetParameters {
   std::size_t pane = 0;
 };
+/// All of them, in their order.
+struct SetStages {
+  std::size_t pane = 0;
+  std::vector<StageChoice> stages;
+};
 struct SetRobot {
   RobotSetup robot;
 };

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <vector>
 
+#include "core/plan/navigator.hpp"
+
 namespace replan {
 namespace {
 
@@ -29,33 +31,6 @@ class TouchCount {
   std::int64_t count_ = 0;
 };
 
-template <int D>
-FreshPlan plan_in(const FreshPlanTask& task, const std::stop_token& stop) {
-  const PlannerChoice& choice = task.choice;
-  const BoxLattice<D> lattice(task.box.sides<D>(), task.known.plain(), move_rules(choice.settings));
-  Recorder recorder;
-  const auto planner = make_planner(*find_planner(choice.id), lattice, choice.settings, recorder);
-  TouchCount touched(lattice.node_count());
-  FreshPlan fresh;
-  const auto timed = [&fresh](auto&& step) {
-    const auto begin = std::chrono::steady_clock::now();
-    const bool done = step();
-    fresh.ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-    return done;
-  };
-  timed([&] {
-    planner->begin(task.start, task.goal);
-    return true;
-  });
-  for (bool done = false; !done && !stop.stop_requested();) {
-    done = timed([&] { return planner->advance(kSliceIterations); });
-    for (const Event& event : recorder.take()) touched.take(event);
-  }
-  fresh.touched = touched.count();
-  fresh.expansions = planner->counters().expansions;
-  return fresh;
-}
-
 }  // namespace
 
 FreshPlanTask::FreshPlanTask(const Run& run)
@@ -66,7 +41,27 @@ FreshPlanTask::FreshPlanTask(const Run& run)
       goal(run.timeline().state().node(Scalar::goal)) {}
 
 FreshPlan plan_from_scratch(const FreshPlanTask& task, const std::stop_token& stop) {
-  return with_dimensions(task.box, [&](auto d) { return plan_in<d()>(task, stop); });
+  Recorder recorder;
+  const auto navigator = make_navigator(task.choice, task.box, task.known, &recorder);
+  TouchCount touched(task.box.node_count());
+  FreshPlan fresh;
+  const auto timed = [&fresh](auto&& step) {
+    const auto begin = std::chrono::steady_clock::now();
+    const bool done = step();
+    fresh.ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    return done;
+  };
+  timed([&] {
+    navigator->begin(centre_of(task.box.position(task.start)), centre_of(task.box.position(task.goal)));
+    return true;
+  });
+  for (bool done = false; !done && !stop.stop_requested();) {
+    done = timed([&] { return navigator->advance(kSliceIterations); });
+    for (const Event& event : recorder.take()) touched.take(event);
+  }
+  fresh.touched = touched.count();
+  fresh.expansions = navigator->counters().expansions;
+  return fresh;
 }
 
 FreshPlans::FreshPlans() : thread_([this](const std::stop_token& stop) { work(stop); }) {}

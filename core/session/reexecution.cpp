@@ -36,7 +36,7 @@ void Reexecution::take_up(std::size_t position, const KeyFrame& frame) {
   ahead_.clear();
   begin_ = position;
   if (!mission_ || !frame.checkpoint)
-    mission_ = std::make_unique<Mission<Recorder>>(*scenario_, scenario_->planners[planner_], recorder_);
+    mission_ = make_mission(*scenario_, scenario_->planners[planner_], &recorder_);
   if (!frame.checkpoint) return;
   mission_->restore(*frame.checkpoint, frame.state);
   recorder_.line(frame.checkpoint->line);

@@ -32,7 +32,7 @@ class Reexecution {
   std::size_t planner_;
   std::int64_t iterations_;
   Recorder recorder_;
-  std::unique_ptr<Mission<Recorder>> mission_;
+  std::unique_ptr<Mission> mission_;
   std::vector<Event> ahead_;  // worked out and not yet asked for
   std::size_t begin_ = 0;     // where in the log that begins
 };

@@ -151,7 +151,7 @@ void RunWorker::carry_out(Orders orders) {
     recorded_ = 0;
   }
   if (orders.back) {
-    make_mission();
+    set_out();
     recorder_.clear();
     mission_->restore(orders.back->mark, *orders.back->head);
     recorded_ = orders.back->mark.event;
@@ -162,12 +162,12 @@ void RunWorker::carry_out(Orders orders) {
   }
 }
 
-void RunWorker::make_mission() {
-  if (!mission_) mission_ = std::make_unique<Mission<Recorder>>(*scenario_, choice(), recorder_);
+void RunWorker::set_out() {
+  if (!mission_) mission_ = make_mission(*scenario_, choice(), &recorder_);
 }
 
 void RunWorker::fill(Batch& batch, Target target) {
-  make_mission();
+  set_out();
   // Several to a key frame, so that one stands wherever the timeline wants one.
   const std::size_t checkpoint_events = std::max<std::size_t>(1, limits_.log.frame_interval / 8);
   const auto recorded = [this] { return recorder_.buffer().size(); };

@@ -102,7 +102,7 @@ class RunWorker {
   [[nodiscard]] std::string work_on(Orders orders, Target target, Batch& batch);
   void carry_out(Orders orders);
   void fill(Batch& batch, Target target);
-  void make_mission();
+  void set_out();
   [[nodiscard]] const PlannerChoice& choice() const { return scenario_->planners[planner_]; }
   [[nodiscard]] bool reached(Target target) const;
   [[nodiscard]] std::vector<Event> spare();
@@ -114,7 +114,7 @@ class RunWorker {
   std::shared_ptr<const Scenario> scenario_;
   Recorder recorder_;
   std::size_t recorded_ = 0;  // events handed over
-  std::unique_ptr<Mission<Recorder>> mission_;
+  std::unique_ptr<Mission> mission_;
 
   std::atomic<bool> hurry_ = false;  // the batch under way is to end soon
   mutable std::mutex mutex_;         // guards what follows

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/words.hpp"
+#include "core/plan/stage.hpp"
 #include "core/session/session.hpp"
 
 namespace replan {
@@ -151,6 +152,7 @@ Result<void> Session::run_command(const ChoosePlanner& command) {
   if (!info) return Error{info.error()};
   if (command.pane >= scenario_->planners.size()) return Error{"there is no such pane"};
   PlannerChoice choice = choice_of(**info, scenario_->planners[command.pane].settings);
+  choice.stages = scenario_->planners[command.pane].stages;
   if (choice == scenario_->planners[command.pane]) return {};
   Scenario changed = *scenario_;
   changed.planners[command.pane] = std::move(choice);
@@ -182,8 +184,20 @@ Result<void> Session::run_command(const ResetParameters& command) {
   return {};
 }
 
+Result<void> Session::run_command(const SetStages& command) {
+  if (command.pane >= scenario_->planners.size()) return Error{"there is no such pane"};
+  for (const StageChoice& stage : command.stages)
+    if (const auto known = require_stage(stage.id); !known) return Error{known.error()};
+  if (command.stages == scenario_->planners[command.pane].stages) return {};
+  Scenario changed = *scenario_;
+  changed.planners[command.pane].stages = command.stages;
+  commit("change what paths go through", 0, std::move(changed));
+  return {};
+}
+
 Result<void> Session::run_command(const SetRobot& command) {
   if (command.robot == scenario_->robot) return {};
+  if (const auto known = require_robot(command.robot.kind); !known) return Error{known.error()};
   Scenario changed = *scenario_;
   changed.robot = command.robot;
   commit("change the robot", 0, std::move(changed));

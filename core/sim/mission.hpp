@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "core/lattice/box_lattice.hpp"
-#include "core/plan/registry.hpp"
+#include "core/plan/navigator.hpp"
 #include "core/sim/mover.hpp"
 #include "core/sim/route.hpp"
 #include "core/sim/senses.hpp"
+#include "core/trace/tracer.hpp"
 #include "core/world/scenario.hpp"
 
 namespace replan {
@@ -59,9 +59,9 @@ struct Mark {
   Counters before_goal;  ///< of the figures' counters: the planner's work for earlier goals
   std::shared_ptr<const Plan> plan;
   std::size_t next = 0;   ///< the cell of the plan's route that the robot enters next
-  PlanePoint before;      ///< where on the plan it was before its last move; `at` if it has not moved since
-  PlanePoint at;          ///< where it is: not in the middle of the cell that the path crosses there
-  PlanePoint after;       ///< where its next move leads; `at` if the plan has none
+  Point before;           ///< where on the plan it was before its last move; `at` if it has not moved since
+  Point at;               ///< where it is: not in the middle of the cell that the path crosses there
+  Point after;            ///< where its next move leads; `at` if the plan has none
   double along_plan = 0;  ///< its way from the plan's beginning to there
   std::vector<MoverState> movers;
   std::shared_ptr<const Sightings> sightings;
@@ -78,7 +78,29 @@ struct Checkpoint {
   int line = 0;          ///< the recorder's, for the owner of the log
 };
 
-/// One mission with one planner. T is NoTrace or Recorder.
+/// Tells a recorder what happens, if there is one.
+class MissionLog {
+ public:
+  explicit MissionLog(Recorder* recorder) : recorder_(recorder) {}
+  void line(int number) {
+    if (recorder_ != nullptr) recorder_->line(number);
+  }
+  void note(EventKind kind, NodeId node, std::uint64_t payload = 0) {
+    if (recorder_ != nullptr) recorder_->note(kind, node, payload);
+  }
+  void change(EventKind kind, NodeId node, std::uint64_t before, std::uint64_t after) {
+    if (recorder_ != nullptr) recorder_->change(kind, node, before, after);
+  }
+  void change(Scalar scalar, std::uint64_t before, std::uint64_t after) {
+    if (recorder_ != nullptr) recorder_->change(scalar, before, after);
+  }
+
+ private:
+  Recorder* recorder_;
+};
+
+/// One mission with one planner: all that a robot does but for how it moves, which is a robot's own
+/// (core/robots). It senses, learns, replans, waits and decides.
 ///
 /// What moves: obstacles wait for the robot rather than run into it or the cell that it is leaving. The robot
 /// remembers where it saw them. Where that leaves it without a path it waits, looking around after every
@@ -93,11 +115,13 @@ struct Checkpoint {
 /// With UnreachableGoal::nearest the robot makes for the reachable cell nearest to its goal where there is no
 /// path to the goal itself. That cell is chosen anew whenever its map changes, and the planner begins from
 /// scratch where it is another one; Scalar::wanted holds the goal itself all the while.
-template <class T>
 class Mission {
  public:
-  /// `scenario` may go after this. The planner must be in the registry, start and goal on the map.
-  Mission(const Scenario& scenario, const PlannerChoice& choice, T& tracer);
+  /// `scenario` may go after this. Planner and stages must be in their registries, start and goal on the map.
+  Mission(const Scenario& scenario, const PlannerChoice& choice, Recorder* recorder);
+  virtual ~Mission() = default;
+  Mission(const Mission&) = delete;
+  Mission& operator=(const Mission&) = delete;
 
   /// Runs at most `iterations` iterations of the planner's main loop, or takes one decision of the robot.
   /// False if there is nothing more to do.
@@ -112,26 +136,33 @@ class Mission {
   [[nodiscard]] const Mark& now() const { return now_; }
   [[nodiscard]] const Plan& plan() const { return *now_.plan; }
   [[nodiscard]] const Route& route() const { return route_; }
-  [[nodiscard]] const Planner<Grid2>& planner() const { return *planner_; }
-  [[nodiscard]] const Grid2& known() const { return known_; }
+  [[nodiscard]] const Navigator& navigator() const { return *navigator_; }
 
   /// Whether something stands on the robot's cell.
   [[nodiscard]] bool covered() const { return truth_[robot_] != 0; }
   /// How far the robot is from its goal, as the crow flies.
-  [[nodiscard]] double short_of_goal() const {
-    return distance(known_.position(robot_), known_.position(goal_));
-  }
+  [[nodiscard]] double short_of_goal() const { return distance(box_.position(robot_), box_.position(goal_)); }
 
   /// Puts another list of surprises in place; those that have happened must be the same. A mission that had
   /// ended goes on if something is due.
   void set_surprises(Surprises surprises);
   /// This moment; not before the first advance(). Its `line` is left to the owner of the log.
-  [[nodiscard]] Checkpoint checkpoint() const { return {now_, planner_->counters(), before_plan_, 0}; }
+  [[nodiscard]] Checkpoint checkpoint() const { return {now_, navigator_->counters(), before_plan_, 0}; }
   /// Goes to a moment of this scenario's own run, `state` being the log's state there.
   void restore(const Checkpoint& checkpoint, const SearchState& state);
   void restore(const Mark& mark, const SearchState& state) {
     restore({mark, mark.figures.counters - mark.before_goal, {}, 0}, state);
   }
+
+ protected:
+  /// The robot's next step along the plan that stands, which does not end where it is: step_along(), or
+  /// give_up().
+  virtual void move() = 0;
+
+  /// Goes on over so many cells of the route, or to its end if that is nearer, in one step of the clock. All of
+  /// them have to be free.
+  void step_along(std::size_t cells);
+  void give_up(MissionState state);
 
  private:
   void begin();
@@ -142,7 +173,9 @@ class Mission {
   [[nodiscard]] std::size_t due_surprise() const;
   void happen(std::size_t index);
   [[nodiscard]] std::vector<CellEdit> write_cells(const Surprise& surprise);
-  [[nodiscard]] Senses senses() const { return {known_, truth_, robot_setup_, robot_}; }
+  [[nodiscard]] bool blocked(NodeId node) const { return navigator_->known()[node] != 0; }
+  [[nodiscard]] Point point(NodeId node) const { return centre_of(box_.position(node)); }
+  [[nodiscard]] Senses senses() const { return {box_, navigator_->known(), truth_, robot_setup_, robot_}; }
   void feel(NodeId cell, std::vector<CellEdit>& told) const;
   void learn(const std::vector<CellEdit>& edits, EventKind how, std::optional<NodeId> afresh_to = {});
   [[nodiscard]] bool seeks_nearest() const {
@@ -157,25 +190,21 @@ class Mission {
   void wait_for_movers();
   void wait_on_goal(std::int64_t clock);
   void wait_until(std::int64_t clock);
-  void drive();
-  void give_up(MissionState state);
   void advance_clock(std::int64_t steps, SimTime time, NodeId left);
   [[nodiscard]] SimTime step_time(double way) const;
   void put_robot(NodeId cell);
   void follow(const Path& path, PlanStatus status);
-  [[nodiscard]] PlanePoint point_ahead() const;
-  void enter(NodeId cell);
+  [[nodiscard]] Point point_ahead() const;
+  void collide(NodeId cell);
+  void enter(std::size_t on_route);
 
-  T& tr_;
-  std::shared_ptr<const PlannerInfo> info_;
-  Settings settings_;
-  SightRule sight_rule_ = SightRule::supercover;
+  MissionLog tr_;
   RobotSetup robot_setup_;
   Surprises surprises_;
   Crowd crowd_;
-  Grid2 known_;
+  Box box_;
   std::vector<std::uint8_t> truth_;  // as EventKind::truth holds it
-  std::unique_ptr<Planner<Grid2>> planner_;
+  std::unique_ptr<Navigator> navigator_;
   NodeId start_ = kNoNode, goal_ = kNoNode, robot_ = kNoNode;
   NodeId aim_ = kNoNode;  // where the planner plans to: the goal, or the reachable cell nearest to it
   bool begun_ = false;
@@ -187,7 +216,9 @@ class Mission {
 /// The map that the robot starts with.
 SharedBytes initial_knowledge(const Scenario& scenario, bool all_mapped = false);
 
-extern template class Mission<NoTrace>;
-extern template class Mission<Recorder>;
+/// The mission of the scenario's robot with one planner. `recorder`, if there is one, is told of it and must outlive
+/// it. `scenario` may go after this.
+std::unique_ptr<Mission> make_mission(const Scenario& scenario, const PlannerChoice& choice,
+                                      Recorder* recorder = nullptr);
 
 }  // namespace replan

@@ -2,22 +2,25 @@
 
 #include <algorithm>
 
+#include "core/lattice/segment.hpp"
+#include "core/lattice/sight.hpp"
+
 namespace replan {
 namespace {
 
-std::vector<NodeId> cells_between(const Grid2& lattice, NodeId from, NodeId to, SightRule sight) {
+std::vector<NodeId> cells_between(const Box& box, NodeId from, NodeId to, SightRule sight) {
   std::vector<NodeId> cells;
-  const auto collect = [&](NodeId node, int) {
+  const auto collect = [&](NodeId node) {
     cells.push_back(node);
     return true;
   };
   if (sight == SightRule::supercover) {
-    walk_supercover(lattice, from, to, collect);
+    walk_supercover(box, from, to, collect);
   } else if (from < to) {
-    walk_bresenham(lattice, from, to, collect);
+    walk_bresenham(box, from, to, collect);
   } else {
     // Lines of sight are drawn from the smaller index; the robot drives the same cells the other way.
-    walk_bresenham(lattice, to, from, collect);
+    walk_bresenham(box, to, from, collect);
     std::reverse(cells.begin(), cells.end());
     if (!cells.empty()) {
       cells.erase(cells.begin());
@@ -27,21 +30,38 @@ std::vector<NodeId> cells_between(const Grid2& lattice, NodeId from, NodeId to, 
   return cells;
 }
 
+/// The cells of the path's segment that ends at point i.
+std::vector<NodeId> cells_of_segment(const Box& box, const Path& path, std::size_t i) {
+  if (!path.nodes().empty()) return cells_between(box, path.nodes()[i - 1], path.nodes()[i], path.sight());
+  std::vector<NodeId> cells;
+  walk_segment(box, path.point(i - 1), path.point(i), [&](NodeId node) {
+    cells.push_back(node);
+    return true;
+  });
+  return cells;
+}
+
+/// How far along the segment from `a` to `b` the point `c` is, between its ends.
+double projection(const Point& a, const Point& b, double length, const Point& c) {
+  const double product = (b.x - a.x) * (c.x - a.x) + (b.y - a.y) * (c.y - a.y) + (b.z - a.z) * (c.z - a.z);
+  return std::clamp(product / length, 0.0, length);
+}
+
 }  // namespace
 
-Route lay_out(const Grid2& lattice, const Path& path, SightRule sight) {
+Route lay_out(const Box& box, const Path& path) {
   Route route;
   double walked = 0;
-  for (std::size_t i = 1; i < path.nodes.size(); ++i) {
-    const Cell a = lattice.position(path.nodes[i - 1]), b = lattice.position(path.nodes[i]);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Point a = path.point(i - 1), b = path.point(i);
     const double length = distance(a, b);
-    for (const NodeId node : cells_between(lattice, path.nodes[i - 1], path.nodes[i], sight)) {
-      const Cell c = lattice.position(node);
-      const double projection = static_cast<double>(scalar_product(a, b, c)) / length;
+    for (const NodeId node : cells_of_segment(box, path, i)) {
+      const double way = projection(a, b, length, centre_of(box.position(node)));
+      const double share = way / length;
       route.cells.push_back(node);
-      route.along.push_back(walked + projection);
-      const double share = projection / length;
-      route.points.push_back({a.x + 0.5 + share * (b.x - a.x), a.y + 0.5 + share * (b.y - a.y)});
+      route.along.push_back(walked + way);
+      route.points.push_back(
+          {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)});
     }
     walked += length;
   }

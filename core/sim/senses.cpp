@@ -1,6 +1,7 @@
 #include "core/sim/senses.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "core/lattice/sight.hpp"
 #include "core/sim/mover.hpp"
@@ -8,32 +9,29 @@
 namespace replan {
 
 bool Senses::in_sight(NodeId node) const {
-  const Cell at = known_.position(robot_), cell = known_.position(node);
+  const Cell at = box_.position(robot_), cell = box_.position(node);
   const std::int64_t squared = squared_distance(at, cell);
-  if (squared <= 2) return true;
+  if (std::max({std::abs(at.x - cell.x), std::abs(at.y - cell.y), std::abs(at.z - cell.z)}) <= 1) return true;
   if (static_cast<double>(squared) > setup_.sensor_radius * setup_.sensor_radius) return false;
-  const auto clear = [&](NodeId passed, int) { return passed == node || truth_[passed] == 0; };
-  return !setup_.sensor_blocked || walk_supercover(known_, robot_, node, clear);
+  const auto clear = [&](NodeId passed) { return passed == node || truth_[passed] == 0; };
+  return !setup_.sensor_blocked || walk_supercover(box_, robot_, node, clear);
 }
 
 std::vector<CellEdit> Senses::sense() const {
   std::vector<CellEdit> seen;
-  const Cell at = known_.position(robot_);
   const int reach = std::max(1, static_cast<int>(setup_.sensor_radius));
-  for (int y = std::max(0, at.y - reach); y <= std::min(known_.height() - 1, at.y + reach); ++y)
-    for (int x = std::max(0, at.x - reach); x <= std::min(known_.width() - 1, at.x + reach); ++x) {
-      const NodeId node = known_.node(Cell{x, y});
-      const bool blocked = truth_[node] != 0;
-      if (blocked && node == robot_ && !setup_.robot_cell_blocks) continue;
-      if (blocked != known_.blocked(node) && in_sight(node)) seen.push_back({node, blocked});
-    }
+  box_.each_cell_around(box_.position(robot_), reach, [&](NodeId node) {
+    const bool obstacle = truth_[node] != 0;
+    if (obstacle && node == robot_ && !setup_.robot_cell_blocks) return;
+    if (obstacle != blocked(node) && in_sight(node)) seen.push_back({node, obstacle});
+  });
   return seen;
 }
 
 std::vector<CellEdit> Senses::out_of_sight(const Sightings& sightings) const {
   std::vector<CellEdit> lost;
   for (const NodeId node : sightings)
-    if (known_.blocked(node) && !in_sight(node)) lost.push_back({node, false});
+    if (blocked(node) && !in_sight(node)) lost.push_back({node, false});
   return lost;
 }
 

@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/lattice/box_lattice.hpp"
+#include "core/lattice/box.hpp"
+#include "core/lattice/lattice.hpp"
 #include "core/world/scenario.hpp"
 
 namespace replan {
@@ -12,14 +13,16 @@ namespace replan {
 /// Cells that the robot holds for obstacles because it saw something moving there, ascending.
 using Sightings = std::vector<NodeId>;
 
-/// The sensor at one place. `truth` is the world as EventKind::truth holds it. Both maps must outlive this.
+/// The sensor at one place. `known` is the robot's map, nonzero = obstacle; `truth` the world as EventKind::truth
+/// holds it. Both must outlive this.
 class Senses {
  public:
-  Senses(const Grid2& known, std::span<const std::uint8_t> truth, const RobotSetup& setup, NodeId robot)
-      : known_(known), truth_(truth), setup_(setup), robot_(robot) {}
+  Senses(const Box& box, std::span<const std::uint8_t> known, std::span<const std::uint8_t> truth,
+         const RobotSetup& setup, NodeId robot)
+      : box_(box), known_(known), truth_(truth), setup_(setup), robot_(robot) {}
 
-  /// Whether the sensor reaches the cell: the eight cells around are always felt, others lie within its
-  /// radius and, if obstacles hide what is behind them, in plain view.
+  /// Whether the sensor reaches the cell: the cells around (8, or 26 in space) are always felt, others lie within
+  /// its radius and, if obstacles hide what is behind them, in plain view.
   [[nodiscard]] bool in_sight(NodeId node) const;
   /// What is in sight and differs from the robot's map, row by row; but not an obstacle on the robot's own
   /// cell, unless RobotSetup::robot_cell_blocks: that is in nobody's way while it stands there.
@@ -28,8 +31,10 @@ class Senses {
   [[nodiscard]] std::vector<CellEdit> out_of_sight(const Sightings& sightings) const;
 
  private:
-  const Grid2& known_;
-  std::span<const std::uint8_t> truth_;
+  [[nodiscard]] bool blocked(NodeId node) const { return known_[node] != 0; }
+
+  Box box_;
+  std::span<const std::uint8_t> known_, truth_;
   const RobotSetup& setup_;
   NodeId robot_;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/plan/figures.hpp"
+#include "core/plan/navigator.hpp"
 #include "core/plan/registry.hpp"
 #include "core/world/json_reader.hpp"
 
@@ -13,32 +14,27 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// One planner at work on one file.
-template <class L>
 class Batch {
  public:
-  Batch(const typename L::Coordinates& size, const std::vector<std::uint8_t>& blocked,
-        const LengthFormat& lengths, const PlannerChoice& choice)
-      : lattice_(size, blocked, move_rules(choice.settings)),
-        planner_(make_planner(*find_planner(choice.id), lattice_, choice.settings, trace_)),
-        lengths_(lengths) {
+  Batch(const GridMap& map, const LengthFormat& lengths, const PlannerChoice& choice)
+      : map_(map), navigator_(make_navigator(choice, map.box(), map.blocked)), lengths_(lengths) {
     report_.planner = choice.id;
     report_.comparable = lengths_apply(choice);
   }
 
   void solve(const ScenProblem& problem) {
     ++report_.problems;
-    const NodeId start = lattice_.node(problem.start), goal = lattice_.node(problem.goal);
-    if (lattice_.blocked(start) || lattice_.blocked(goal)) {
+    if (map_.at(problem.start) || map_.at(problem.goal)) {
       ++report_.skipped;
       return;
     }
     const auto begin = Clock::now();
-    planner_->begin(start, goal);
-    const bool found = finish(*planner_) == PlanStatus::found;
+    navigator_->begin(centre_of(problem.start), centre_of(problem.goal));
+    const bool found = finish(*navigator_) == PlanStatus::found;
     report_.total_ms += std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-    report_.expansions += planner_->counters().expansions;
+    report_.expansions += navigator_->counters().expansions;
     if (found)
-      compare(problem, path_length(lattice_, planner_->path().nodes));
+      compare(problem, path_length(navigator_->path()));
     else
       mismatch(problem, 0);
   }
@@ -69,25 +65,13 @@ class Batch {
       report_.first_mismatches.push_back({problem.line, found, problem.length});
   }
 
-  L lattice_;
-  NoTrace trace_;
-  std::unique_ptr<Planner<L>> planner_;
+  const GridMap& map_;
+  std::unique_ptr<Navigator> navigator_;
   LengthFormat lengths_;
   BatchReport report_;
   double ratio_sum_ = 0;
   std::int64_t ratios_ = 0;
 };
-
-template <class L>
-BatchReport solve_all(Batch<L>&& batch, std::span<const ScenProblem> problems, const BatchWatch& watch) {
-  std::size_t done = 0;
-  for (const ScenProblem& problem : problems) {
-    if (watch.stop.stop_requested()) break;
-    batch.solve(problem);
-    if (watch.progress) watch.progress(++done);
-  }
-  return batch.report();
-}
 
 }  // namespace
 
@@ -108,11 +92,14 @@ std::vector<ScenProblem> even_sample(const std::vector<ScenProblem>& problems, s
 
 BatchReport run_batch(const GridMap& map, const LengthFormat& lengths, std::span<const ScenProblem> problems,
                       const PlannerChoice& choice, const BatchWatch& watch) {
-  if (map.depth == 1)
-    return solve_all(Batch<Grid2>({map.width, map.height}, map.blocked.plain(), lengths, choice), problems,
-                     watch);
-  return solve_all(Batch<Voxel3>({map.width, map.height, map.depth}, map.blocked.plain(), lengths, choice),
-                   problems, watch);
+  Batch batch(map, lengths, choice);
+  std::size_t done = 0;
+  for (const ScenProblem& problem : problems) {
+    if (watch.stop.stop_requested()) break;
+    batch.solve(problem);
+    if (watch.progress) watch.progress(++done);
+  }
+  return batch.report();
 }
 
 std::string batch_json(std::span<const BatchReport> reports) {

@@ -5,30 +5,35 @@
 
 #include "core/base/words.hpp"
 #include "core/debug/event_words.hpp"
-#include "core/plan/common_parameters.hpp"
+#include "core/plan/navigator.hpp"
 #include "core/plan/registry.hpp"
-#include "core/sim/nearest.hpp"
 #include "core/world/json_reader.hpp"
 
 namespace replan {
 namespace {
 
-SightRule sight_rule(const PlannerChoice& choice) {
-  return static_cast<SightRule>(static_cast<int>(choice.settings.get(parameters::kSight)));
+/// Whether the path leads through cells that are known to be free.
+bool is_free(const Navigator& navigator, const PlannerChoice& choice, const Path& path) {
+  return with_dimensions(navigator.box(), [&](auto d) {
+    const auto known = navigator.known();
+    const BoxLattice<d()> lattice(navigator.box().template sides<d()>(), {known.begin(), known.end()},
+                                  move_rules(choice.settings));
+    return path_is_free(lattice, path);
+  });
 }
 
 /// Status, path and the figures of its shape. A plan that was made with unchecked parents is looked at here,
 /// so that nobody takes it for a path that can be driven.
-void report_plan(RunReport& report, const Grid2& lattice, const Path& path, PlanStatus status,
-                 SightRule sight) {
+void report_plan(RunReport& report, const Navigator& navigator, const PlannerChoice& choice, const Path& path,
+                 PlanStatus status) {
   report.status = status_name(status);
   if (path.loops)
     report.status = mission_state_name(MissionState::loop);
-  else if (path.unchecked && !path_is_free(lattice, path.nodes, sight))
+  else if (path.unchecked && !is_free(navigator, choice, path))
     report.status = mission_state_name(MissionState::collision);
-  report.path.reserve(path.nodes.size());
-  for (const NodeId node : path.nodes) report.path.push_back(lattice.position(node));
-  report.figures = path_figures(lattice, path.nodes);
+  report.path = path;
+  report.solid = navigator.box().solid();
+  report.figures = path_figures(navigator.box(), navigator.known(), path);
 }
 
 std::optional<double> finite(double value) {
@@ -57,6 +62,13 @@ std::string_view why_without_a_path(const RunReport& report) {
   return "The robot did not arrive: the way to the goal was cut off while it drove.";
 }
 
+/// By cells, as their indices count: the middle of cell (x, y) is [x, y].
+Json point_json(const Point& point, bool solid) {
+  Json result = {plain_number(point.x - 0.5), plain_number(point.y - 0.5)};
+  if (solid) result.push_back(plain_number(point.z - 0.5));
+  return result;
+}
+
 std::string csv_number(const NamedFigure& figure) {
   return plain_number(figure.value.value_or(0)).dump();
 }
@@ -77,49 +89,47 @@ Json figures_json(std::span<const NamedFigure> figures) {
 
 RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice,
                     UnreachableGoal unreachable) {
-  const Grid2 lattice({map.width, map.height}, map.blocked.plain(), move_rules(choice.settings));
-  NoTrace trace;
-  const auto planner = make_planner(*find_planner(choice.id), lattice, choice.settings, trace);
+  const auto navigator = make_navigator(choice, map.box(), map.blocked);
   RunReport report;
   report.planner = choice.id;
   const auto begin = std::chrono::steady_clock::now();
-  planner->begin(lattice.node(start), lattice.node(goal));
-  PlanStatus status = finish(*planner);
+  navigator->begin(centre_of(start), centre_of(goal));
+  PlanStatus status = finish(*navigator);
   Counters in_vain;
   const bool blocked = status == PlanStatus::goal_blocked;
   if (unreachable == UnreachableGoal::nearest && (blocked || status == PlanStatus::no_path)) {
-    in_vain = planner->counters();
-    planner->begin(lattice.node(start), nearest_reachable(lattice, lattice.node(start), lattice.node(goal)));
-    if (finish(*planner) == PlanStatus::found) status = PlanStatus::found_nearest;
+    in_vain = navigator->counters();
+    const NodeId nearest = navigator->nearest_reachable(map.box().node(start), map.box().node(goal));
+    navigator->begin(centre_of(start), centre_of(map.box().position(nearest)));
+    if (finish(*navigator) == PlanStatus::found) status = PlanStatus::found_nearest;
   }
   report.plan_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  report_plan(report, lattice, planner->path(), status, sight_rule(choice));
-  report.counters = in_vain + planner->counters();
-  report.memory_bytes = static_cast<std::int64_t>(planner->memory_bytes());
+  report_plan(report, *navigator, choice, navigator->path(), status);
+  report.counters = in_vain + navigator->counters();
+  report.memory_bytes = static_cast<std::int64_t>(navigator->memory_bytes());
   return report;
 }
 
 RunReport drive(const Scenario& scenario, const PlannerChoice& choice) {
   constexpr std::int64_t kSlice = std::int64_t{1} << 20;
-  NoTrace trace;
-  Mission<NoTrace> mission(scenario, choice, trace);
+  const auto mission = make_mission(scenario, choice);
   RunReport report;
   report.planner = choice.id;
-  while (!mission.standing() && mission.advance(kSlice)) {
+  while (!mission->standing() && mission->advance(kSlice)) {
   }
-  report_plan(report, mission.known(), *mission.plan().path, mission.plan().status, sight_rule(choice));
-  while (mission.advance(kSlice)) {
+  report_plan(report, mission->navigator(), choice, *mission->plan().path, mission->plan().status);
+  while (mission->advance(kSlice)) {
   }
-  const MissionFigures& figures = mission.now().figures;
+  const MissionFigures& figures = mission->now().figures;
   report.plan_ms = figures.plan_ms;
   report.replan_ms = figures.replan_ms;
   report.replans = figures.replans;
   report.counters = figures.counters;
   report.memory_bytes = static_cast<std::int64_t>(figures.peak_bytes);
-  report.robot = robot_report(mission.now());
-  report.robot->covered = mission.covered();
-  report.robot->short_of_goal = mission.short_of_goal();
+  report.robot = robot_report(mission->now());
+  report.robot->covered = mission->covered();
+  report.robot->short_of_goal = mission->short_of_goal();
   return report;
 }
 
@@ -137,7 +147,8 @@ std::string explanation(const RunReport& report) {
            decimal_text(report.robot->short_of_goal.value_or(0), 3) + " cells away.";
   if (report.robot) return std::string(why_without_a_path(report));
   if (report.status == status_name(PlanStatus::found_nearest) && !report.path.empty())
-    return "The goal cannot be reached: the path leads to " + cell_text(report.path.back()) +
+    return "The goal cannot be reached: the path leads to " +
+           cell_text(cell_of(report.path.point(report.path.size() - 1)), report.solid) +
            ", the reachable cell nearest to it.";
   for (const PlanStatus status : {PlanStatus::no_path, PlanStatus::start_blocked, PlanStatus::goal_blocked})
     if (report.status == status_name(status)) return status_sentence(status);
@@ -195,7 +206,8 @@ std::string runs_json(std::span<const RunReport> reports) {
   for (const RunReport& report : reports) {
     Json run = {{"planner", report.planner}, {"status", report.status}};
     Json& path = run["path"] = Json::array();
-    for (const Cell cell : report.path) path.push_back(Json::array({cell.x, cell.y}));
+    for (std::size_t i = 0; i < report.path.size(); ++i)
+      path.push_back(point_json(report.path.point(i), report.solid));
     run["figures"] = figures_json(named_figures(report));
     if (report.robot) {
       run["robot"] = {{"reached", report.robot->reached()},

@@ -34,7 +34,8 @@ struct RunReport {
   std::string planner;  ///< registry id
   std::string_view status =
       "no-path";  ///< status_name(), or "loop" or "collision" for a plan that cannot be driven
-  std::vector<Cell> path;
+  Path path;
+  bool solid = false;  ///< in space: its places have a z
   PathFigures figures;
   double plan_ms = 0;    ///< wall time of the first plan
   double replan_ms = 0;  ///< of all replans together

@@ -8,43 +8,12 @@
 
 #include "core/base/cell.hpp"
 #include "core/base/result.hpp"
-#include "core/plan/parameters.hpp"
+#include "core/plan/planner_choice.hpp"
 #include "core/world/grid_map.hpp"
 #include "core/world/map_reading.hpp"
+#include "core/world/robot.hpp"
 
 namespace replan {
-
-/// What the robot knows of the world before it has seen anything.
-enum class Knowledge : std::uint8_t {
-  all,      ///< every change of the world at once, wherever it happens
-  map,      ///< the map as it is at the start; surprises only when sensed
-  nothing,  ///< an empty map; every obstacle only when sensed
-};
-
-/// How the robot gets from cell to cell.
-enum class Motion : std::uint8_t {
-  steps,   ///< every step takes 1 / speed seconds, straight or diagonal
-  smooth,  ///< at a steady speed along the plan: a step takes as long as its way
-};
-
-/// What the robot does where its goal is an obstacle or cannot be reached.
-enum class UnreachableGoal : std::uint8_t {
-  wait,     ///< waits for a way to open
-  nearest,  ///< goes to the reachable cell nearest to the goal, and on to the goal once a way opens
-};
-
-/// The robot and its sensor.
-struct RobotSetup {
-  Knowledge knowledge = Knowledge::map;
-  double sensor_radius = 6;     ///< cells, centre to centre; the 8 cells around the robot are always felt
-  bool sensor_blocked = false;  ///< obstacles hide what is behind them
-  Motion motion = Motion::steps;
-  double speed = 4;      ///< cells per second
-  double patience = 60;  ///< seconds that it waits for obstacles to move out of its way before it gives up
-  UnreachableGoal unreachable_goal = UnreachableGoal::wait;
-  bool robot_cell_blocks = false;  ///< an obstacle that comes onto the robot's own cell keeps it there
-  friend bool operator==(const RobotSetup&, const RobotSetup&) = default;
-};
 
 /// What a moving obstacle does at the end of its way.
 enum class WayEnd : std::uint8_t {
@@ -87,13 +56,6 @@ struct Surprise {
 
 /// Surprises in the order of their list. Versions of a scenario share them.
 using Surprises = SharedArray<Surprise, 32>;
-
-/// A planner by its registry id, with the settings that differ from its defaults.
-struct PlannerChoice {
-  std::string id;
-  Settings settings;
-  friend bool operator==(const PlannerChoice&, const PlannerChoice&) = default;
-};
 
 /// What a view of the scenario shows when it is opened. Not part of the run.
 struct ViewSetup {

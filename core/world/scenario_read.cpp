@@ -5,6 +5,7 @@
 #include "core/base/words.hpp"
 #include "core/debug/condition.hpp"
 #include "core/plan/registry.hpp"
+#include "core/plan/stage.hpp"
 #include "core/world/json_reader.hpp"
 #include "core/world/map_file.hpp"
 #include "core/world/movingai.hpp"
@@ -19,7 +20,7 @@ namespace {
 
 constexpr std::int64_t kMaxScenarioBytes = std::int64_t{1} << 28;
 constexpr std::size_t kMaxListed = std::size_t{1} << 22;  // cells in all surprises together
-constexpr std::size_t kMaxPlanners = 16;
+constexpr std::size_t kMaxPlanners = 16, kMaxStages = 8;
 constexpr std::int64_t kMaxCount = 1'000'000'000'000;  // steps of the robot
 constexpr double kMaxReach = 10'000;                   // cells
 constexpr double kMaxPatience = 86'400;                // seconds
@@ -153,21 +154,39 @@ class ScenarioReader {
   }
 
   void read_planner(const JsonNode& node) {
-    if (!node.expect_object({"id", "settings"})) return;
+    if (!node.expect_object({"id", "settings", "stages"})) return;
     const auto id = node.require("id");
     if (!id) return;
     PlannerChoice choice{id->text(), {}};
     const Result<const PlannerInfo*> info = require_planner(choice.id);
     if (!info) return id->fail(info.error());
-    if (const auto settings = node.find("settings")) read_settings(*settings, **info, choice.settings);
+    if (const auto settings = node.find("settings"))
+      read_settings(*settings, (*info)->parameters, choice.settings);
+    if (const auto stages = node.find("stages"))
+      for (const JsonNode& item : stages->items(0, kMaxStages, "a list of at most 8 stages"))
+        read_stage(item, choice.stages);
     scenario_.planners.push_back(std::move(choice));
   }
 
-  static void read_settings(const JsonNode& node, const PlannerInfo& info, Settings& settings) {
+  /// A stage by its id alone, or with settings.
+  static void read_stage(const JsonNode& node, std::vector<StageChoice>& stages) {
+    const bool id_alone = node.value().is_string();
+    if (!id_alone && !node.expect_object({"id", "settings"})) return;
+    const auto id = id_alone ? std::optional(node) : node.require("id");
+    if (!id) return;
+    StageChoice choice{id->text(), {}};
+    const Result<const StageInfo*> info = require_stage(choice.id);
+    if (!info) return id->fail(info.error());
+    if (const auto settings = id_alone ? std::nullopt : node.find("settings"))
+      read_settings(*settings, (*info)->parameters, choice.settings);
+    stages.push_back(std::move(choice));
+  }
+
+  static void read_settings(const JsonNode& node, std::span<const Parameter> parameters, Settings& settings) {
     if (!node.value().is_object()) return node.fail("must be an object {...}, not " + node.shown());
     for (auto item = node.value().begin(); item != node.value().end(); ++item) {
       const JsonNode value = *node.find(item.key());
-      const Parameter* parameter = find_parameter(info.parameters, item.key());
+      const Parameter* parameter = find_parameter(parameters, item.key());
       const bool text = parameter != nullptr && parameter->type == ParameterType::choice;
       const bool toggle = parameter != nullptr && parameter->type == ParameterType::toggle;
       if (parameter != nullptr && (text != value.value().is_string() || toggle != value.value().is_boolean()))
@@ -176,7 +195,7 @@ class ScenarioReader {
                                    : "must be a number from " + plain_number(parameter->low).dump() + " to " +
                                          plain_number(parameter->high).dump() + ", not " + value.shown());
       const std::string typed = value.value().is_string() ? value.text() : value.value().dump();
-      if (const auto set = set_from_text(settings, info.parameters, item.key(), typed); !set)
+      if (const auto set = set_from_text(settings, parameters, item.key(), typed); !set)
         return value.fail(set.error());
     }
   }
@@ -190,9 +209,15 @@ class ScenarioReader {
 
   void read_robot(const JsonNode& node) {
     if (!node.expect_object({"knowledge", "sensor_radius", "sensor_blocked", "motion", "speed", "patience",
-                             "unreachable_goal", "robot_cell_blocks"}))
+                             "unreachable_goal", "robot_cell_blocks", "kind", "settings"}))
       return;
     RobotSetup& robot = scenario_.robot;
+    if (const auto kind = node.find("kind")) {
+      robot.kind = kind->text();
+      if (const auto known = require_robot(robot.kind); !known) return kind->fail(known.error());
+    }
+    if (const auto settings = node.find("settings"))
+      read_settings(*settings, find_robot(robot.kind)->parameters, robot.settings);
     if (const auto item = node.find("knowledge"))
       robot.knowledge = static_cast<Knowledge>(item->one_of({"all", "map", "nothing"}));
     if (const auto item = node.find("sensor_radius")) robot.sensor_radius = item->number(0, kMaxReach);

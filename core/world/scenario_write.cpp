@@ -2,6 +2,7 @@
 
 #include "core/base/file.hpp"
 #include "core/plan/registry.hpp"
+#include "core/plan/stage.hpp"
 #include "core/world/json_reader.hpp"
 #include "core/world/scenario.hpp"
 
@@ -38,19 +39,34 @@ Json map_json(const Scenario& scenario) {
   return map;
 }
 
-Json planner_json(const PlannerChoice& choice) {
-  Json planner = {{"id", choice.id}};
-  const PlannerInfo* info = find_planner(choice.id);
-  for (const auto& [key, value] : choice.settings.values()) {
-    const Parameter* parameter = info == nullptr ? nullptr : find_parameter(info->parameters, key);
+/// Puts the settings that are set under "settings"; none, and there is no such key.
+void add_settings(Json& owner, const Settings& settings, std::span<const Parameter> parameters) {
+  for (const auto& [key, value] : settings.values()) {
+    const Parameter* parameter = find_parameter(parameters, key);
     const ParameterType type = parameter == nullptr ? ParameterType::real : parameter->type;
-    Json& setting = planner["settings"][key];
+    Json& setting = owner["settings"][key];
     if (type == ParameterType::choice)
       setting = format_value(*parameter, value);
     else if (type == ParameterType::toggle)
       setting = value != 0;
     else
       setting = plain_number(value);
+  }
+}
+
+/// What a registry has declared for an id; nothing for one that it does not know.
+template <class Info>
+std::span<const Parameter> parameters_of(const Info* info) {
+  return info == nullptr ? std::span<const Parameter>() : info->parameters;
+}
+
+Json planner_json(const PlannerChoice& choice) {
+  Json planner = {{"id", choice.id}};
+  add_settings(planner, choice.settings, parameters_of(find_planner(choice.id)));
+  for (const StageChoice& stage : choice.stages) {
+    Json one = {{"id", stage.id}};
+    add_settings(one, stage.settings, parameters_of(find_stage(stage.id)));
+    planner["stages"].push_back(one.size() == 1 ? Json(stage.id) : std::move(one));
   }
   return planner;
 }
@@ -128,6 +144,8 @@ Json robot_json(const RobotSetup& robot) {
   if (robot.patience != usual.patience) result["patience"] = plain_number(robot.patience);
   if (robot.unreachable_goal != usual.unreachable_goal) result["unreachable_goal"] = "nearest";
   if (robot.robot_cell_blocks) result["robot_cell_blocks"] = true;
+  if (robot.kind != usual.kind) result["kind"] = robot.kind;
+  add_settings(result, robot.settings, parameters_of(find_robot(robot.kind)));
   return result;
 }
 

@@ -27,8 +27,8 @@ struct LongLog {
     scenario.robot.knowledge = Knowledge::map;
     log = Timeline(SearchState(initial_knowledge(scenario), initial_truth(scenario)));
     Recorder recorder;
-    Mission<Recorder> mission(scenario, choice, recorder);
-    while (mission.advance(20000)) log.append(recorder.take());
+    const auto mission = make_mission(scenario, choice, &recorder);
+    while (mission->advance(20000)) log.append(recorder.take());
     log.append(recorder.take());
   }
   [[nodiscard]] LogView view() const { return {log, lattice, *find_planner(choice.id), choice.settings}; }

@@ -37,9 +37,9 @@ Scenario with_surprise(const Worlds& worlds, const PlannerInfo& info) {
 /// Records the mission as a session does. Returns the log.
 Timeline record(const Scenario& scenario) {
   Recorder recorder;
-  Mission<Recorder> mission(scenario, scenario.planners[0], recorder);
+  const auto mission = make_mission(scenario, scenario.planners[0], &recorder);
   Timeline log(SearchState(initial_knowledge(scenario), initial_truth(scenario)));
-  while (mission.advance(20000)) log.append(recorder.take());
+  while (mission->advance(20000)) log.append(recorder.take());
   log.append(recorder.take());
   return log;
 }

@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/base/random.hpp"
-#include "core/sim/nearest.hpp"
+#include "core/lattice/nearest.hpp"
 
 namespace replan {
 namespace {

@@ -50,7 +50,7 @@ template <class T>
       if (done || tracer.buffer().size() >= kBatchEvents) tracer.clear();
     }
   }
-  benchmark::DoNotOptimize(planner.path().nodes.data());
+  benchmark::DoNotOptimize(planner.path().size());
   return planner.status();
 }
 
@@ -103,7 +103,7 @@ std::vector<std::vector<CellEdit>> blocks_ahead(const Grid2& lattice, NodeId sta
   const auto planner = make_planner(*find_planner("dstar-lite"), lattice, {}, nobody);
   planner->begin(start, goal);
   finish(*planner);
-  const std::vector<NodeId> path = planner->path().nodes;
+  const std::vector<NodeId> path = planner->path().nodes();
   std::vector<std::vector<CellEdit>> changes;
   for (std::size_t at = kApart; at + kApart < path.size() && changes.size() < 2 * kBlocks; at += kApart) {
     const Cell middle = lattice.position(path[at]);

@@ -18,7 +18,6 @@ int main() {
   planner->update({.cells = wall, .moves = moves}, map.node(Cell{2, 15}));
   finish(*planner);
   const double after = planner->cost().to_double();
-  std::printf("%.3f cells, and %.3f round the wall: %zu nodes\n", before, after,
-              planner->path().nodes.size());
+  std::printf("%.3f cells, and %.3f round the wall: %zu nodes\n", before, after, planner->path().size());
   return before == 35 && after > before ? 0 : 1;
 }

@@ -116,8 +116,8 @@ RandomLog random_log(Random& random, const PlannerInfo& info) {
   result.lattice = Box(size[0], size[1]);
   result.log = Timeline(SearchState(initial_knowledge(scenario), initial_truth(scenario)));
   Recorder recorder;
-  Mission<Recorder> mission(scenario, result.choice, recorder);
-  while (mission.advance(100) && recorder.buffer().size() < 6000) {
+  const auto mission = make_mission(scenario, result.choice, &recorder);
+  while (mission->advance(100) && recorder.buffer().size() < 6000) {
   }
   result.log.append(recorder.take());
   for (std::size_t p = 1; p <= result.log.size(); ++p) {

@@ -39,8 +39,8 @@ Log drive(Scenario scenario) {
   const PlannerChoice& choice = scenario.planners[0];
   Log log{scenario, find_planner(choice.id), Box(scenario.map.width, scenario.map.height), {}};
   Recorder recorder;
-  Mission<Recorder> mission(scenario, choice, recorder);
-  while (mission.advance(64) && recorder.buffer().size() < kMostEvents) {
+  const auto mission = make_mission(scenario, choice, &recorder);
+  while (mission->advance(64) && recorder.buffer().size() < kMostEvents) {
   }
   log.events = recorder.take();
   return log;

@@ -49,7 +49,7 @@ class Witness {
   Witness(const Scenario& scenario, const PlannerInfo& info)
       : scenario_(scenario),
         rules_(move_rules(scenario.planners[0].settings)),
-        mission_(scenario, scenario.planners[0], recorder_),
+        mission_(make_mission(scenario, scenario.planners[0], &recorder_)),
         state_(initial_knowledge(scenario), initial_truth(scenario)) {
     if (info.any_angle) rules_.diagonals = true;
     world_.size = {scenario.map.width, scenario.map.height, 1};
@@ -58,11 +58,11 @@ class Witness {
 
   /// What went wrong, or nothing.
   std::string run(Totals& totals) {
-    robot_ = mission_.known().node(scenario_.start);
+    robot_ = scenario_.map.box().node(scenario_.start);
     spared_ = walls_[robot_] == 0;
     for (int slices = 0;; ++slices) {
       if (slices > 300000) return "the mission does not end";
-      const bool more = mission_.advance(64);
+      const bool more = mission_->advance(64);
       for (const Event& event : recorder_.take()) {
         if (const std::string fault = take(event, totals); !fault.empty()) return fault;
         state_.apply(event);
@@ -71,7 +71,7 @@ class Witness {
       if (!more) break;
     }
     ++totals.missions;
-    const MissionFigures& figures = mission_.now().figures;
+    const MissionFigures& figures = mission_->now().figures;
     if (figures.collisions != 0) return "a collision was counted";
     totals.moves += figures.moves;
     totals.replans += figures.replans;
@@ -162,7 +162,7 @@ class Witness {
   [[nodiscard]] std::string world_fault() const {
     std::vector<std::uint8_t> expected = walls_;
     for (std::size_t i = 0; i < scenario_.movers.size(); ++i) {
-      const MoverState& mover = mission_.now().movers[i];
+      const MoverState& mover = mission_->now().movers[i];
       if (mover.steps < 0) continue;
       const MovingObstacle& setup = scenario_.movers[i];
       const Cell at = walked(setup, mover.steps);
@@ -181,19 +181,19 @@ class Witness {
   std::string end_fault(Totals& totals) {
     const NodeId goal = state_.wanted_goal();
     if (state_.node(Scalar::robot) != robot_) return "the robot is not where it drove";
-    if (mission_.state() == MissionState::arrived) {
+    if (mission_->state() == MissionState::arrived) {
       ++totals.arrived;
       return robot_ == goal ? "" : "it has arrived somewhere else";
     }
-    if (mission_.state() == MissionState::endless) {
+    if (mission_->state() == MissionState::endless) {
       ++totals.endless;
       return "";
     }
-    if (mission_.state() == MissionState::nearest) {
+    if (mission_->state() == MissionState::nearest) {
       ++totals.nearest;
       return robot_ == brute_force_aim() && robot_ != goal ? "" : "it could have come nearer";
     }
-    if (mission_.state() != MissionState::no_path) return "it ends neither by arriving nor without a path";
+    if (mission_->state() != MissionState::no_path) return "it ends neither by arriving nor without a path";
     ++totals.no_path;
     world_.blocked.clear();
     for (NodeId n = 0; n < walls_.size(); ++n) world_.blocked.push_back(state_.known_blocked(n) ? 1 : 0);
@@ -208,7 +208,7 @@ class Witness {
   const Scenario& scenario_;
   MoveRules rules_;
   Recorder recorder_;
-  Mission<Recorder> mission_;
+  std::unique_ptr<Mission> mission_;
   SearchState state_;
   oracle::World world_;
   std::vector<std::uint8_t> walls_;

@@ -35,7 +35,7 @@ Means means_of(const char* id) {
     const auto planner = make_planner(info, lattice, settings, tracer);
     planner->begin(lattice.node(ends[0]), lattice.node(ends[1]));
     EXPECT_EQ(finish(*planner), PlanStatus::found);
-    const PathFigures figures = path_figures(lattice, planner->path().nodes);
+    const PathFigures figures = path_figures(lattice, planner->path());
     sum.nodes += static_cast<double>(figures.nodes) / kWorlds;
     sum.length += figures.length / kWorlds;
     sum.turns += static_cast<double>(figures.turns) / kWorlds;

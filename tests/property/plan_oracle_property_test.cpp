@@ -21,8 +21,8 @@ void ask_all(const Scenario& scenario, const PlannerInfo& info, Tally& tally) {
   const PlannerChoice& choice = scenario.planners[0];
   const Box lattice(scenario.map.width, scenario.map.height);
   Recorder recorder;
-  Mission<Recorder> mission(scenario, choice, recorder);
-  for (int slices = 0; mission.advance(64) && slices < 2000; ++slices) {
+  const auto mission = make_mission(scenario, choice, &recorder);
+  for (int slices = 0; mission->advance(64) && slices < 2000; ++slices) {
   }
   Timeline log(SearchState(initial_knowledge(scenario), initial_truth(scenario)));
   log.append(recorder.take());

@@ -52,7 +52,7 @@ void check_file(const std::filesystem::path& path, const char* id) {
     }
     planner->begin(lattice.node(problem.start), lattice.node(problem.goal));
     ASSERT_EQ(finish(*planner), PlanStatus::found) << path << ':' << problem.line;
-    const double length = path_length(lattice, planner->path().nodes);
+    const double length = path_length(planner->path());
     ASSERT_TRUE(scen->agrees(length, problem))
         << path << ':' << problem.line << ": found " << length << ", listed " << problem.printed;
     ASSERT_NEAR(planner->cost().to_double(), length, 1e-5);
@@ -171,7 +171,7 @@ TEST(DynamicTrack, everyQueryHasItsPublishedLength) {
       if (planner == dstar.get() && queries % 10 != 0) continue;
       planner->begin(lattice.node(command.from), lattice.node(command.to));
       const bool found = finish(*planner) == PlanStatus::found;
-      const double length = found ? path_length(lattice, planner->path().nodes) : HUGE_VAL;
+      const double length = found ? path_length(planner->path()) : HUGE_VAL;
       ASSERT_TRUE(same_length(length, command.length)) << "query " << queries << ": " << length;
     }
   }

@@ -63,8 +63,8 @@ std::vector<NodeId> cells_ahead(const oracle::World& world, std::span<const Node
 }
 
 bool crosses(const oracle::World& world, const Path& path, SightRule sight) {
-  for (std::size_t i = 1; i < path.nodes.size(); ++i)
-    if (!oracle::sees(world, world.blocked, CornerRule::none, sight, path.nodes[i - 1], path.nodes[i]))
+  for (std::size_t i = 1; i < path.nodes().size(); ++i)
+    if (!oracle::sees(world, world.blocked, CornerRule::none, sight, path.nodes()[i - 1], path.nodes()[i]))
       return true;
   return false;
 }
@@ -88,10 +88,10 @@ void surprise(const PlannerInfo& info, Way way, std::uint64_t seed, Faults& faul
   finish(*twin);
   if (finish(*planner) != PlanStatus::found) return;
   const Path before = planner->path();
-  if (before.loops || before.nodes.size() < 4) return;
-  const std::size_t here = before.nodes.size() / 4;
-  start = before.nodes[here];
-  const auto ahead = cells_ahead(world.plain, std::span(before.nodes).subspan(here), goal);
+  if (before.loops || before.nodes().size() < 4) return;
+  const std::size_t here = before.nodes().size() / 4;
+  start = before.nodes()[here];
+  const auto ahead = cells_ahead(world.plain, before.nodes().subspan(here), goal);
   if (ahead.empty()) return;
   const NodeId on_path = ahead[random.below(static_cast<std::uint32_t>(ahead.size()))];
   const auto edits = block_on(world.lattice, on_path, start, goal);

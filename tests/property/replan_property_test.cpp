@@ -77,7 +77,7 @@ class Trial {
     ++(status == PlanStatus::found     ? tally.found
        : status == PlanStatus::no_path ? tally.no_path
                                        : tally.ends_blocked);
-    const auto path = planner_->path().nodes;
+    const auto path = planner_->path().nodes();
     bool far = false;
     for (std::size_t i = 1; i < path.size(); ++i)
       far |= world_.lattice.squared_distance(path[i - 1], path[i]) > D;

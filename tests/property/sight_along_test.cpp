@@ -48,9 +48,9 @@ Means means_of(const PlannerInfo& info, const Settings& settings, const std::vec
     EXPECT_EQ(planner->counters().expansions, lattice->counters().expansions);
     EXPECT_EQ(planner->counters().queue_operations, lattice->counters().queue_operations);
     const Path path = planner->path();
-    EXPECT_TRUE(path_is_free(twin.lattice, path.nodes, SightRule::supercover));
+    EXPECT_TRUE(path_is_free(twin.lattice, path));
     EXPECT_EQ(fault_of_length(twin.plain, path, lattice->path()), "");
-    const PathFigures figures = path_figures(twin.lattice, path.nodes);
+    const PathFigures figures = path_figures(twin.lattice, path);
     sum.nodes += static_cast<double>(figures.nodes) * share;
     sum.length += figures.length * share;
     sum.turns += static_cast<double>(figures.turns) * share;
@@ -179,7 +179,7 @@ TEST_P(SightAlong, setsRemoteParentsOfThePathAlone) {
       finish(*planner);
       for (const Event& event : recorder.take()) state.apply(event);
       const SearchState before = state;
-      const std::vector<NodeId> path = planner->path().nodes;
+      const std::vector<NodeId> path = planner->path().nodes();
       for (const Event& event : recorder.take()) state.apply(event);
       if (!path.empty()) expect_path_in(before, state, path);
       ASSERT_FALSE(HasFatalFailure()) << "seed " << seed;
@@ -241,8 +241,7 @@ TEST_P(SightAlong, isNeverLongerThanTheLatticePathAfterAnyNumberOfChanges) {
     Followed run(*find_planner(GetParam()), with(true), seed);
     for (int i = 0; i < 10; ++i) {
       const Path path = run.read_path();
-      ASSERT_TRUE(path_is_free(run.changing.world.lattice, path.nodes, SightRule::supercover))
-          << "seed " << seed;
+      ASSERT_TRUE(path_is_free(run.changing.world.lattice, path)) << "seed " << seed;
       ASSERT_FALSE(path.loops) << "seed " << seed;
       ASSERT_EQ(fault_of_length(run.changing.world.plain, path, run.lattice->path()), "") << "seed " << seed;
       run.change();
@@ -299,7 +298,7 @@ TEST_P(SightAlong, asksAndWritesNothingIfItIsReadAgain) {
     for (int i = 0; i < 8; ++i) {
       const Path path = run.read_path();
       const Path again = run.read_path();
-      ASSERT_EQ(again.nodes, path.nodes) << "seed " << seed;
+      ASSERT_EQ(again, path) << "seed " << seed;
       ASSERT_TRUE(run.events.empty()) << "seed " << seed;
       run.change();
     }
@@ -337,7 +336,7 @@ struct Hall {
   Reading read() {
     EXPECT_EQ(finish(*planner), PlanStatus::found);
     const std::int64_t before = planner->counters().sight_checks;
-    std::vector<NodeId> path = planner->path().nodes;
+    std::vector<NodeId> path = planner->path().nodes();
     return {std::move(path), planner->counters().sight_checks - before};
   }
   Reading write(Cell cell, bool blocked, NodeId start) {
@@ -398,7 +397,7 @@ TEST_P(SightAlong, goesOnFromItsLogAsIfItHadNeverStopped) {
         each->update({.cells = edits, .moves = moves}, run.changing.start);
         finish(*each);
       }
-      ASSERT_EQ(second->path().nodes, run.planner->path().nodes) << "seed " << seed;
+      ASSERT_EQ(second->path().nodes(), run.planner->path().nodes()) << "seed " << seed;
       ASSERT_EQ(second->counters().sight_checks, run.planner->counters().sight_checks) << "seed " << seed;
       run.read_events();
       ASSERT_EQ(recorder.take(), run.events) << "seed " << seed;

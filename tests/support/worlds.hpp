@@ -169,8 +169,8 @@ inline const PlannerInfo& lattice_twin(const PlannerInfo& info) {
 /// How long a path is: the roots rounded down, so that a step of it is never longer than a move.
 inline oracle::Raw length_of(const oracle::World& world, const Path& path) {
   oracle::Raw sum = 0;
-  for (std::size_t i = 1; i < path.nodes.size(); ++i) {
-    const auto p = world.place(path.nodes[i - 1]), q = world.place(path.nodes[i]);
+  for (std::size_t i = 1; i < path.nodes().size(); ++i) {
+    const auto p = world.place(path.nodes()[i - 1]), q = world.place(path.nodes()[i]);
     std::int64_t squared = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
       squared += std::int64_t{p[axis] - q[axis]} * (p[axis] - q[axis]);
@@ -182,8 +182,8 @@ inline oracle::Raw length_of(const oracle::World& world, const Path& path) {
 /// Why an any-angle path is wrong beside the lattice path of the same search, or empty.
 inline std::string fault_of_length(const oracle::World& world, const Path& any_angle, const Path& lattice) {
   oracle::Raw way = 0;
-  for (std::size_t i = 1; i < lattice.nodes.size(); ++i)
-    way += oracle::step_between(world, lattice.nodes[i - 1], lattice.nodes[i]);
+  for (std::size_t i = 1; i < lattice.size(); ++i)
+    way += oracle::step_between(world, lattice.nodes()[i - 1], lattice.nodes()[i]);
   const oracle::Raw length = length_of(world, any_angle);
   if (length <= way) return "";
   return "a path of length " + std::to_string(length) + " where the lattice path has " + std::to_string(way);
@@ -204,14 +204,13 @@ inline std::string fault_of_segments(const PlannerInfo& info, const Settings& se
                                      const Path& path) {
   const MoveRules rules = move_rules(settings);
   if (path.loops || path.unchecked) return "a checked path loops or was not checked";
-  if (path.nodes.empty() || path.nodes.front() != start || path.nodes.back() != goal)
-    return "the path's ends";
-  auto sorted = path.nodes;
+  if (path.empty() || path.nodes().front() != start || path.nodes().back() != goal) return "the path's ends";
+  std::vector<NodeId> sorted(path.nodes().begin(), path.nodes().end());
   std::sort(sorted.begin(), sorted.end());
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return "the path repeats a node";
   const auto sight = static_cast<SightRule>(static_cast<int>(settings.get("sight", 0)));
-  for (std::size_t i = 1; i < path.nodes.size(); ++i) {
-    const NodeId a = path.nodes[i - 1], b = path.nodes[i];
+  for (std::size_t i = 1; i < path.nodes().size(); ++i) {
+    const NodeId a = path.nodes()[i - 1], b = path.nodes()[i];
     if (!oracle::sees(world, world.blocked, rules.corners, sight, a, b))
       return "a segment crosses an obstacle";
     if (info.any_angle) continue;
@@ -234,7 +233,7 @@ std::string fault_of_answer(const PlannerInfo& info, const Settings& settings, c
     return std::string("status ") + status_name(planner.status()) + ", not " + status_name(status);
   if (planner.cost().is_infinite() != (status != PlanStatus::found)) return "a cost without a plan, or none";
   const Path path = planner.path();
-  if (status != PlanStatus::found) return path.nodes.empty() ? "" : "a path without a plan";
+  if (status != PlanStatus::found) return path.empty() ? "" : "a path without a plan";
   if (const std::string fault = fault_of_segments(info, settings, world, start, goal, path); !fault.empty())
     return fault;
   const double length = static_cast<double>(length_of(world, path)),
@@ -257,14 +256,14 @@ std::string fault_of_plan(const PlannerInfo& info, const Settings& settings, con
   const PlanStatus status = right_status(world, start, goal, fresh);
   if (planner.status() != status) return std::string("status ") + status_name(planner.status());
   const Path path = planner.path();
-  if (status != PlanStatus::found) return path.nodes.empty() ? "" : "a path without a plan";
+  if (status != PlanStatus::found) return path.empty() ? "" : "a path without a plan";
   if (const std::string fault = fault_of_segments(info, settings, world, start, goal, path); !fault.empty())
     return fault;
   if (info.any_angle) return "";
   oracle::Raw sum = 0;
-  for (std::size_t i = 1; i < path.nodes.size(); ++i)
-    sum += oracle::step_between(world, path.nodes[i - 1], path.nodes[i]) +
-           (penalty.empty() ? 0 : penalty[path.nodes[i]]);
+  for (std::size_t i = 1; i < path.nodes().size(); ++i)
+    sum += oracle::step_between(world, path.nodes()[i - 1], path.nodes()[i]) +
+           (penalty.empty() ? 0 : penalty[path.nodes()[i]]);
   return sum == fresh ? "" : "the steps do not sum to the cost";
 }
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/sim/nearest.hpp"
+#include "core/lattice/nearest.hpp"
 #include "core/trace/search_state.hpp"
 
 namespace replan::mission_test {
@@ -26,12 +26,14 @@ Scenario corridor(int length) {
 /// A mission with its log's state.
 struct Driven {
   Recorder recorder;
-  Mission<Recorder> mission;
+  std::unique_ptr<Mission> made;
+  Mission& mission;
   SearchState state;
   std::vector<Event> log;
 
   explicit Driven(const Scenario& scenario)
-      : mission(scenario, scenario.planners[0], recorder),
+      : made(make_mission(scenario, scenario.planners[0], &recorder)),
+        mission(*made),
         state(initial_knowledge(scenario), initial_truth(scenario)) {}
 
   bool step() {
@@ -139,8 +141,8 @@ TEST(Mission, SensesWhatMovesEvenIfItIsToldOfEveryChange) {
   scenario.movers = {{.way = {{14, 1}, {14, 7}}}};  // far out of sight at first
   Driven driven(scenario);
   while (!driven.mission.settled()) driven.step();
-  EXPECT_TRUE(driven.state.moving(driven.mission.known().node(Cell{14, 1})));
-  EXPECT_FALSE(driven.state.known_blocked(driven.mission.known().node(Cell{14, 1})));
+  EXPECT_TRUE(driven.state.moving(scenario.map.box().node(Cell{14, 1})));
+  EXPECT_FALSE(driven.state.known_blocked(scenario.map.box().node(Cell{14, 1})));
 }
 
 TEST(Mission, TimeGoesByStepsOrByTheWay) {
@@ -173,7 +175,7 @@ TEST(Mission, GoesToAGoalThatIsScriptedForLaterAfterItHasArrived) {
   driven.run();
   EXPECT_EQ(driven.mission.state(), MissionState::arrived);
   EXPECT_EQ(driven.count(EventKind::arrival), 1);
-  EXPECT_EQ(driven.mission.known().position(driven.state.node(Scalar::robot)), (Cell{15, 2}));
+  EXPECT_EQ(scenario.map.box().position(driven.state.node(Scalar::robot)), (Cell{15, 2}));
   EXPECT_EQ(driven.mission.now().clock, 22);
 }
 
@@ -216,17 +218,16 @@ TEST(Mission, KeepsThePathOnceForAllPlansThatHaveIt) {
 TEST(Route, IsRightInAWorldThatIsVeryWide) {
   const Grid2 lattice({60'000, 40});
   const NodeId from = lattice.node(Cell{0, 0}), to = lattice.node(Cell{59'999, 39});
-  const Route route = lay_out(lattice, {.nodes = {from, to}}, SightRule::supercover);
+  const Route route = lay_out(lattice.box(), Path(lattice.box(), {from, to}));
   EXPECT_TRUE(std::is_sorted(route.along.begin(), route.along.end()));
-  EXPECT_NEAR(route.along.back(), distance({0, 0}, {59'999, 39}), 1e-6);
-  for (const PlanePoint& point : route.points) ASSERT_TRUE(point.x > 0 && point.x < 60'000) << point.x;
+  EXPECT_NEAR(route.along.back(), distance(Cell{0, 0}, Cell{59'999, 39}), 1e-6);
+  for (const Point& point : route.points) ASSERT_TRUE(point.x > 0 && point.x < 60'000) << point.x;
 }
 
 TEST(Senses, DoNotReachToTheOtherEndOfAWorldThatIsVeryWide) {
-  const Grid2 known({60'000, 1});
-  const std::vector<std::uint8_t> truth(60'000);
+  const std::vector<std::uint8_t> known(60'000), truth(60'000);
   const RobotSetup setup{.sensor_radius = 6};
-  const Senses senses(known, truth, setup, 0);
+  const Senses senses(Box(60'000, 1), known, truth, setup, 0);
   EXPECT_TRUE(senses.in_sight(6));
   for (const NodeId node : {7u, 46'340u, 46'341u, 59'999u}) EXPECT_FALSE(senses.in_sight(node)) << node;
 }
@@ -255,12 +256,11 @@ TEST(Mission, EndsEvenIfItsScriptIsForAStepThatNoneLivesToSee) {
   late.at.move = 1'000'000'000'000;
   late.cells = {{{5, 4}, false}};
   scenario.surprises = {late};
-  NoTrace nobody;
-  Mission<NoTrace> waiting(scenario, scenario.planners[0], nobody);
-  while (waiting.advance(1 << 20)) {
+  const auto waiting = make_mission(scenario, scenario.planners[0]);
+  while (waiting->advance(1 << 20)) {
   }
-  EXPECT_EQ(waiting.state(), MissionState::endless);
-  EXPECT_GE(waiting.now().clock, kMostWaits);
+  EXPECT_EQ(waiting->state(), MissionState::endless);
+  EXPECT_GE(waiting->now().clock, kMostWaits);
   // With nothing that moves it can wait for it at once, even at a pace at which time has no number for it.
   scenario.movers.clear();
   scenario.robot.speed = kMinSpeed;
@@ -299,8 +299,8 @@ TEST(Mission, DrivesOutOfAnObstacleThatComesOntoItsCell) {
         driven.run();
         EXPECT_EQ(driven.mission.state(), MissionState::arrived) << info.id;
         EXPECT_LE(driven.count(EventKind::move), 7) << info.id;
-        const NodeId cell = driven.mission.known().node(Cell{2, 1});
-        EXPECT_TRUE(driven.mission.known().blocked(cell)) << info.id << ": when it has left it knows of it";
+        const NodeId cell = scenario.map.box().node(Cell{2, 1});
+        EXPECT_TRUE(driven.state.known_blocked(cell)) << info.id << ": when it has left it knows of it";
         scenario.robot.robot_cell_blocks = true;
         Driven held(scenario);
         held.run();
@@ -370,10 +370,10 @@ TEST(Mission, GoesToTheNearestCellAndOnToTheGoalOnceTheMapOpens) {
     Driven shut(scenario);
     while (!shut.mission.settled()) shut.step();
     EXPECT_EQ(shut.mission.plan().status, PlanStatus::found_nearest) << info.id;
-    EXPECT_EQ(shut.state.wanted_goal(), shut.mission.known().node(scenario.goal));
+    EXPECT_EQ(shut.state.wanted_goal(), scenario.map.box().node(scenario.goal));
     shut.run();
     EXPECT_EQ(shut.mission.state(), MissionState::nearest) << info.id;
-    EXPECT_EQ(shut.mission.known().position(shut.state.node(Scalar::robot)), (Cell{12, 4})) << info.id;
+    EXPECT_EQ(scenario.map.box().position(shut.state.node(Scalar::robot)), (Cell{12, 4})) << info.id;
     EXPECT_EQ(shut.count(EventKind::gave_up), 1);
     Surprise open;
     open.at.move = 30;

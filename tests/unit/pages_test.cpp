@@ -35,18 +35,18 @@ Scenario eventful_scenario(const std::string& planner) {
   return scenario;
 }
 
-/// The pseudo-code lines of all events of a whole mission.
+/// The pseudo-code lines of all events of a whole mission->
 std::set<int> recorded_lines(const std::string& planner, const Settings& settings = {}) {
   Scenario scenario = eventful_scenario(planner);
   scenario.planners.front().settings = settings;
   Recorder recorder;
-  Mission<Recorder> mission(scenario, scenario.planners.front(), recorder);
-  while (mission.advance(1000)) {
+  const auto mission = make_mission(scenario, scenario.planners.front(), &recorder);
+  while (mission->advance(1000)) {
   }
   if (!find_planner(planner)->exercise) {
-    EXPECT_EQ(mission.state(), MissionState::arrived) << planner;
+    EXPECT_EQ(mission->state(), MissionState::arrived) << planner;
   }
-  EXPECT_GT(mission.now().figures.replans, 0) << planner;
+  EXPECT_GT(mission->now().figures.replans, 0) << planner;
   std::set<int> lines;
   for (const Event& event : recorder.buffer()) lines.insert(event.line);
   return lines;

@@ -12,11 +12,10 @@ namespace {
 
 const double kRoot2 = std::sqrt(2.0);
 
-/// The nodes of a path given by cells.
-std::vector<NodeId> nodes(const Grid2& grid, const std::vector<Cell>& cells) {
+Path path_over(const Grid2& grid, const std::vector<Cell>& cells) {
   std::vector<NodeId> path;
   for (const Cell cell : cells) path.push_back(grid.node(cell));
-  return path;
+  return Path(grid.box(), std::move(path));
 }
 
 template <int D>
@@ -62,11 +61,11 @@ std::pair<double, double> clearance(const BoxLattice<D>& lattice, const std::vec
 
 TEST(PathFigures, OfNoPathAndOfAPointAreDefined) {
   Grid2 grid({5, 4});
-  const PathFigures none = path_figures<2>(grid, {});
+  const PathFigures none = path_figures(grid, {});
   EXPECT_EQ(none.nodes, 0);
   EXPECT_EQ(none.length, 0);
   EXPECT_EQ(none.min_clearance, 0);
-  const PathFigures point = path_figures<2>(grid, nodes(grid, {{1, 1}}));
+  const PathFigures point = path_figures(grid, path_over(grid, {{1, 1}}));
   EXPECT_EQ(point.nodes, 1);
   EXPECT_EQ(point.length, 0);
   EXPECT_DOUBLE_EQ(point.min_clearance, std::sqrt(41.0));
@@ -75,26 +74,26 @@ TEST(PathFigures, OfNoPathAndOfAPointAreDefined) {
 
 TEST(PathFigures, CountsLengthTurnsAndAngles) {
   Grid2 grid({20, 20});
-  const auto path = nodes(grid, {{0, 0}, {1, 0}, {2, 0}, {3, 1}, {4, 2}, {4, 3}, {3, 3}, {4, 3}});
-  const PathFigures figures = path_figures<2>(grid, path);
+  const auto path = path_over(grid, {{0, 0}, {1, 0}, {2, 0}, {3, 1}, {4, 2}, {4, 3}, {3, 3}, {4, 3}});
+  const PathFigures figures = path_figures(grid, path);
   EXPECT_EQ(figures.nodes, 8);
   EXPECT_NEAR(figures.length, 5 + 2 * kRoot2, 1e-12);
   EXPECT_EQ(figures.turns, 4);
   EXPECT_NEAR(figures.turning_angle_deg, 45 + 45 + 90 + 180, 1e-9);
-  EXPECT_NEAR(path_length<2>(grid, path), figures.length, 1e-12);
+  EXPECT_NEAR(path_length(path), figures.length, 1e-12);
   // Collinear in any direction is no turn, and standing still neither.
-  EXPECT_EQ(path_figures<2>(grid, nodes(grid, {{0, 0}, {3, 7}, {3, 7}, {6, 14}})).turns, 0);
+  EXPECT_EQ(path_figures(grid, path_over(grid, {{0, 0}, {3, 7}, {3, 7}, {6, 14}})).turns, 0);
 }
 
 TEST(PathFigures, MeasuresTheSquareNotItsCentre) {
   Grid2 grid({9, 9});
   const CellEdit wall[] = {{grid.node(Cell{4, 3}), true}};
   grid.apply(wall);
-  const PathFigures beside = path_figures<2>(grid, nodes(grid, {{0, 4}, {8, 4}}));
+  const PathFigures beside = path_figures(grid, path_over(grid, {{0, 4}, {8, 4}}));
   EXPECT_DOUBLE_EQ(beside.min_clearance, 0.5);
-  const PathFigures corner = path_figures<2>(grid, nodes(grid, {{5, 4}}));
+  const PathFigures corner = path_figures(grid, path_over(grid, {{5, 4}}));
   EXPECT_DOUBLE_EQ(corner.min_clearance, kRoot2 / 2);
-  const PathFigures through = path_figures<2>(grid, nodes(grid, {{4, 0}, {4, 8}}));
+  const PathFigures through = path_figures(grid, path_over(grid, {{4, 0}, {4, 8}}));
   EXPECT_EQ(through.min_clearance, 0);
   EXPECT_GT(through.mean_clearance, 0);
 }
@@ -110,7 +109,7 @@ void compare_with_the_definition(std::array<int, D> size, double density, std::u
   lattice.apply(edits);
   std::vector<NodeId> path;
   for (int i = 0; i < 5; ++i) path.push_back(random.below(static_cast<std::uint32_t>(lattice.node_count())));
-  const PathFigures figures = path_figures<D>(lattice, path);
+  const PathFigures figures = path_figures(lattice, Path(lattice.box(), path));
   const auto [smallest, mean] = clearance<D>(lattice, path);
   ASSERT_NEAR(figures.min_clearance, smallest, 1e-9) << seed;
   ASSERT_NEAR(figures.mean_clearance, mean, 1e-9) << seed;
@@ -130,7 +129,7 @@ TEST(PathIsFree, AllowsMovesAndLinesOfSight) {
   const CellEdit wall[] = {{grid.node(Cell{2, 2}), true}};
   grid.apply(wall);
   const auto free = [&](const std::vector<Cell>& cells) {
-    return path_is_free<2>(grid, nodes(grid, cells), SightRule::supercover);
+    return path_is_free(grid, path_over(grid, cells));
   };
   EXPECT_TRUE(free({}));
   EXPECT_TRUE(free({{0, 0}}));

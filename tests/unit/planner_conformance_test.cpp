@@ -126,8 +126,7 @@ void check_fixture(const PlannerInfo& info, const Fixture& fixture, int depth, S
   const Answer whole = ask(Recorder{}, std::int64_t{1} << 30), sliced = ask(Recorder{}, 1);
   EXPECT_EQ(whole.status, fixture.status);
   EXPECT_EQ(whole.cost.is_infinite(), fixture.status != PlanStatus::found);
-  EXPECT_TRUE(path_is_free(world.lattice, whole.path.nodes, SightRule::supercover) ||
-              whole.path.nodes.empty());
+  EXPECT_TRUE(path_is_free(world.lattice, whole.path) || whole.path.empty());
   expect_counters_match(whole);
   expect_same(whole, sliced);
   EXPECT_TRUE(whole.log == sliced.log) << "slices change the log";

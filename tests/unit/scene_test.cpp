@@ -119,7 +119,7 @@ TEST(Scene, PathRunsThroughTheRoutesVertices) {
   const auto lines = shapes_of<Polyline>(build_scene(session.run(), view, kView, palette()));
   ASSERT_EQ(lines.size(), 1u);
   const auto& run = session.run();
-  const auto& nodes = run.mark_at(run.timeline().cursor())->plan->nodes();
+  const auto nodes = run.mark_at(run.timeline().cursor())->plan->path->nodes();
   ASSERT_EQ(lines[0].points.size(), nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Cell cell = run.lattice().position(nodes[i]);

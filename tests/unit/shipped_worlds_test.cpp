@@ -4,15 +4,16 @@
 #include <gtest/gtest.h>
 
 #include "core/base/file.hpp"
+#include "core/plan/registry.hpp"
 #include "core/sim/mission.hpp"
 #include "tests/support/shared_data.hpp"
 
 namespace replan::shipped_worlds_test {
 namespace {
 
-Mission<NoTrace> driven(const Scenario& scenario, const PlannerChoice& choice, NoTrace& nobody) {
-  Mission<NoTrace> mission(scenario, choice, nobody);
-  while (mission.advance(1 << 20)) {
+std::unique_ptr<Mission> driven(const Scenario& scenario, const PlannerChoice& choice) {
+  auto mission = make_mission(scenario, choice);
+  while (mission->advance(1 << 20)) {
   }
   return mission;
 }
@@ -33,51 +34,47 @@ TEST(ShippedWorlds, AreManyAndEachSaysWhatItIsFor) {
 }
 
 TEST(ShippedWorlds, CheckedPlannersArriveWithoutACollision) {
-  NoTrace nobody;
   for (const auto& file : test::files_below(REPLAN_SOURCE_DIR "/maps", ".json")) {
     const auto scenario = read_scenario(file.string());
     ASSERT_TRUE(scenario.ok()) << scenario.error();
     for (const PlannerChoice& choice : scenario->planners) {
       if (as_printed(choice) || find_planner(choice.id)->exercise) continue;
-      const auto mission = driven(*scenario, choice, nobody);
-      EXPECT_EQ(mission.state(), MissionState::arrived) << file << " " << choice.id;
-      EXPECT_EQ(mission.now().figures.collisions, 0) << file << " " << choice.id;
-      EXPECT_EQ(mission.now().fired, std::vector<bool>(scenario->surprises.size(), true))
+      const auto mission = driven(*scenario, choice);
+      EXPECT_EQ(mission->state(), MissionState::arrived) << file << " " << choice.id;
+      EXPECT_EQ(mission->now().figures.collisions, 0) << file << " " << choice.id;
+      EXPECT_EQ(mission->now().fired, std::vector<bool>(scenario->surprises.size(), true))
           << file << " " << choice.id << ": a surprise never comes";
     }
   }
 }
 
 TEST(ShippedWorlds, ShowSightCheckedInTheSearchBesideSightCheckedAlongThePath) {
-  NoTrace nobody;
   const auto maze = read_scenario(REPLAN_SOURCE_DIR "/maps/sight-along-path.json");
   ASSERT_TRUE(maze.ok()) << maze.error();
   ASSERT_EQ(maze->planners.size(), 2u);
-  const auto search = driven(*maze, maze->planners[0], nobody),
-             path = driven(*maze, maze->planners[1], nobody);
-  const auto &in_search = search.now().figures, &along = path.now().figures;
+  const auto search = driven(*maze, maze->planners[0]), path = driven(*maze, maze->planners[1]);
+  const auto &in_search = search->now().figures, &along = path->now().figures;
   std::printf("sight checks %lld and %lld, nodes %zu and %zu\n",
               static_cast<long long>(in_search.counters.sight_checks),
-              static_cast<long long>(along.counters.sight_checks), search.plan().nodes().size(),
-              path.plan().nodes().size());
+              static_cast<long long>(along.counters.sight_checks), search->plan().path->size(),
+              path->plan().path->size());
   EXPECT_EQ(in_search.counters.expansions, along.counters.expansions);
   EXPECT_GT(in_search.counters.sight_checks, 5 * along.counters.sight_checks);
   EXPECT_LE(along.travelled, in_search.travelled);
 }
 
 TEST(ShippedWorlds, DemonstrateBothFaultsOfThePrintedPseudoCode) {
-  NoTrace nobody;
   const std::string maps = REPLAN_SOURCE_DIR "/maps/";
   const auto crash = read_scenario(maps + "fault-through-obstacle.json");
   const auto circle = read_scenario(maps + "fault-in-a-circle.json");
   ASSERT_TRUE(crash.ok() && circle.ok());
   ASSERT_TRUE(as_printed(crash->planners[0]) && as_printed(circle->planners[0]));
-  const auto hit = driven(*crash, crash->planners[0], nobody);
-  EXPECT_EQ(hit.state(), MissionState::collision);
-  EXPECT_EQ(hit.now().figures.collisions, 1);
+  const auto hit = driven(*crash, crash->planners[0]);
+  EXPECT_EQ(hit->state(), MissionState::collision);
+  EXPECT_EQ(hit->now().figures.collisions, 1);
   // It drives into what it sees: the cell is an obstacle on its own map.
-  EXPECT_TRUE(hit.known().blocked(hit.route().cells[hit.now().next]));
-  EXPECT_EQ(driven(*circle, circle->planners[0], nobody).state(), MissionState::loop);
+  EXPECT_NE(hit->navigator().known()[hit->route().cells[hit->now().next]], 0);
+  EXPECT_EQ(driven(*circle, circle->planners[0])->state(), MissionState::loop);
 }
 
 }  // namespace

@@ -158,8 +158,8 @@ TEST(RunReport, aPlanHasItsPathAndFigures) {
   const RunReport report = plan_once(world.map, world.start, world.goal, world.planners.front());
   EXPECT_EQ(report.status, "found");
   EXPECT_TRUE(report.succeeded());
-  EXPECT_EQ(report.path.front(), world.start);
-  EXPECT_EQ(report.path.back(), world.goal);
+  EXPECT_EQ(cell_of(report.path.point(0)), world.start);
+  EXPECT_EQ(cell_of(report.path.point(report.path.size() - 1)), world.goal);
   EXPECT_EQ(report.figures.nodes, static_cast<std::int64_t>(report.path.size()));
   EXPECT_NEAR(report.figures.length, 4 + 2 * std::sqrt(2.0), 1e-9);
   EXPECT_GT(report.counters.expansions, 0);
@@ -187,7 +187,7 @@ TEST(RunReport, figuresAreFiniteNumbersWhateverHappens) {
 TEST(RunReport, tellsTheFirstPlanAndTheWholeDrive) {
   Scenario world = corridor();
   const RunReport plain = plan_once(world.map, world.start, world.goal, world.planners.front());
-  const int row = plain.path[3].y;
+  const int row = cell_of(plain.path.point(3)).y;
   world.surprises = {
       {.at = {.move = 1, .near = {}, .within = 0}, .cells = {{{3, row}, true}}, .announced = false}};
   const RunReport report = drive(world, world.planners.front());
@@ -262,7 +262,7 @@ TEST(RunReport, saysHowNearToTheGoalTheRobotCame) {
   world.robot.unreachable_goal = UnreachableGoal::nearest;
   const RunReport driven[] = {drive(world, world.planners.front())};
   EXPECT_EQ(driven[0].status, "found-nearest");
-  EXPECT_EQ(driven[0].path.back(), (Cell{6, 1}));
+  EXPECT_EQ(cell_of(driven[0].path.point(driven[0].path.size() - 1)), (Cell{6, 1}));
   EXPECT_FALSE(driven[0].succeeded());
   EXPECT_EQ(driven[0].robot->short_of_goal, 1);
   EXPECT_EQ(explanation(driven[0]),

@@ -27,8 +27,8 @@ const PathFigures& figures_of(PanelState& panels, const Run& run, std::size_t pa
   if (panels.figures.size() <= pane) panels.figures.resize(pane + 1);
   FigureCache& cache = panels.figures[pane];
   if (cache.plan == mark.plan || map_changed_since(run, mark)) return cache.figures;
-  cache = {mark.plan, path_figures(run.lattice(), run.timeline().state().known_map(),
-                                   move_rules(run.choice().settings), mark.plan->nodes())};
+  cache = {mark.plan,
+           path_figures(run.lattice(), run.timeline().state().known_map().plain(), *mark.plan->path)};
   return cache.figures;
 }
 

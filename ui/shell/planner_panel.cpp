@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/plan/stage.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
@@ -90,11 +91,11 @@ bool number_setting(Frame& frame, const Parameter& parameter, const Hint& what, 
   return true;
 }
 
-void setting(Frame& frame, const Parameter& parameter) {
+/// One declared setting; true if it was changed, which `value` then holds.
+bool setting(Frame& frame, const Parameter& parameter, double& value) {
   const Look& look = frame.look;
   const std::string label(parameter.label), help(parameter.help);
   const Hint what{label.c_str(), "", help.c_str()};
-  double value = frame.run().choice().settings.get(parameter);
   bool changed = false;
   switch (parameter.type) {
     case ParameterType::choice:
@@ -112,8 +113,74 @@ void setting(Frame& frame, const Parameter& parameter) {
       changed = number_setting(frame, parameter, what, value);
       break;
   }
-  if (changed)
-    frame.commands.push_back(SetParameter{frame.session.lead(), std::string(parameter.key), value});
+  return changed;
+}
+
+/// Declared settings below each other; true if one was changed in `settings`.
+bool declared_settings(Frame& frame, std::span<const Parameter> parameters, Settings& settings) {
+  bool changed = false;
+  for (const Parameter& parameter : parameters) {
+    double value = settings.get(parameter);
+    if (!setting(frame, parameter, value)) continue;
+    settings.set(parameter.key, value);
+    if (value == parameter.initial) settings.reset(parameter.key);
+    changed = true;
+  }
+  return changed;
+}
+
+void planner_settings(Frame& frame) {
+  for (const Parameter& parameter : frame.run().info().parameters) {
+    double value = frame.run().choice().settings.get(parameter);
+    if (setting(frame, parameter, value))
+      frame.commands.push_back(SetParameter{frame.session.lead(), std::string(parameter.key), value});
+  }
+}
+
+/// What the paths of the leading pane go through: each stage that there is, on or off, and below one that is on
+/// its settings. Stages are applied in the order of the list.
+void path_stages(Frame& frame) {
+  const Look& look = frame.look;
+  const std::vector<StageChoice>& before = frame.run().choice().stages;
+  std::vector<StageChoice> after;
+  for (const StageInfo& info : stages()) {
+    const auto chosen = std::find_if(before.begin(), before.end(),
+                                     [&](const StageChoice& each) { return each.id == info.id; });
+    const std::string name(info.name), summary(info.summary);
+    bool on = chosen != before.end();
+    toggle(look, name.c_str(), on);
+    hint(look, {name.c_str(), "", summary.c_str()});
+    if (!on) continue;
+    after.push_back(chosen != before.end() ? *chosen : StageChoice{std::string(info.id), {}});
+    declared_settings(frame, info.parameters, after.back().settings);
+  }
+  if (after != before) frame.commands.push_back(SetStages{frame.session.lead(), std::move(after)});
+}
+
+/// Which kind of robot it is, where there are several, and what that kind has to set; true if something was
+/// changed.
+bool kind_settings(Frame& frame, RobotSetup& robot) {
+  const Look& look = frame.look;
+  std::vector<std::string> names;
+  int kind = 0;
+  for (const RobotInfo& info : robots()) {
+    if (info.id == robot.kind) kind = static_cast<int>(names.size());
+    names.emplace_back(info.name);
+  }
+  bool changed = false;
+  const RobotInfo& before = robots()[static_cast<std::size_t>(kind)];
+  if (names.size() > 1) {
+    const std::string summary(before.summary);
+    changed = labelled_control(look, "Robot", {"Robot", "", summary.c_str()}, kind != 0, [&](float width) {
+      return combo(look, "##kind", pointers(names), kind, width);
+    });
+  }
+  const RobotInfo& info = robots()[static_cast<std::size_t>(kind)];
+  if (changed) {
+    robot.kind = info.id;
+    robot.settings = {};
+  }
+  return declared_settings(frame, info.parameters, robot.settings) || changed;
 }
 
 /// How the robot drives; true if something was changed.
@@ -185,13 +252,14 @@ void robot_settings(Frame& frame) {
                                                             "nothing yet"};
   RobotSetup robot = frame.session.scenario().robot;
   int knowledge = static_cast<int>(robot.knowledge);
-  bool changed = labelled_control(look, "It knows",
-                                  {"What it knows", "",
-                                   "Everything: each change as it happens. The map: as it is at the start; "
-                                   "surprises only when sensed. Nothing: every obstacle only when sensed."},
-                                  robot.knowledge != RobotSetup{}.knowledge, [&](float width) {
-                                    return combo(look, "##knows", kKnowledge, knowledge, width);
-                                  });
+  bool changed = kind_settings(frame, robot);
+  changed |= labelled_control(look, "It knows",
+                              {"What it knows", "",
+                               "Everything: each change as it happens. The map: as it is at the start; "
+                               "surprises only when sensed. Nothing: every obstacle only when sensed."},
+                              robot.knowledge != RobotSetup{}.knowledge, [&](float width) {
+                                return combo(look, "##knows", kKnowledge, knowledge, width);
+                              });
   robot.knowledge = static_cast<Knowledge>(knowledge);
   const Parameter radius{.key = "sensor radius",
                          .label = "Sensor radius",
@@ -231,10 +299,13 @@ void draw_planner_panel(Frame& frame) {
     if (small_button(look, reset.name, {.icon = reset.icon, .hint = reset.hint()})) perform(frame, reset.id);
     ImGui::SetCursorScreenPos(below);
   }
-  for (const Parameter& parameter : frame.run().info().parameters) setting(frame, parameter);
+  planner_settings(frame);
   section_rule(look);
   section_title(look, "Robot");
   robot_settings(frame);
+  section_rule(look);
+  section_title(look, "Once a path is found");
+  path_stages(frame);
   ImGui::PopStyleVar();
 }
 

@@ -12,6 +12,7 @@ namespace replan {
 ///
 /// A flood over all that can be reached, which ends at the goal; where several cells are equally near,
 /// Dijkstra's algorithm up to the first of them.
-NodeId nearest_reachable(const Grid2& known, NodeId robot, NodeId goal);
+template <int D>
+NodeId nearest_reachable(const BoxLattice<D>& known, NodeId robot, NodeId goal);
 
 }  // namespace replan

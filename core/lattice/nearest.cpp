@@ -1,4 +1,4 @@
-#include "core/sim/nearest.hpp"
+#include "core/lattice/nearest.hpp"
 
 #include <bit>
 #include <functional>
@@ -10,11 +10,11 @@
 namespace replan {
 namespace {
 
-template <class Visit>
-void each_move(const Grid2& known, NodeId from, const Visit& visit) {
+template <int D, class Visit>
+void each_move(const BoxLattice<D>& known, NodeId from, const Visit& visit) {
   for (std::uint32_t rest = known.moves(from); rest != 0; rest &= rest - 1) {
     const int d = std::countr_zero(rest);
-    visit(known.neighbour(from, d), Grid2::step_cost(d));
+    visit(known.neighbour(from, d), BoxLattice<D>::step_cost(d));
   }
 }
 
@@ -32,7 +32,8 @@ struct Nearest {
   }
 };
 
-Nearest flood(const Grid2& known, NodeId robot, NodeId goal) {
+template <int D>
+Nearest flood(const BoxLattice<D>& known, NodeId robot, NodeId goal) {
   Nearest nearest;
   std::vector<bool> reached(known.node_count());
   std::vector<NodeId> rim = {robot};
@@ -49,7 +50,8 @@ Nearest flood(const Grid2& known, NodeId robot, NodeId goal) {
 }
 
 /// The cell at that distance from the goal which the shortest way leads to. There must be one.
-NodeId first_at(const Grid2& known, NodeId robot, NodeId goal, std::int64_t squared) {
+template <int D>
+NodeId first_at(const BoxLattice<D>& known, NodeId robot, NodeId goal, std::int64_t squared) {
   std::vector<Cost> costs(known.node_count(), Cost::infinity());
   using Entry = std::pair<std::int64_t, NodeId>;  // of equal costs the smaller index comes first
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
@@ -71,9 +73,13 @@ NodeId first_at(const Grid2& known, NodeId robot, NodeId goal, std::int64_t squa
 
 }  // namespace
 
-NodeId nearest_reachable(const Grid2& known, NodeId robot, NodeId goal) {
+template <int D>
+NodeId nearest_reachable(const BoxLattice<D>& known, NodeId robot, NodeId goal) {
   const Nearest nearest = flood(known, robot, goal);
   return nearest.count == 1 ? nearest.cell : first_at(known, robot, goal, nearest.squared);
 }
+
+template NodeId nearest_reachable<2>(const BoxLattice<2>&, NodeId, NodeId);
+template NodeId nearest_reachable<3>(const BoxLattice<3>&, NodeId, NodeId);
 
 }  // namespace replan

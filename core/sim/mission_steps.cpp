@@ -1,0 +1,138 @@
+// What a robot does once it has decided: it takes a step, waits, or gives up; and with each the time that goes by.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/sim/mission.hpp"
+
+namespace replan {
+namespace {
+
+/// A script may name a step that is farther away than time can be counted.
+constexpr SimTime kEndOfTime = std::numeric_limits<SimTime>::max();
+
+}  // namespace
+
+std::optional<std::int64_t> Mission::next_scripted_step(bool only_goals) const {
+  std::optional<std::int64_t> next;
+  for (std::size_t i = 0; i < surprises_.size(); ++i)
+    if (const auto& at = surprises_[i].at.move; at && !now_.fired[i] && (surprises_[i].goal || !only_goals))
+      next = std::min(next.value_or(*at), *at);
+  return next;
+}
+
+void Mission::wait_for_change() {
+  if (!crowd_.empty()) return wait_for_movers();
+  const auto next = next_scripted_step(false);
+  if (next)
+    wait_until(*next);
+  else
+    give_up(stuck());
+}
+
+MissionState Mission::stuck() const {
+  return now_.plan->status == PlanStatus::found_nearest ? MissionState::nearest : MissionState::no_path;
+}
+
+void Mission::wait_for_movers() {
+  if (now_.waited >= now_.forgets_after) {
+    if (const std::vector<CellEdit> lost = senses().out_of_sight(*now_.sightings); !lost.empty()) {
+      now_.forgets_after *= 2;
+      learn(lost, EventKind::forgotten);
+      return;
+    }
+  }
+  const auto patience = std::llround(robot_setup_.patience * static_cast<double>(kSecond));
+  if (now_.waited >= patience) {
+    if (!next_scripted_step(false)) return give_up(stuck());
+    if (now_.waited - patience >= kMostWaits * step_time(1)) return give_up(MissionState::endless);
+  }
+  now_.waited += step_time(1);
+  wait_until(now_.clock + 1);
+}
+
+/// For the goal to move on.
+void Mission::wait_on_goal(std::int64_t clock) {
+  if (!crowd_.empty()) {
+    if (now_.waited >= kMostWaits * step_time(1)) return give_up(MissionState::endless);
+    now_.waited += step_time(1);
+  }
+  wait_until(clock);
+}
+
+/// Where nothing moves nothing can change before the next scripted step, so the robot waits until then at
+/// once.
+void Mission::wait_until(std::int64_t clock) {
+  const std::int64_t steps = crowd_.empty() ? clock - now_.clock : 1;
+  tr_.note(EventKind::waiting, robot_, static_cast<std::uint64_t>(steps));
+  const SimTime step = step_time(1);
+  advance_clock(steps, steps < kEndOfTime / step ? steps * step : kEndOfTime, robot_);
+}
+
+void Mission::give_up(MissionState state) {
+  now_.state = state;
+  tr_.note(EventKind::gave_up, robot_, static_cast<std::uint64_t>(state));
+}
+
+SimTime Mission::step_time(double way) const {
+  const double length = robot_setup_.motion == Motion::smooth ? way : 1;
+  return std::llround(static_cast<double>(kSecond) * length / robot_setup_.speed);
+}
+
+/// Lets time go by while the robot goes over from the cell `left`.
+void Mission::advance_clock(std::int64_t steps, SimTime time, NodeId left) {
+  tr_.change(Scalar::moves, static_cast<std::uint64_t>(now_.clock),
+             static_cast<std::uint64_t>(now_.clock + steps));
+  now_.clock += steps;
+  now_.time += std::min(time, kEndOfTime - now_.time);
+  if (crowd_.empty()) return;
+  const Cell keep_clear[] = {box_.position(robot_), box_.position(left)};
+  for (const Crowd::Change& change : crowd_.advance(now_.movers, now_.time, now_.clock, keep_clear)) {
+    const NodeId node = box_.node(change.cell);
+    const auto value = static_cast<std::uint8_t>(truth_[node] + change.by * kMoverUnit);
+    tr_.change(EventKind::truth, node, truth_[node], std::uint64_t{value});
+    truth_[node] = value;
+  }
+}
+
+void Mission::step_along(std::size_t cells) {
+  if (now_.next >= route_.cells.size())  // a circle has been driven to its end
+    return give_up(MissionState::loop);
+  if (!crowd_.empty() && now_.figures.moves > kMovesPerCell * static_cast<std::int64_t>(truth_.size()))
+    return give_up(MissionState::endless);
+  const std::size_t last = std::min(now_.next + cells, route_.cells.size()) - 1;
+  tr_.line(107);
+  for (std::size_t i = now_.next; i <= last; ++i)
+    if (truth_[route_.cells[i]] != 0) return collide(route_.cells[i]);
+  enter(last);
+}
+
+void Mission::collide(NodeId cell) {
+  ++now_.figures.collisions;
+  now_.state = MissionState::collision;
+  tr_.note(EventKind::collision, cell);
+}
+
+// Lines 6 and 7: the robot goes on to a cell of its route.
+void Mission::enter(std::size_t on_route) {
+  const NodeId cell = route_.cells[on_route], left = robot_;
+  tr_.note(EventKind::move, cell);
+  put_robot(cell);
+  const double way = route_.along[on_route] - now_.along_plan;
+  now_.figures.travelled += way;
+  ++now_.figures.moves;
+  now_.along_plan = route_.along[on_route];
+  now_.before = now_.at;
+  now_.at = route_.points[on_route];
+  now_.next = on_route + 1;
+  now_.after = point_ahead();
+  now_.waited = 0;
+  advance_clock(1, step_time(way), left);
+}
+
+void Mission::put_robot(NodeId cell) {
+  tr_.change(Scalar::robot, std::uint64_t{robot_ + 1u}, std::uint64_t{cell + 1u});
+  robot_ = cell;
+}
+
+}  // namespace replan

@@ -1,0 +1,47 @@
+// The kinds of robots, made from robots/robots.def.
+#include "core/plan/named.hpp"
+#include "core/sim/mission.hpp"
+
+#define REPLAN_ROBOT_HEADERS
+#include "core/robots/robots.def"
+#undef REPLAN_ROBOT_HEADERS
+
+namespace replan {
+namespace {
+
+template <class Robot>
+RobotInfo entry(std::string_view id) {
+  RobotInfo info = Robot::describe();
+  info.id = id;
+  return info;
+}
+
+}  // namespace
+
+std::span<const RobotInfo> robots() {
+  static const std::vector<RobotInfo> all = {
+#define REPLAN_ROBOT(ID, CLASS) entry<CLASS>(ID),
+#include "core/robots/robots.def"
+#undef REPLAN_ROBOT
+  };
+  return all;
+}
+
+std::unique_ptr<Mission> make_mission(const Scenario& scenario, const PlannerChoice& choice,
+                                      Recorder* recorder) {
+#define REPLAN_ROBOT(ID, CLASS) \
+  if (scenario.robot.kind == ID) return std::make_unique<CLASS>(scenario, choice, recorder);
+#include "core/robots/robots.def"
+#undef REPLAN_ROBOT
+  return nullptr;
+}
+
+const RobotInfo* find_robot(std::string_view id) {
+  return find_by_id(robots(), id);
+}
+
+Result<const RobotInfo*> require_robot(std::string_view id) {
+  return require_by_id(robots(), id, "robot");
+}
+
+}  // namespace replan
