@@ -27,10 +27,9 @@ struct Verdict {
 };
 
 /// The pseudo-code line of the last event about the breach's vertex before it showed.
-int line_of(const Timeline& log, const Breach& breach) {
-  KindSet values;
-  for (int kind = 0; kind < kValueKinds; ++kind)
-    if (static_cast<EventKind>(kind) != EventKind::scalar) values.add(static_cast<EventKind>(kind));
+int line_of(const PlannerInfo& planner, const Timeline& log, const Breach& breach) {
+  KindSet values{EventKind::known, EventKind::truth};
+  for (const Field& field : planner.values.fields) values.add(field.kind);
   const auto event = log.last_event(breach.node, values, breach.position);
   return event ? log.event(*event).line : 0;
 }
@@ -49,7 +48,7 @@ Result<Verdict> check(const std::shared_ptr<const Scenario>& scenario, std::size
   if (!checker.breaches().empty()) {
     verdict.laws.first = checker.breaches().front();
     verdict.cell = view.lattice.position(verdict.laws.first->node);
-    verdict.line = line_of(view.log, *verdict.laws.first);
+    verdict.line = line_of(view.info, view.log, *verdict.laws.first);
   }
   verdict.oracle = {.on = true, .exact = claims_cheapest(view.info, view.settings), .first = {}};
   for (const Marker& marker : run.markers()) {

@@ -150,11 +150,11 @@ class BestFirstLaws final : public LawBook<D> {
 }  // namespace
 
 template <int D>
-std::unique_ptr<LawBook<D>> make_best_first_laws(LawValues<D>& values) {
+std::unique_ptr<LawBook<D>> make_best_first_laws(const LogView&, LawValues<D>& values) {
   return std::make_unique<BestFirstLaws<D>>(values);
 }
 
-template std::unique_ptr<LawBook<2>> make_best_first_laws(LawValues<2>&);
-template std::unique_ptr<LawBook<3>> make_best_first_laws(LawValues<3>&);
+template std::unique_ptr<LawBook<2>> make_best_first_laws(const LogView&, LawValues<2>&);
+template std::unique_ptr<LawBook<3>> make_best_first_laws(const LogView&, LawValues<3>&);
 
 }  // namespace replan

@@ -5,33 +5,41 @@
 namespace replan {
 namespace {
 
-/// Values of nodes among the kinds.
-KindSet node_values(KindSet kinds) {
-  KindSet kept;
-  for (int kind = 0; kind < kWideFields + kNarrowFields; ++kind)
-    if (kinds.has(static_cast<EventKind>(kind))) kept.add(static_cast<EventKind>(kind));
-  return kept;
+constexpr EventKind kMaps[] = {EventKind::known, EventKind::truth};
+
+/// Calls `each` for the kinds among these that are values of nodes.
+template <class Each>
+void for_values(KindSet kinds, Each&& each) {
+  for (std::size_t slot = 0; slot < kWideSlots; ++slot)
+    if (kinds.has(wide_kind(slot))) each(wide_kind(slot));
+  for (const EventKind map : kMaps)
+    if (kinds.has(map)) each(map);
 }
 
 }  // namespace
+
+/// Where the values of a kind are held.
+std::size_t CellHistory::place(EventKind kind) {
+  return is_wide(kind) ? wide_slot(kind) : kWideSlots + (kind == EventKind::truth ? 1 : 0);
+}
 
 void CellHistory::start(const Timeline& log) {
   older_.clear();
   newer_.clear();
   complete_ = false;
   begin_ = end_ = log.size();
-  for (int kind = 0; kind < kWideFields + kNarrowFields; ++kind)
-    last_[static_cast<std::size_t>(kind)] = log.head().value(static_cast<EventKind>(kind), node_);
+  for_values(kinds_, [&](EventKind kind) { last_[place(kind)] = log.head().value(kind, node_); });
   first_ = last_;
 }
 
 void CellHistory::follow(const Timeline& log, std::uint64_t log_id, NodeId node, KindSet kinds,
                          std::size_t most) {
-  kinds = node_values(kinds);
-  if (log_id != log_id_ || node != node_ || !(kinds == kinds_)) {
+  KindSet values;
+  for_values(kinds, [&](EventKind kind) { values.add(kind); });
+  if (log_id != log_id_ || node != node_ || !(values == kinds_)) {
     log_id_ = log_id;
     node_ = node;
-    kinds_ = kinds;
+    kinds_ = values;
     start(log);
   }
   for (; most > 0 && end_ < log.size(); --most) {
@@ -40,10 +48,10 @@ void CellHistory::follow(const Timeline& log, std::uint64_t log_id, NodeId node,
     if (!next) break;
     const Event event = log.event(*next);
     if (event.kind == EventKind::epoch) {
-      take_epoch(event, *next);
+      take_epoch(log, event, *next);
       continue;
     }
-    std::uint64_t& value = last_[static_cast<std::size_t>(event.kind)];
+    std::uint64_t& value = last_[place(event.kind)];
     newer_.push_back({*next, event.kind, event.line, value, value ^ event.delta});
     value ^= event.delta;
   }
@@ -57,7 +65,7 @@ void CellHistory::follow(const Timeline& log, std::uint64_t log_id, NodeId node,
       take_epoch_back(log, event, *previous);
       continue;
     }
-    std::uint64_t& value = first_[static_cast<std::size_t>(event.kind)];
+    std::uint64_t& value = first_[place(event.kind)];
     older_.push_back({*previous, event.kind, event.line, value ^ event.delta, value});
     value ^= event.delta;
   }
@@ -65,16 +73,16 @@ void CellHistory::follow(const Timeline& log, std::uint64_t log_id, NodeId node,
 
 /// Calls `each` for the kinds that are followed and that an epoch forgets.
 template <class Each>
-void CellHistory::for_forgotten(Each&& each) const {
-  for (int kind = 0; kind < kWideFields; ++kind)
-    if (const auto which = static_cast<EventKind>(kind); kinds_.has(which) && kForgotten.has(which))
-      each(which);
+void CellHistory::for_forgotten(const Timeline& log, Each&& each) const {
+  for_values(kinds_, [&](EventKind kind) {
+    if (log.head().forgotten().has(kind)) each(kind);
+  });
 }
 
-void CellHistory::take_epoch(const Event& epoch, std::size_t index) {
-  for_forgotten([&](EventKind kind) {
-    std::uint64_t& value = last_[static_cast<std::size_t>(kind)];
-    const std::uint64_t initial = SearchState::initial_value(kind);
+void CellHistory::take_epoch(const Timeline& log, const Event& epoch, std::size_t index) {
+  for_forgotten(log, [&](EventKind kind) {
+    std::uint64_t& value = last_[place(kind)];
+    const std::uint64_t initial = log.head().initial_value(kind);
     if (value != initial) newer_.push_back({index, kind, epoch.line, value, initial});
     value = initial;
   });
@@ -84,8 +92,8 @@ void CellHistory::take_epoch(const Event& epoch, std::size_t index) {
 void CellHistory::take_epoch_back(const Timeline& log, const Event& epoch, std::size_t index) {
   const SearchState before = log.state_at(index);
   std::vector<ValueChange> changes;
-  for_forgotten([&](EventKind kind) {
-    std::uint64_t& value = first_[static_cast<std::size_t>(kind)];
+  for_forgotten(log, [&](EventKind kind) {
+    std::uint64_t& value = first_[place(kind)];
     const std::uint64_t was = before.value(kind, node_);
     if (was != value) changes.push_back({index, kind, epoch.line, was, value});
     value = was;

@@ -36,12 +36,13 @@ class CellHistory {
   [[nodiscard]] std::size_t after(std::size_t position) const;
 
  private:
-  using Values = std::array<std::uint64_t, kValueKinds>;  // by kind
+  using Values = std::array<std::uint64_t, kWideSlots + kNarrowFields>;  // by place()
 
   void start(const Timeline& log);
+  [[nodiscard]] static std::size_t place(EventKind kind);
   template <class Each>
-  void for_forgotten(Each&& each) const;
-  void take_epoch(const Event& epoch, std::size_t index);
+  void for_forgotten(const Timeline& log, Each&& each) const;
+  void take_epoch(const Timeline& log, const Event& epoch, std::size_t index);
   void take_epoch_back(const Timeline& log, const Event& epoch, std::size_t index);
 
   std::uint64_t log_id_ = 0;

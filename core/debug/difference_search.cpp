@@ -32,14 +32,12 @@ namespace {
 /// The kinds that both planners write. Lines are left out: pseudo-codes are numbered each in its own way.
 KindSet shared_kinds(const PlannerInfo& a, const PlannerInfo& b) {
   using enum EventKind;
-  KindSet kinds{g,       queue,      lp,       visit,    known,    truth,     scalar,
-                pop,     plan_begin, plan_end, move,     sensed,   surprise,  collision,
-                waiting, arrival,    gave_up,  new_goal, put_down, forgotten, aim};
-  const auto both = [&](auto&& has) { return has(a) && has(b); };
-  if (both([](const PlannerInfo& info) { return info.values == SearchValues::lookahead; })) kinds.add(rhs);
-  if (both([](const PlannerInfo& info) { return info.clearance; })) kinds.add(dist);
-  if (both([](const PlannerInfo& info) { return info.sight; }))
-    for (const EventKind kind : {rp, sight, unchecked}) kinds.add(kind);
+  KindSet kinds{known,     truth,   scalar,  pop,     plan_begin, plan_end, move,      sensed, surprise,
+                collision, waiting, arrival, gave_up, new_goal,   put_down, forgotten, aim};
+  for (const Field& field : a.values.fields)
+    if (!is_own_field(field.kind) && b.values.declares(field.kind)) kinds.add(field.kind);
+  if (a.sight && b.sight)
+    for (const EventKind kind : {sight, unchecked}) kinds.add(kind);
   return kinds;
 }
 
@@ -117,9 +115,7 @@ class ComparedLog {
 
   [[nodiscard]] std::uint64_t claimed(const Event& plan_end) const {
     if (!has_path(static_cast<PlanStatus>(plan_end.delta))) return 0;
-    const Cost cost = info_->values == SearchValues::lookahead ? state_.rhs(state_.node(Scalar::start))
-                                                               : state_.g(state_.node(Scalar::goal));
-    return static_cast<std::uint64_t>(cost.raw);
+    return static_cast<std::uint64_t>(claimed_cost(info_->values, state_).raw);
   }
   const Timeline* log_;
   Box frame_;
@@ -137,7 +133,7 @@ class ComparedLog {
 std::string ComparedLog::describe(const ComparedItem& item) const {
   switch (what_) {
     case Compare::events:
-      return event_text(frame_, item.event(), state_.value(item.kind, item.node));
+      return event_text(frame_, info_->values, item.event(), state_.value(item.kind, item.node));
     case Compare::expansions:
       return "takes " + node_text(frame_, item.node);
     case Compare::costs:

@@ -11,22 +11,21 @@ namespace {
 
 constexpr const char* kInfinity = "∞";
 
-std::string change_text(const Box& lattice, const Event& event, std::uint64_t after) {
+std::string change_text(const Box& lattice, const SearchValues& values, const Event& event,
+                        std::uint64_t after) {
   if (event.kind == EventKind::scalar) {
     const auto which = static_cast<Scalar>(event.node);
     return std::string(value_name(which)) + " = " + scalar_text(lattice, which, after);
   }
-  return value_name(event.kind) + node_text(lattice, event.node) + ": " +
-         value_text(lattice, event.kind, after ^ event.delta) + " → " +
-         value_text(lattice, event.kind, after);
+  const Field& field = values.field(event.kind);
+  return value_name(field) + node_text(lattice, event.node) + ": " +
+         value_text(lattice, field, after ^ event.delta) + " → " + value_text(lattice, field, after);
 }
 
 std::string happening_text(const Box& lattice, const Event& event) {
   const std::string at = node_text(lattice, event.node);
   const std::string target = node_text(lattice, static_cast<NodeId>(event.delta & 0xFFFFFFFFu));
   switch (event.kind) {
-    case EventKind::line:
-      return "passed, nothing changed";
     case EventKind::pop:
       return "took " + at + " from the open list";
     case EventKind::sight:
@@ -69,11 +68,12 @@ std::string happening_text(const Box& lattice, const Event& event) {
 
 }  // namespace
 
-const char* value_name(EventKind kind) {
-  static constexpr std::array<const char*, kWideFields + kNarrowFields> kNames = {
-      "g", "rhs", "k1", "lp", "rp", "dist", "expansion", "the robot's map", "the world"};
-  const auto index = static_cast<std::size_t>(kind);
-  return index < kNames.size() ? kNames[index] : "";
+std::string value_name(const Field& field) {
+  if (field.kind == EventKind::known) return "the robot's map";
+  if (field.kind == EventKind::truth) return "the world";
+  if (field.type == FieldType::queue) return "k1";
+  if (field.type == FieldType::visits) return "expansion";
+  return std::string(field.name);
 }
 
 const char* value_name(Scalar scalar) {
@@ -97,25 +97,24 @@ std::string node_text(const Box& lattice, NodeId node) {
   return node >= lattice.node_count() ? "none" : cell_text(lattice.position(node), lattice.solid());
 }
 
-std::string value_text(const Box& lattice, EventKind kind, std::uint64_t raw) {
-  switch (kind) {
-    case EventKind::g:
-    case EventKind::rhs:
-    case EventKind::dist:
+std::string value_text(const Box& lattice, const Field& field, std::uint64_t raw) {
+  switch (field.type) {
+    case FieldType::cost:
       return cost_text(Cost{static_cast<std::int64_t>(raw)});
-    case EventKind::queue:
+    case FieldType::queue:
       return raw == 0 ? "not in U" : cost_text(Cost{static_cast<std::int64_t>(raw) - 1});
-    case EventKind::lp:
-    case EventKind::rp:
+    case FieldType::node:
       return node_text(lattice, static_cast<NodeId>(raw) - 1u);
-    case EventKind::visit:
+    case FieldType::visits:
       return std::to_string(raw & 0xFFFFFFFFu);
-    case EventKind::known:
-    case EventKind::truth:
+    case FieldType::obstacle:
       return raw != 0 ? "obstacle" : "free";
-    default:
-      return std::to_string(raw);
+    case FieldType::name:
+      return raw < field.names.size() ? std::string(field.names[raw]) : std::to_string(raw);
+    case FieldType::count:
+      break;
   }
+  return std::to_string(raw);
 }
 
 std::string scalar_text(const Box& lattice, Scalar scalar, std::uint64_t raw) {
@@ -124,18 +123,19 @@ std::string scalar_text(const Box& lattice, Scalar scalar, std::uint64_t raw) {
   return number ? std::to_string(raw) : node_text(lattice, static_cast<NodeId>(raw) - 1u);
 }
 
-std::string event_text(const Box& lattice, const Event& event, std::uint64_t after) {
-  return event.changes_value() ? change_text(lattice, event, after) : happening_text(lattice, event);
+std::string event_text(const Box& lattice, const SearchValues& values, const Event& event,
+                       std::uint64_t after) {
+  return event.changes_value() ? change_text(lattice, values, event, after) : happening_text(lattice, event);
 }
 
 std::string event_text(const LogView& view, std::size_t position) {
   if (position == 0) return "";
   const Event event = view.log.event(position - 1);
-  if (!event.changes_value()) return event_text(view.lattice, event, 0);
+  if (!event.changes_value()) return event_text(view.lattice, view.info.values, event, 0);
   const bool here = position == view.log.cursor();
   const std::uint64_t after = here ? view.log.state().value(event.kind, event.node)
                                    : view.log.state_at(position).value(event.kind, event.node);
-  return event_text(view.lattice, event, after);
+  return event_text(view.lattice, view.info.values, event, after);
 }
 
 std::string line_name(const PlannerPage& page, int number) {

@@ -12,9 +12,8 @@
 
 namespace replan {
 
-/// What the value of that kind is called in sentences: "rhs", "k1", "the robot's map", ... Only for kinds
-/// that change a value of a node.
-const char* value_name(EventKind kind);
+/// What a value of a node is called in sentences: "rhs", "k1", "the robot's map", ...
+std::string value_name(const Field& field);
 /// The same for a value of the whole run: "km", "the robot", ...
 const char* value_name(Scalar scalar);
 
@@ -26,13 +25,14 @@ std::string cost_text(Cost cost, int decimals = 3);
 std::string node_text(const Box& lattice, NodeId node);
 
 /// A value of a node as events hold it: "41.213", "not in U", "(31, 18)", "obstacle".
-std::string value_text(const Box& lattice, EventKind kind, std::uint64_t raw);
+std::string value_text(const Box& lattice, const Field& field, std::uint64_t raw);
 /// A value of the whole run as events hold it.
 std::string scalar_text(const Box& lattice, Scalar scalar, std::uint64_t raw);
 
 /// What an event did, as a sentence: "rhs(31, 18): 41.213 → 43.799". `after` is the raw value that it wrote,
-/// SearchState::value() behind it; ignored for events that write none.
-std::string event_text(const Box& lattice, const Event& event, std::uint64_t after);
+/// SearchState::value() behind it; ignored for events that write none. `values` are those of the planner.
+std::string event_text(const Box& lattice, const SearchValues& values, const Event& event,
+                       std::uint64_t after);
 /// The same of the event before a position of a log; empty for position 0. Takes a state_at(): not for many
 /// positions in a row.
 std::string event_text(const LogView& view, std::size_t position);

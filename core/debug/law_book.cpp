@@ -45,8 +45,11 @@ void LawBook<D>::hold_status(PlanStatus status, const char* value, NodeId node, 
 
 template <int D>
 std::unique_ptr<LawBook<D>> make_law_book(const LogView& view, LawValues<D>& values) {
-  return view.info.values == SearchValues::lookahead ? make_lookahead_laws<D>(view, values)
-                                                     : make_best_first_laws<D>(values);
+#define REPLAN_LAWS(NAME, MAKE) \
+  if (view.info.values.laws == NAME) return MAKE<D>(view, values);
+#include "core/debug/laws.def"
+#undef REPLAN_LAWS
+  return nullptr;
 }
 
 template class LawBook<2>;

@@ -1,4 +1,4 @@
-// The laws of a planner's values, one book for each meaning that values have (SearchValues).
+// The laws of a planner's values, one book for each kind that laws.def names.
 #pragma once
 
 #include <memory>
@@ -83,6 +83,6 @@ std::unique_ptr<LawBook<D>> make_law_book(const LogView& view, LawValues<D>& val
 template <int D>
 std::unique_ptr<LawBook<D>> make_lookahead_laws(const LogView& view, LawValues<D>& values);
 template <int D>
-std::unique_ptr<LawBook<D>> make_best_first_laws(LawValues<D>& values);
+std::unique_ptr<LawBook<D>> make_best_first_laws(const LogView& view, LawValues<D>& values);
 
 }  // namespace replan

@@ -1,59 +1,62 @@
 #include "core/debug/open_order.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace replan {
 namespace {
 
 constexpr std::size_t kPage = SearchState::kPage;
 
-/// The values that an entry is made of, as events hold them.
+/// The values that an entry is made of, as events hold them: the queue's, and those that the list's order reads.
 struct RawEntry {
-  std::uint64_t queue = 0, g = 0, rhs = 0;
+  std::uint64_t queue = 0;
+  std::array<std::uint64_t, 2> read{};
 };
 
-OpenEntry entry_of(const RawEntry& raw, SearchValues values, NodeId node) {
-  const Cost k1{static_cast<std::int64_t>(raw.queue) - 1};
-  const Cost g{static_cast<std::int64_t>(raw.g)}, rhs{static_cast<std::int64_t>(raw.rhs)};
-  if (values == SearchValues::best_first) return {k1, {k1.raw - g.raw}, node};
-  return {k1, std::min(g, rhs), node};
+OpenEntry entry_of(const RawEntry& raw, const ListOrder& order, NodeId node) {
+  const auto cost = [](std::uint64_t value) { return Cost{static_cast<std::int64_t>(value)}; };
+  const Cost first = cost(raw.queue - 1);
+  return {first, order.of(first, cost(raw.read[0]), cost(raw.read[1])), node};
 }
 
-RawEntry raw_entry(const SearchState& state, NodeId node) {
-  return {state.value(EventKind::queue, node), state.value(EventKind::g, node),
-          state.value(EventKind::rhs, node)};
+RawEntry raw_entry(const SearchState& state, const ListOrder& order, NodeId node) {
+  return {state.value(EventKind::queue, node),
+          {state.value(order.reads[0], node), state.value(order.reads[1], node)}};
 }
 
 /// What the events of a stretch do to one vertex, taken together.
 struct Change {
   NodeId node;
   RawEntry delta;
+
+  void add(const Event& event, const ListOrder& order) {
+    if (event.kind == EventKind::queue) delta.queue ^= event.delta;
+    for (std::size_t i = 0; i < order.reads.size(); ++i)
+      if (event.kind == order.reads[i]) delta.read[i] ^= event.delta;
+  }
 };
 
 /// The vertices whose entries may have changed between two positions, each once.
-std::vector<Change> changes_between(const Timeline& log, std::size_t from, std::size_t to) {
+std::vector<Change> changes_between(const Timeline& log, const ListOrder& order, std::size_t from,
+                                    std::size_t to) {
+  const KindSet kinds{EventKind::queue, order.reads[0], order.reads[1]};
+  std::vector<Event> events;
+  for (std::size_t i = from; i < to; ++i)
+    if (const Event& event = log.event(i); kinds.has(event.kind)) events.push_back(event);
+  std::sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.node < b.node; });
   std::vector<Change> changes;
-  for (std::size_t i = from; i < to; ++i) {
-    const Event& event = log.event(i);
-    if (event.kind == EventKind::queue) changes.push_back({event.node, {.queue = event.delta}});
-    if (event.kind == EventKind::g) changes.push_back({event.node, {.g = event.delta}});
-    if (event.kind == EventKind::rhs) changes.push_back({event.node, {.rhs = event.delta}});
+  for (const Event& event : events) {
+    if (changes.empty() || changes.back().node != event.node) changes.push_back({event.node, {}});
+    changes.back().add(event, order);
   }
-  std::sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.node < b.node; });
-  std::size_t kept = 0;
-  for (const Change change : changes) {  // a copy: its place is written to
-    if (kept == 0 || changes[kept - 1].node != change.node) changes[kept++] = {change.node, {}};
-    RawEntry& sum = changes[kept - 1].delta;
-    sum = {sum.queue ^ change.delta.queue, sum.g ^ change.delta.g, sum.rhs ^ change.delta.rhs};
-  }
-  changes.resize(kept);
   return changes;
 }
 
 }  // namespace
 
-OpenEntry open_entry(const SearchState& state, SearchValues values, NodeId node) {
-  return entry_of(raw_entry(state, node), values, node);
+OpenEntry open_entry(const SearchState& state, const ListOrder& order, NodeId node) {
+  return entry_of(raw_entry(state, order, node), order, node);
 }
 
 // Keys lie close together, so about where an entry belongs can be told from its k1 alone: the entries are
@@ -95,15 +98,15 @@ void OpenOrder::follow(const LogView& view, std::uint64_t log_id) {
   const bool anew = far(view, log_id);
   if (!anew && position_ == view.log.cursor()) return;
   if (anew)
-    gather(view.log.state(), view.info.values);
+    gather(view.log.state(), view.info.values.order);
   else
-    take_over(view.log, view.info.values);
+    take_over(view.log, view.info.values.order);
   log_id_ = log_id;
   position_ = view.log.cursor();
   count();
 }
 
-void OpenOrder::gather(const SearchState& state, SearchValues values) {
+void OpenOrder::gather(const SearchState& state, const ListOrder& order) {
   std::vector<OpenEntry> entries;
   entries.reserve(std::max(size_, kPage));
   for (std::size_t first = 0; first < state.node_count(); first += kPage) {
@@ -112,7 +115,7 @@ void OpenOrder::gather(const SearchState& state, SearchValues values) {
     if (queue == nullptr) continue;
     const std::size_t count = std::min(kPage, state.node_count() - first);
     for (std::size_t i = 0; i < count; ++i)
-      if (queue[i] != 0) entries.push_back(open_entry(state, values, static_cast<NodeId>(first + i)));
+      if (queue[i] != 0) entries.push_back(open_entry(state, order, static_cast<NodeId>(first + i)));
   }
   sort_entries(entries);
   blocks_.clear();
@@ -124,16 +127,17 @@ void OpenOrder::gather(const SearchState& state, SearchValues values) {
 }
 
 // An entry's old key is its new one with the stretch undone: events hold before XOR after.
-void OpenOrder::take_over(const Timeline& log, SearchValues values) {
+void OpenOrder::take_over(const Timeline& log, const ListOrder& order) {
   const std::size_t cursor = log.cursor();
   const std::vector<Change> changes =
-      changes_between(log, std::min(cursor, position_), std::max(cursor, position_));
+      changes_between(log, order, std::min(cursor, position_), std::max(cursor, position_));
   const SearchState& state = log.state();
   for (const Change& change : changes) {
-    const RawEntry now = raw_entry(state, change.node);
-    const RawEntry before{now.queue ^ change.delta.queue, now.g ^ change.delta.g, now.rhs ^ change.delta.rhs};
-    if (before.queue != 0) erase(entry_of(before, values, change.node));
-    if (now.queue != 0) insert(entry_of(now, values, change.node));
+    const RawEntry now = raw_entry(state, order, change.node);
+    const RawEntry before{now.queue ^ change.delta.queue,
+                          {now.read[0] ^ change.delta.read[0], now.read[1] ^ change.delta.read[1]}};
+    if (before.queue != 0) erase(entry_of(before, order, change.node));
+    if (now.queue != 0) insert(entry_of(now, order, change.node));
   }
 }
 

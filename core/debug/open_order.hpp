@@ -13,14 +13,14 @@ namespace replan {
 
 /// A vertex of the open list with what it is ordered by; the least comes out first.
 struct OpenEntry {
-  Cost k1;  ///< A*: f
-  Cost k2;  ///< min(g, rhs); A*: h = f - g, so that among equal f the larger g comes first
+  Cost k1;  ///< as its queue value holds it; best-first searches: f
+  Cost k2;  ///< as ListOrder makes it: min(g, rhs), or f - g, so that among equal f the larger g comes first
   NodeId node = kNoNode;
   friend auto operator<=>(const OpenEntry&, const OpenEntry&) = default;
 };
 
 /// The entry of a vertex that is in the list.
-OpenEntry open_entry(const SearchState& state, SearchValues values, NodeId node);
+OpenEntry open_entry(const SearchState& state, const ListOrder& order, NodeId node);
 
 /// Sorts as std::sort does; a million entries take a fraction of its time.
 void sort_entries(std::vector<OpenEntry>& entries);
@@ -48,8 +48,8 @@ class OpenOrder {
   using Block = std::vector<OpenEntry>;
   static constexpr std::size_t kBlock = 512;
 
-  void gather(const SearchState& state, SearchValues values);
-  void take_over(const Timeline& log, SearchValues values);
+  void gather(const SearchState& state, const ListOrder& order);
+  void take_over(const Timeline& log, const ListOrder& order);
   void insert(const OpenEntry& entry);
   void erase(const OpenEntry& entry);
   [[nodiscard]] std::size_t block_of(const OpenEntry& entry) const;

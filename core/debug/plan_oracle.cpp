@@ -46,7 +46,7 @@ Cost cost_by_dijkstra(const PlanQuestion& question, const std::stop_token& stop)
 }  // namespace
 
 bool claims_cheapest(const PlannerInfo& info, const Settings& settings) {
-  return info.values == SearchValues::lookahead || info.optimal(settings);
+  return info.values.least_cost || info.optimal(settings);
 }
 
 PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t position) {
@@ -61,9 +61,7 @@ PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t positi
   question.start = state.node(Scalar::start);
   question.goal = state.node(Scalar::goal);
   const auto status = static_cast<PlanStatus>(view.log.event(position - 1).delta);
-  question.claimed = !has_path(status)                             ? Cost::infinity()
-                     : view.info.values == SearchValues::lookahead ? state.rhs(question.start)
-                                                                   : state.g(question.goal);
+  question.claimed = has_path(status) ? claimed_cost(view.info.values, state) : Cost::infinity();
   question.exact = claims_cheapest(view.info, view.settings);
   return question;
 }

@@ -14,7 +14,7 @@ constexpr std::uint64_t node_bit(NodeId node) {
 /// Calls `each` for the kinds in a set.
 template <class Each>
 void for_kinds(KindSet kinds, Each each) {
-  for (int kind = 0; kind < kEventKinds; ++kind)
+  for (int kind = 0; kind < kFirstOwnField + kOwnFields; ++kind)
     if (kinds.has(static_cast<EventKind>(kind))) each(static_cast<EventKind>(kind));
 }
 
@@ -29,7 +29,7 @@ Probe::Probe(const LogView& view, Condition condition, std::size_t position, Ver
              std::optional<std::int64_t> expansions_before)
     : log_(&view.log),
       lattice_(&view.lattice),
-      values_(view.info.values),
+      values_(&view.info.values),
       condition_(std::move(condition)),
       verdicts_(verdicts),
       position_(position) {
@@ -109,7 +109,7 @@ Probe::Slot* Probe::find_slot(EventKind kind, NodeId node) {
 bool Probe::is_interesting(std::size_t index) const {
   const Event event = log_->event(index);
   if (walked_.has(event.kind) || noted_.has(event.kind)) return true;
-  if (event.kind == EventKind::epoch && (slot_kinds_.meets(kForgotten) || walked_.meets(kForgotten)))
+  if (event.kind == EventKind::epoch && (slot_kinds_.meets(forgotten()) || walked_.meets(forgotten())))
     return true;
   if (slot_kinds_.has(event.kind) && (slot_nodes_ & node_bit(event.node)) != 0) return true;
   return reads_line_ && event.line != line_before(index);
@@ -153,9 +153,9 @@ bool Probe::cross(const Event& event) {
 /// Takes the values over an epoch, forwards: those that it forgets are what they were at first.
 bool Probe::cross_epoch(const Event& epoch) {
   for (Slot& slot : slots_)
-    if (kForgotten.has(slot.kind)) slot.raw = SearchState::initial_value(slot.kind);
+    if (forgotten().has(slot.kind)) slot.raw = log_->head().initial_value(slot.kind);
   if (!walked_.empty()) state_.apply(epoch);
-  return slot_kinds_.meets(kForgotten) || walked_.meets(kForgotten);
+  return slot_kinds_.meets(forgotten()) || walked_.meets(forgotten());
 }
 
 /// One event on. False if nothing happened that the expression could see.

@@ -72,6 +72,8 @@ class Probe {
     std::optional<std::int64_t> raw;  // of a cost
   };
 
+  /// What an epoch makes initial again.
+  [[nodiscard]] KindSet forgotten() const { return log_->head().forgotten(); }
   void collect(const Term& term);
   void collect_slot(EventKind kind, NodeId node);
   void load(std::optional<std::int64_t> expansions_before);
@@ -114,7 +116,7 @@ class Probe {
 
   const Timeline* log_;
   const Box* lattice_;
-  SearchValues values_;
+  const SearchValues* values_;
   Condition condition_;
   Verdicts verdicts_;
   std::size_t position_ = 0;

@@ -32,8 +32,7 @@ bool Probe::truth(const Term& term) {
     case Op::wall:
       return (raw(EventKind::truth, node_of(term)) & 1) != 0;
     case Op::consistent:
-      return values_ == SearchValues::best_first ||
-             raw(EventKind::g, node_of(term)) == raw(EventKind::rhs, node_of(term));
+      return !values_->lookahead() || raw(EventKind::g, node_of(term)) == raw(EventKind::rhs, node_of(term));
     case Op::on_line:
       return line() == term.number;
     case Op::taken:
@@ -159,7 +158,7 @@ bool Probe::event_is(Happening happening) {
     case Happening::replan:
       return event.delta != 0;
     case Happening::underconsistent:
-      return values_ == SearchValues::lookahead && state_.g(event.node) < state_.rhs(event.node);
+      return values_->lookahead() && state_.g(event.node) < state_.rhs(event.node);
     case Happening::sight_failed:
       return event.delta >> 32 == 0;
     case Happening::no_path:
@@ -183,7 +182,7 @@ bool Probe::changes(const Term& term) {
   const bool touched =
       scalar ? event.kind == EventKind::scalar && event.node == static_cast<NodeId>(*scalar)
              : (kinds.has(event.kind) && (!is_of_vertex(term.op) || event.node == node_of(term))) ||
-                   (event.kind == EventKind::epoch && kinds.meets(kForgotten));
+                   (event.kind == EventKind::epoch && kinds.meets(forgotten()));
   if (!touched) return false;
   const TermValue after = value(term);
   retreat();

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/base/words.hpp"
+#include "core/debug/event_words.hpp"
 #include "core/debug/open_order.hpp"
 #include "core/export/case_text.hpp"
 #include "core/export/json_lines.hpp"
@@ -80,7 +81,7 @@ std::vector<NodeId> next_queued(const Source& from) {
     if (n % SearchState::kPage == 0 && !state.touched(EventKind::queue, n))
       n += static_cast<NodeId>(SearchState::kPage) - 1;
     else if (state.queued(n))
-      entries.push_back(open_entry(state, from.view.info.values, n));
+      entries.push_back(open_entry(state, from.view.info.values.order, n));
   }
   const std::size_t shown = std::min(entries.size(), kMostQueued);
   std::partial_sort(entries.begin(), entries.begin() + static_cast<std::ptrdiff_t>(shown), entries.end());
@@ -191,31 +192,57 @@ const char* consistency(const Source& from, NodeId node) {
   return g > rhs ? "over" : "under";
 }
 
+/// In U by which key, or not.
+std::string key_text(const Source& from, NodeId node) {
+  if (!from.state.queued(node)) return "-";
+  const OpenEntry entry = open_entry(from.state, from.view.info.values.order, node);
+  return from.lookahead ? "[" + number(entry.k1) + "; " + number(entry.k2) + "]" : number(entry.k1);
+}
+
+std::string visits_text(const Source& from, NodeId node) {
+  const std::uint32_t times = from.state.times_expanded(node);
+  return times == 0 ? "-" : "#" + std::to_string(from.state.order(node)) + ", " + counted(times, "time");
+}
+
+std::string field_text(const Source& from, const Field& field, NodeId node) {
+  const std::uint64_t raw = from.state.value(field.kind, node);
+  switch (field.type) {
+    case FieldType::cost:
+      return number({static_cast<std::int64_t>(raw)});
+    case FieldType::queue:
+      return key_text(from, node);
+    case FieldType::node:
+      return cell_of(from, static_cast<NodeId>(raw) - 1u);
+    case FieldType::visits:
+      return visits_text(from, node);
+    default:
+      return value_text(from.view.lattice, field, raw);
+  }
+}
+
+/// The planner's values in the order of the columns: costs first, what it waits by in U, parents, the rest.
+std::vector<const Field*> columns(const Source& from) {
+  constexpr FieldType kOrder[] = {FieldType::cost, FieldType::queue, FieldType::node,    FieldType::visits,
+                                  FieldType::name, FieldType::count, FieldType::obstacle};
+  std::vector<const Field*> columns;
+  for (const FieldType type : kOrder)
+    for (const Field& field : from.view.info.values.fields)
+      if (field.type == type) columns.push_back(&field);
+  return columns;
+}
+
 std::vector<std::string> value_names(const Source& from) {
-  std::vector<std::string> names = {"cell", "state", "g"};
-  if (from.lookahead) names.emplace_back("rhs");
-  if (from.view.info.clearance) names.emplace_back("dist");
-  names.emplace_back("in U by");
-  names.emplace_back("lp");
-  if (from.view.info.sight) names.emplace_back("rp");
-  names.emplace_back("expanded");
+  std::vector<std::string> names = {"cell", "state"};
+  for (const Field* field : columns(from))
+    names.emplace_back(field->type == FieldType::queue    ? "in U by"
+                       : field->type == FieldType::visits ? "expanded"
+                                                          : field->name);
   return names;
 }
 
 std::vector<std::string> values(const Source& from, NodeId node) {
-  const SearchState& state = from.state;
-  std::vector<std::string> row = {cell_of(from, node), consistency(from, node), number(state.g(node))};
-  if (from.lookahead) row.push_back(number(state.rhs(node)));
-  if (from.view.info.clearance) row.push_back(number(state.dist(node)));
-  std::string key = "-";
-  if (state.queued(node))
-    key = from.lookahead ? "[" + number(state.k1(node)) + "; " + number(state.k2(node)) + "]"
-                         : number(state.k1(node));
-  row.push_back(std::move(key));
-  row.push_back(cell_of(from, state.lp(node)));
-  if (from.view.info.sight) row.push_back(cell_of(from, state.rp(node)));
-  const std::uint32_t times = state.times_expanded(node);
-  row.push_back(times == 0 ? "-" : "#" + std::to_string(state.order(node)) + ", " + counted(times, "time"));
+  std::vector<std::string> row = {cell_of(from, node), consistency(from, node)};
+  for (const Field* field : columns(from)) row.push_back(field_text(from, *field, node));
   return row;
 }
 
@@ -273,8 +300,7 @@ std::string hash_text(std::uint64_t hash) {
 
 std::string case_text(const Scenario& scenario, const LogView& view, const CaseFocus& focus) {
   const SearchState& state = view.log.state();
-  const Source from{
-      scenario, view, focus, state, state.node(Scalar::robot), view.info.values == SearchValues::lookahead};
+  const Source from{scenario, view, focus, state, state.node(Scalar::robot), view.info.values.lookahead()};
   const std::vector<NodeId> next = next_queued(from);
   const std::size_t queued = state.queue_size();
   std::string text =

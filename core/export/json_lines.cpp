@@ -114,7 +114,7 @@ void JsonLines::event(std::string& out, std::size_t index, const Event& event, c
   out += ",\"line\":";
   append_whole(out, event.line);
   out += ",\"kind\":\"";
-  out += event_name(event.kind);
+  out += event_name(run_.view.info.values, event.kind);
   if (event.kind == EventKind::scalar) {
     out += "\",\"name\":\"";
     out += scalar_name(static_cast<Scalar>(event.node));
@@ -137,40 +137,50 @@ void JsonLines::event(std::string& out, std::size_t index, const Event& event, c
 
 /// A raw value as its kind means it.
 void JsonLines::value(std::string& out, const Event& event, std::uint64_t raw) const {
-  switch (event.kind) {
-    case EventKind::g:
-    case EventKind::rhs:
-    case EventKind::dist:
+  if (event.kind == EventKind::scalar) return scalar(out, static_cast<Scalar>(event.node), raw);
+  if (event.kind == EventKind::truth) {
+    out += "{\"wall\":";
+    boolean(out, (raw & 1) != 0);
+    out += ",\"moving\":";
+    append_whole(out, raw >> 1);
+    out += '}';
+    return;
+  }
+  const Field& field = run_.view.info.values.field(event.kind);
+  switch (field.type) {
+    case FieldType::cost:
       return cost(out, as_cost(raw));
-    case EventKind::queue:
+    case FieldType::queue:
       if (raw == 0)
         out += "null";
       else
         cost(out, as_cost(raw - 1));
       return;
-    case EventKind::lp:
-    case EventKind::rp:
+    case FieldType::node:
       return cell(out, static_cast<NodeId>(raw) - 1u);
-    case EventKind::visit:
+    case FieldType::visits:
       out += "{\"order\":";
       append_whole(out, static_cast<std::uint32_t>(raw));
       out += ",\"times\":";
       append_whole(out, raw >> 32);
       out += '}';
       return;
-    case EventKind::known:
+    case FieldType::obstacle:
       return boolean(out, raw != 0);
-    case EventKind::truth:
-      out += "{\"wall\":";
-      boolean(out, (raw & 1) != 0);
-      out += ",\"moving\":";
-      append_whole(out, raw >> 1);
-      out += '}';
-      return;
-    default:
+    case FieldType::name:
+      if (raw < field.names.size()) {
+        ((out += '"') += field.names[raw]) += '"';
+        return;
+      }
+      break;
+    case FieldType::count:
       break;
   }
-  switch (static_cast<Scalar>(event.node)) {
+  append_whole(out, raw);
+}
+
+void JsonLines::scalar(std::string& out, Scalar which, std::uint64_t raw) const {
+  switch (which) {
     case Scalar::km:
       return cost(out, as_cost(raw));
     case Scalar::moves:

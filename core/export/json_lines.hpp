@@ -24,6 +24,7 @@ class JsonLines final : public TraceEncoder {
   void row(std::string& out, int y, bool known) const;
   void moving(std::string& out) const;
   void cell(std::string& out, NodeId node) const;
+  void scalar(std::string& out, Scalar which, std::uint64_t raw) const;
   void value(std::string& out, const Event& event, std::uint64_t raw) const;
   void payload(std::string& out, const Event& event) const;
 

@@ -149,7 +149,7 @@ PosthocSize posthoc_size(const Timeline& log) {
 PosthocTrace::PosthocTrace(const TraceRun& run, bool yaml)
     : run_(run),
       yaml_(yaml),
-      lookahead_(run.view.info.values == SearchValues::lookahead),
+      lookahead_(run.view.info.values.lookahead()),
       parents_(run.view.lattice.node_count(), kUnnamed) {}
 
 void PosthocTrace::head(std::string& out, std::size_t) {

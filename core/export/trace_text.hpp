@@ -11,8 +11,8 @@
 
 namespace replan {
 
-/// The fixed name of a kind in files: "rhs", "plan_begin".
-std::string_view event_name(EventKind kind);
+/// The fixed name of a kind in files: "rhs", "plan_begin". `values` are those of the planner.
+std::string_view event_name(const SearchValues& values, EventKind kind);
 /// The fixed name of a value of the run: "km", "robot".
 std::string_view scalar_name(Scalar scalar);
 

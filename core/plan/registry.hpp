@@ -11,16 +11,10 @@
 #include "core/lattice/box_lattice.hpp"
 #include "core/plan/parameters.hpp"
 #include "core/plan/planner.hpp"
+#include "core/plan/search_values.hpp"
 #include "core/trace/tracer.hpp"
 
 namespace replan {
-
-/// What a planner's values mean, and with that the laws that they keep (core/debug/laws.hpp) and how its open
-/// list is ordered (core/debug/open_order.hpp).
-enum class SearchValues : std::uint8_t {
-  best_first,  ///< g from the start; the list by f = g + h, then the larger g
-  lookahead,   ///< g and rhs to the goal; the list by [min(g, rhs) + h + km; min(g, rhs)]
-};
 
 /// What can be said of a planner without running it.
 struct PlannerInfo {
@@ -29,7 +23,7 @@ struct PlannerInfo {
   std::string_view summary;  ///< one sentence
   std::string_view source;   ///< authors, year, DOI
   std::vector<Parameter> parameters;
-  SearchValues values = SearchValues::best_first;
+  SearchValues values = best_first_values();
   bool exercise = false;     ///< broken on purpose, to learn finding it: not among "all" planners
   bool incremental = false;  ///< repairs its plan instead of starting afresh
   bool any_angle = false;    ///< its paths leave the lattice's directions

@@ -63,7 +63,9 @@ inline PlannerInfo describe(DStarLiteSwitches switches) {
   using namespace parameters;
   PlannerInfo info;
   info.incremental = info.from_goal = true;
-  info.values = SearchValues::lookahead;
+  info.values = lookahead_values();
+  if (switches.sight) info.values.fields.push_back(fields::kRp);
+  if (switches.clearance) info.values.fields.push_back(fields::kDist);
   info.any_angle = info.sight = switches.sight;
   info.clearance = switches.clearance;
   info.parameters = {kHeuristic};

@@ -21,16 +21,9 @@ Session::Session(Scenario scenario, std::string file, const RunLimits& limits)
     : scenario_(std::make_shared<const Scenario>(std::move(scenario))),
       limits_(limits),
       file_(std::move(file)),
-      scripted_(scenario_->surprises.size()) {
+      history_(scenario_->surprises.size()) {
   restart_runs();
   take_debug(scenario_->debug);
-}
-
-std::string Session::undo_text() const {
-  return undo_.empty() ? "" : undo_.back().label;
-}
-std::string Session::redo_text() const {
-  return redo_.empty() ? "" : redo_.back().label;
 }
 
 Result<void> Session::apply(const Command& command) {
@@ -77,12 +70,9 @@ void Session::replace(std::shared_ptr<const Scenario> scenario) {
 Result<void> Session::run_command(const ReplaceScenario& command) {
   scenario_ = std::make_shared<const Scenario>(command.scenario);
   file_ = command.file;
-  undo_.clear();
-  redo_.clear();
-  saved_at_ = 0;
-  taken_up_ = command.unsaved_edits;
-  scripted_ = std::min(command.scripted.value_or(scenario_->surprises.size()), scenario_->surprises.size());
-  playback_.direction = 0;
+  const std::size_t surprises = scenario_->surprises.size();
+  history_.begin(std::min(command.scripted.value_or(surprises), surprises), command.unsaved_edits);
+  player_.stop();
   restart_runs();
   take_debug(scenario_->debug);
   say(file_.empty() ? "new world" : "opened " + file_);
@@ -100,22 +90,21 @@ Result<void> Session::run_command(const Restart&) {
 
 Result<void> Session::run_command(const Play& command) {
   stop_hunt();
-  playback_.direction = command.direction;
+  player_.play(command.direction);
   returning_.reset();
-  owed_ = 0;
   for (const auto& run : runs_) run->set_travel(1);
   if (command.direction != 0) follow_ = false;
   return {};
 }
 
 Result<void> Session::run_command(const SetSpeed& command) {
-  playback_.expansions_per_second = std::clamp(command.expansions_per_second, 0.1, kFullSpeed);
+  player_.set_speed(command.expansions_per_second);
   return {};
 }
 
 Result<void> Session::run_command(const Step& command) {
   stop_hunt();
-  playback_.direction = 0;
+  player_.stop();
   returning_.reset();
   follow_ = false;
   if (command.unit == StepUnit::mission && command.count > 0) {
@@ -148,7 +137,7 @@ Result<void> Session::run_command(const Seek& command) {
 
 Result<void> Session::run_command(const RunToEnd&) {
   stop_hunt();
-  playback_.direction = 0;
+  player_.stop();
   returning_.reset();
   for (const auto& run : runs_) run->go(Target::end());
   follow_ = true;
@@ -191,53 +180,25 @@ bool Session::update(double seconds) {
   return changed;
 }
 
-/// How long playing shows what lies between two stops.
-double Session::seconds_of(const Run& run, std::size_t from, std::size_t to) const {
-  const double speed = playback_.expansions_per_second;
-  const EventKind kind = run.timeline().event(std::min(from, to)).kind;
-  if (kind != EventKind::move && kind != EventKind::waiting) return speed < kFullSpeed ? 1 / speed : 0;
-  const double step = 1 / std::min(speed, kMovesPerSecond);
-  if (run.scenario().robot.motion == Motion::steps) return step;
-  const Mark *before = run.mark_at(std::min(from, to)), *after = run.mark_at(std::max(from, to));
-  if (before == nullptr || after == nullptr) return step;
-  const double driven = static_cast<double>(after->time - before->time) / static_cast<double>(kSecond);
-  return std::min(driven, 1.0) / std::clamp(speed / kRealTimeSpeed, 0.125, 8.0);
-}
-
 bool Session::play(double seconds) {
-  if (playback_.direction == 0) return false;
+  if (!player_.plays()) return false;
   Run& run = leading();
-  owed_ = std::min(owed_ + seconds, 0.1);  // after a stall, go on instead of leaping
-  std::size_t cursor = run.timeline().cursor();
-  const std::size_t begin = cursor;
+  const std::size_t begin = run.timeline().cursor();
   const double travel_before = run.travel();
-  bool moves = playback_.direction > 0 && travel_before < 1;
-  int steps = 200000;  // of one frame, at full speed
-  while (owed_ > 0 && steps-- > 0) {
-    const bool at_end = playback_.direction > 0 ? cursor >= run.timeline().size() : cursor == 0;
-    if (at_end) break;
-    const std::size_t next = playback_.direction > 0 ? next_stop(run, cursor, StepUnit::expansion)
-                                                     : previous_stop(run, cursor, StepUnit::expansion);
-    step_seconds_ = seconds_of(run, cursor, next);
-    moves = run.timeline().event(std::min(cursor, next)).kind == EventKind::move;
-    owed_ -= step_seconds_;
-    cursor = next;
-  }
-  cursor = may_play_to(begin, cursor);
+  const Player::Place place = player_.advance(run, seconds);
+  const std::size_t cursor = may_play_to(begin, place.cursor);
   if (const auto stop = stop_between(begin, cursor)) {
     stop_at(*stop);
     return true;
   }
-  // A robot that drives smoothly is still on its way while time is owed to it.
-  const bool smooth = run.scenario().robot.motion == Motion::smooth && playback_.direction > 0 && moves;
-  seek(cursor, smooth && owed_ < 0 && step_seconds_ > 0 ? 1 + owed_ / step_seconds_ : 1);
+  seek(cursor, place.travel);
   const Mark* last = run.marks().empty() ? nullptr : &run.marks().back();
   const bool can_go_on = (last == nullptr || last->state == MissionState::driving) && run.failure().empty();
-  if (playback_.direction > 0 && can_go_on && run.timeline().size() - cursor < 64 && !run.busy())
+  if (player_.forwards() && can_go_on && run.timeline().size() - cursor < 64 && !run.busy())
     run.go(last == nullptr ? Target::plan() : Target::clock_at(last->clock + 4));
   const bool finished =
-      playback_.direction > 0 ? cursor >= run.timeline().size() && !can_go_on && !run.busy() : cursor == 0;
-  if (finished) playback_.direction = 0;
+      player_.forwards() ? cursor >= run.timeline().size() && !can_go_on && !run.busy() : cursor == 0;
+  if (finished) player_.stop();
   return cursor != begin || finished || run.travel() != travel_before;
 }
 

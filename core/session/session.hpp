@@ -12,18 +12,13 @@
 #include "core/session/breakpoints.hpp"
 #include "core/session/checks.hpp"
 #include "core/session/commands.hpp"
-#include "core/session/document_change.hpp"
+#include "core/session/history.hpp"
 #include "core/session/hunt.hpp"
+#include "core/session/player.hpp"
 #include "core/session/run.hpp"
 #include "core/session/watches.hpp"
 
 namespace replan {
-
-/// How the cursor moves by itself.
-struct Playback {
-  int direction = 0;  ///< 1 forwards, -1 backwards, 0 standing still
-  double expansions_per_second = 240;
-};
 
 /// Owns the document and its runs. Panels read it; only apply() and update() change it.
 ///
@@ -35,11 +30,7 @@ struct Playback {
 /// they were.
 class Session {
  public:
-  static constexpr double kFullSpeed = 1e6;      ///< from here on a frame shows as much as it can
-  static constexpr double kMovesPerSecond = 15;  ///< the robot's pace while playing, if the speed allows
-  /// At this speed a robot with Motion::smooth drives in real time; at others so much faster or slower, but
-  /// no more than eight times.
-  static constexpr double kRealTimeSpeed = 240;
+  static constexpr double kFullSpeed = Player::kFullSpeed, kRealTimeSpeed = Player::kRealTimeSpeed;
 
   /// Starts planning in the background.
   /// `limits` are for all panes together: they share the log's bytes evenly.
@@ -50,7 +41,7 @@ class Session {
   /// The pane whose timeline the transport shows and whose cursor the others follow, and its run.
   [[nodiscard]] std::size_t lead() const { return lead_; }
   [[nodiscard]] const Run& run() const { return *runs_[lead_]; }
-  [[nodiscard]] const Playback& playback() const { return playback_; }
+  [[nodiscard]] const Playback& playback() const { return player_.state(); }
   [[nodiscard]] Lockstep lockstep() const { return lockstep_; }
   [[nodiscard]] const Breakpoints& breakpoints() const { return breakpoints_; }
   [[nodiscard]] const Watches& watches() const { return watches_; }
@@ -60,25 +51,25 @@ class Session {
   [[nodiscard]] DebugSetup debug() const;
   [[nodiscard]] const std::string& file() const { return file_; }
   /// True if there are edits that were not saved.
-  [[nodiscard]] bool modified() const { return document_state() != saved_at_ || taken_up_ > 0; }
+  [[nodiscard]] bool modified() const { return history_.modified(); }
   /// How many edits were not saved, counted as undo counts them; 0 if and only if nothing is modified.
-  [[nodiscard]] std::size_t unsaved_edits() const;
+  [[nodiscard]] std::size_t unsaved_edits() const { return history_.unsaved(); }
   /// Another number after every edit, undo and redo; the same one when they have led back to the same
   /// document.
-  [[nodiscard]] std::uint64_t document_state() const { return undo_.empty() ? 0 : undo_.back().serial; }
+  [[nodiscard]] std::uint64_t document_state() const { return history_.document_state(); }
   /// The scenario, to be read from another thread while this one goes on editing.
   [[nodiscard]] std::shared_ptr<const Scenario> snapshot() const { return scenario_; }
   /// How many of its surprises came with the file; the later ones are edits of the running mission.
-  [[nodiscard]] std::size_t scripted() const { return scripted_; }
+  [[nodiscard]] std::size_t scripted() const { return history_.scripted(); }
   /// Counts every change of what a view could show: equal numbers, equal pictures.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   /// What undo would take back and redo bring back; empty if nothing.
-  [[nodiscard]] std::string undo_text() const;
-  [[nodiscard]] std::string redo_text() const;
+  [[nodiscard]] std::string undo_text() const { return history_.undo_text(); }
+  [[nodiscard]] std::string redo_text() const { return history_.redo_text(); }
   /// Every edit that can be taken back or brought back, oldest first; the first history_position() of them
   /// are made.
-  [[nodiscard]] std::vector<std::string> history() const;
-  [[nodiscard]] std::size_t history_position() const { return undo_.size(); }
+  [[nodiscard]] std::vector<std::string> history() const { return history_.labels(); }
+  [[nodiscard]] std::size_t history_position() const { return history_.position(); }
   /// The walls of the true world at the cursor, without what moves.
   [[nodiscard]] GridMap world() const;
   /// One line each, oldest first: what was done and what went wrong.
@@ -100,21 +91,6 @@ class Session {
   void saved(const std::string& file);
 
  private:
-  /// How far the runs had come and where their cursors stood.
-  struct Moment {
-    std::vector<std::size_t> lengths, cursors;
-    bool follow = true;
-  };
-  /// An undoable change.
-  struct Edit {
-    std::string label;
-    std::uint64_t stroke = 0;
-    std::uint64_t serial = 0;  ///< of the document's state after it
-    DocumentChange change;
-    std::size_t scripted_before = 0, scripted_after = 0;  // how many surprises were no edits
-    Moment left, undone;                                  ///< when it was made, and when it was taken back
-  };
-
   Result<void> run_command(const std::monostate&) { return {}; }
 #define REPLAN_COMMAND(NAME) Result<void> run_command(const NAME& command);
 #include "core/session/commands.def"
@@ -128,7 +104,7 @@ class Session {
   Result<void> edit_cells(const std::vector<CellChange>& cells, bool announced, std::uint64_t stroke,
                           std::string label = {});
   void commit(std::string label, std::uint64_t stroke, Scenario changed) {
-    commit(std::move(label), stroke, std::move(changed), scripted_);
+    commit(std::move(label), stroke, std::move(changed), history_.scripted());
   }
   void commit(std::string label, std::uint64_t stroke, Scenario changed, std::size_t scripted);
   void relabel(const std::string& label);
@@ -136,8 +112,8 @@ class Session {
   Result<void> replace_map(std::string label, GridMap map, std::optional<Cell> start,
                            std::optional<Cell> goal);
   void replace(std::shared_ptr<const Scenario> scenario);
-  [[nodiscard]] Moment moment() const;
-  void return_to(Moment moment);
+  [[nodiscard]] RunPlaces places() const;
+  void return_to(RunPlaces places);
   bool arrive();
   void match_panes();
   [[nodiscard]] Run& leading() {
@@ -149,8 +125,6 @@ class Session {
   void follow_lead();
   /// A planner with those of the settings that it declares too.
   [[nodiscard]] static PlannerChoice choice_of(const PlannerInfo& info, const Settings& settings);
-  void undo_edit(Scenario& scenario, Moment now);
-  void redo_edit(Scenario& scenario, Moment now);
   void commit_movers(std::string label, std::uint64_t stroke, std::vector<MovingObstacle> movers);
   [[nodiscard]] bool under_way() const;
   Result<void> edit_script(std::string label, std::uint64_t stroke, Surprise surprise);
@@ -158,7 +132,6 @@ class Session {
   bool play(double seconds);
   bool check();
   void show_difference();
-  [[nodiscard]] double seconds_of(const Run& run, std::size_t from, std::size_t to) const;
   void take_debug(const DebugSetup& debug);
   void start_hunt(HuntTask task);
   void stop_hunt();
@@ -187,11 +160,11 @@ class Session {
   std::shared_ptr<const Scenario> scenario_;
   std::vector<std::unique_ptr<Run>> runs_;
   RunLimits limits_;
-  std::optional<Moment> returning_;  // to which an undo leads back, while the runs are on their way there
+  std::optional<RunPlaces> returning_;  // to which an undo leads back, while the runs are on their way there
   std::size_t lead_ = 0;
-  std::vector<Edit> undo_, redo_;
+  History history_;
   std::string file_;
-  Playback playback_;
+  Player player_;
   Lockstep lockstep_ = Lockstep::expansions;
   Breakpoints breakpoints_;
   Watches watches_;
@@ -199,14 +172,9 @@ class Session {
   std::optional<HuntTask> hunting_;
   std::uint64_t stopped_log_ = 0;  // where the cursor was stopped
   std::size_t stopped_at_ = 0;
-  WorldSize instruments_world_;  // that breakpoints and watches were read for
-  double owed_ = 0;              // seconds of play not yet shown; negative: the last stop still lasts so long
-  double step_seconds_ = 0;      // how long the last stop lasts in all
-  bool follow_ = true;           // the cursor stays at the end of the log
-  bool catching_up_ = false;     // a pane beside the leading one has yet to run to where it belongs
-  std::uint64_t serials_ = 0, saved_at_ = 0;
-  std::size_t taken_up_ = 0;      // unsaved edits that came with the scenario
-  std::size_t scripted_ = 0;      // surprises that came with the scenario
+  WorldSize instruments_world_;   // that breakpoints and watches were read for
+  bool follow_ = true;            // the cursor stays at the end of the log
+  bool catching_up_ = false;      // a pane beside the leading one has yet to run to where it belongs
   std::size_t stroke_cells_ = 0;  // changed so far by the last stroke of a brush
   std::uint64_t revision_ = 1;
   std::vector<std::string> log_;

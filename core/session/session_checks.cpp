@@ -13,7 +13,7 @@ Result<void> Session::run_command(const FindDifference& command) {
     if (pane >= runs_.size()) return Error{"there is no pane " + std::to_string(pane + 1) + " to compare"};
   if (command.panes[0] == command.panes[1])
     return Error{"a run does not differ from itself: choose two panes"};
-  playback_.direction = 0;
+  player_.stop();
   if (checks_.compare(runs_, command.panes, command.what)) {
     for (const std::size_t pane : command.panes) runs_[pane]->go(Target::end());
   } else {

@@ -1,6 +1,5 @@
 // The session's edits: what changes the document, and how it is taken back and saved.
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #include "core/base/words.hpp"
@@ -9,25 +8,7 @@
 
 namespace replan {
 void Session::commit(std::string label, std::uint64_t stroke, Scenario changed, std::size_t scripted) {
-  Edit edit;
-  edit.label = std::move(label);
-  edit.stroke = stroke;
-  edit.serial = ++serials_;
-  edit.change = change_between(*scenario_, changed);
-  edit.left = moment();
-  edit.scripted_before = std::exchange(scripted_, scripted);
-  edit.scripted_after = scripted;
-  redo_.clear();
-  const bool goes_on = stroke != 0 && !undo_.empty() && undo_.back().stroke == stroke;
-  if (goes_on && !undo_.back().change.replaces_map() && !edit.change.replaces_map()) {
-    Edit& whole = undo_.back();
-    append(whole.change, std::move(edit.change));
-    whole.serial = edit.serial;
-    whole.scripted_after = edit.scripted_after;
-  } else {
-    say(edit.label);
-    undo_.push_back(std::move(edit));
-  }
+  if (history_.add(label, stroke, *scenario_, changed, scripted, places())) say(std::move(label));
   replace(std::make_shared<const Scenario>(std::move(changed)));
 }
 
@@ -41,8 +22,8 @@ Result<void> Session::run_command(const DropSurprise& command) {
 
 /// The last edit has grown: it is told by another text, in the log too.
 void Session::relabel(const std::string& label) {
-  if (!log_.empty() && log_.back() == undo_.back().label) log_.back() = label;
-  undo_.back().label = label;
+  if (!log_.empty() && log_.back() == history_.undo_text()) log_.back() = label;
+  history_.relabel(label);
 }
 
 /// What the script is still going to write into the rows of `cells` before an edit that is added to it
@@ -120,7 +101,7 @@ Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool anno
   const std::vector<CellChange> real = real_changes(cells, mark);
   if (real.empty()) return {};
   Scenario changed = *scenario_;
-  const bool goes_on = stroke != 0 && !undo_.empty() && undo_.back().stroke == stroke;
+  const bool goes_on = history_.goes_on(stroke);
   stroke_cells_ = real.size() + (goes_on ? stroke_cells_ : 0);
   if (label.empty())
     label = (announced ? real.front().blocked ? "paint " : "erase " : "surprise of ") +
@@ -220,7 +201,7 @@ Scenario Session::tidied() const {
     const Surprise& surprise = scenario_->surprises[i];
     const bool before_start = surprise.at.near || surprise.at.move == 0;
     const bool only_cells = !surprise.goal && !surprise.robot;
-    if (first_of_all && before_start && surprise.announced && only_cells && i >= scripted_ &&
+    if (first_of_all && before_start && surprise.announced && only_cells && i >= scripted() &&
         surprise.at.move) {
       for (const CellChange& change : surprise.cells) folded.map.set(change.cell, change.blocked);
       continue;
@@ -234,19 +215,9 @@ Scenario Session::tidied() const {
   return folded;
 }
 
-std::size_t Session::unsaved_edits() const {
-  if (!modified()) return 0;
-  // What was saved and then taken back differs from the file just as what was done since.
-  const auto after = [this](const Edit& edit) { return edit.serial > saved_at_; };
-  const auto done = std::count_if(undo_.begin(), undo_.end(), after);
-  const auto taken_back = saved_at_ == 0 ? 0 : std::count_if(redo_.begin(), redo_.end(), std::not_fn(after));
-  return std::max<std::size_t>(1, taken_up_ + static_cast<std::size_t>(done + taken_back));
-}
-
 void Session::saved(const std::string& file) {
   file_ = file;
-  saved_at_ = document_state();
-  taken_up_ = 0;
+  history_.saved();
   say("saved " + file);
   ++revision_;
 }

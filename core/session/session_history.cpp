@@ -5,8 +5,8 @@
 
 namespace replan {
 
-Session::Moment Session::moment() const {
-  Moment now;
+RunPlaces Session::places() const {
+  RunPlaces now;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     const Timeline& log = runs_[i]->timeline();
     // On the way back to a moment the runs are not yet what they are going to be.
@@ -18,11 +18,11 @@ Session::Moment Session::moment() const {
 }
 
 /// The runs are carried out again until they are as long as they were.
-void Session::return_to(Moment moment) {
-  if (moment.lengths.size() != runs_.size()) return;  // there were more or fewer panes
+void Session::return_to(RunPlaces places) {
+  if (places.lengths.size() != runs_.size()) return;  // there were more or fewer panes
   for (std::size_t i = 0; i < runs_.size(); ++i)
-    if (runs_[i]->timeline().size() < moment.lengths[i]) runs_[i]->go(Target::length_of(moment.lengths[i]));
-  returning_ = std::move(moment);
+    if (runs_[i]->timeline().size() < places.lengths[i]) runs_[i]->go(Target::length_of(places.lengths[i]));
+  returning_ = std::move(places);
   catching_up_ = false;
   arrive();
 }
@@ -51,71 +51,40 @@ bool Session::arrive() {
   return moved;
 }
 
-/// Takes back the last edit; it can be made again afterwards, and then leads to the moment `now`.
-void Session::undo_edit(Scenario& scenario, Moment now) {
-  Edit edit = std::move(undo_.back());
-  undo_.pop_back();
-  edit.undone = std::move(now);
-  take_back(edit.change, scenario);
-  scripted_ = edit.scripted_before;
-  redo_.push_back(std::move(edit));
-}
-
-void Session::redo_edit(Scenario& scenario, Moment now) {
-  Edit edit = std::move(redo_.back());
-  redo_.pop_back();
-  edit.left = std::move(now);
-  make_again(edit.change, scenario);
-  scripted_ = edit.scripted_after;
-  undo_.push_back(std::move(edit));
-}
-
 Result<void> Session::run_command(const Undo&) {
-  if (undo_.empty()) return Error{"there is nothing to undo"};
-  say("undo: " + undo_.back().label);
+  if (history_.position() == 0) return Error{"there is nothing to undo"};
+  say("undo: " + history_.undo_text());
   Scenario before = *scenario_;
-  undo_edit(before, moment());
+  RunPlaces there = history_.undo(before, places());
   replace(std::make_shared<const Scenario>(std::move(before)));
-  return_to(redo_.back().left);
+  return_to(std::move(there));
   return {};
 }
 
 Result<void> Session::run_command(const Redo&) {
-  if (redo_.empty()) return Error{"there is nothing to redo"};
-  say("redo: " + redo_.back().label);
+  if (history_.position() == history_.size()) return Error{"there is nothing to redo"};
+  say("redo: " + history_.redo_text());
   Scenario after = *scenario_;
-  redo_edit(after, moment());
+  RunPlaces there = history_.redo(after, places());
   replace(std::make_shared<const Scenario>(std::move(after)));
-  return_to(undo_.back().undone);
+  return_to(std::move(there));
   return {};
 }
 
 Result<void> Session::run_command(const GoToHistory& command) {
-  if (command.position > undo_.size() + redo_.size()) return Error{"the history has no such edit"};
-  if (command.position == undo_.size()) return {};
-  const bool back = command.position < undo_.size();
+  if (command.position > history_.size()) return Error{"the history has no such edit"};
+  if (command.position == history_.position()) return {};
+  const bool back = command.position < history_.position();
   Scenario there = *scenario_;
-  // On the way each edit leads to the moment at which it was left when it was there last.
-  Moment now = moment();
-  while (undo_.size() > command.position) {
-    undo_edit(there, std::move(now));
-    now = redo_.back().left;
-  }
-  while (undo_.size() < command.position) {
-    redo_edit(there, std::move(now));
-    now = undo_.back().undone;
-  }
-  say(undo_.empty() ? "back to the beginning" : (back ? "back to: " : "on to: ") + undo_.back().label);
+  // On the way each edit leads to where the runs stood when it was left last.
+  RunPlaces now = places();
+  while (history_.position() > command.position) now = history_.undo(there, std::move(now));
+  while (history_.position() < command.position) now = history_.redo(there, std::move(now));
+  say(command.position == 0 ? "back to the beginning"
+                            : (back ? "back to: " : "on to: ") + history_.undo_text());
   replace(std::make_shared<const Scenario>(std::move(there)));
   return_to(std::move(now));
   return {};
-}
-
-std::vector<std::string> Session::history() const {
-  std::vector<std::string> labels;
-  for (const Edit& edit : undo_) labels.push_back(edit.label);
-  for (auto edit = redo_.rbegin(); edit != redo_.rend(); ++edit) labels.push_back(edit->label);
-  return labels;
 }
 
 }  // namespace replan

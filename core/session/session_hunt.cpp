@@ -16,9 +16,9 @@ constexpr double kMillisecondsOfLooking = 2, kMillisecondsOfHunting = 4;
 constexpr std::int64_t kStepsAhead = 64;
 
 /// What GoToChange looks for, in words: "rhs(3, 4)", "km".
-std::string subject_of(const GoToChange& change, const Box& lattice) {
+std::string subject_of(const GoToChange& change, const Run& run) {
   if (change.kind == EventKind::scalar) return value_name(static_cast<Scalar>(change.node));
-  return value_name(change.kind) + node_text(lattice, change.node);
+  return value_name(run.info().values.field(change.kind)) + node_text(run.lattice(), change.node);
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ Result<void> Session::run_command(const GoToChange& command) {
   const Timeline& log = run().timeline();
   const bool scalar = command.kind == EventKind::scalar;
   const std::size_t nodes = scalar ? static_cast<std::size_t>(Scalar::count) : run().lattice().node_count();
-  if (command.node >= nodes || static_cast<int>(command.kind) >= kValueKinds)
+  if (command.node >= nodes || !Event{.kind = command.kind}.changes_value())
     return Error{"there is no such value to follow"};
   if (command.direction > 0) {
     HuntTask task{
@@ -56,11 +56,11 @@ Result<void> Session::run_command(const GoToChange& command) {
     start_hunt(std::move(task));
     return {};
   }
-  playback_.direction = 0;
+  player_.stop();
   // The event that the cursor stands behind is where it has gone already.
   const auto event = last_change(command, log.cursor() == 0 ? 0 : log.cursor() - 1);
   if (!event) {
-    say(subject_of(command, run().lattice()) + " does not change before here");
+    say(subject_of(command, run()) + " does not change before here");
     return {};
   }
   follow_ = false;
@@ -99,7 +99,7 @@ void Session::go_to_arrival() {
 }
 
 void Session::start_hunt(HuntTask task) {
-  playback_.direction = 0;
+  player_.stop();
   follow_ = false;
   task.log_id = run().log_id();
   task.from = run().timeline().cursor();
@@ -170,8 +170,7 @@ void Session::hunt_event() {
   if (arrival) event = next_arrival(task.looked);
   task.looked = size;
   if (!event && run_on()) return;
-  if (!event && !arrival)
-    return find_nothing(subject_of(task.change, run().lattice()) + " does not change after here");
+  if (!event && !arrival) return find_nothing(subject_of(task.change, run()) + " does not change after here");
   stop_hunt();
   seek(event ? *event + 1 : size);
 }
@@ -210,8 +209,7 @@ bool Session::run_on() {
 
 void Session::stop_at(const Hit hit) {
   stop_hunt();
-  playback_.direction = 0;
-  owed_ = 0;
+  player_.play(0);
   follow_ = false;
   seek(hit.position);
   const std::string& condition = breakpoints_.list()[hit.breakpoint].condition;

@@ -22,7 +22,7 @@ Result<void> check_mover(const MovingObstacle& mover, const GridMap& map) {
 /// Something that happens to the robot or its goal at its present step. Of a drag only the end counts.
 Result<void> Session::edit_script(std::string label, std::uint64_t stroke, Surprise surprise) {
   Scenario changed = *scenario_;
-  const bool same_drag = stroke != 0 && !undo_.empty() && undo_.back().stroke == stroke;
+  const bool same_drag = history_.goes_on(stroke);
   if (same_drag && !changed.surprises.empty()) {
     surprise.at.move = changed.surprises.back().at.move;
     changed.surprises.pop_back();

@@ -80,7 +80,7 @@ Result<void> Session::run_command(const ScheduleSurprise& command) {
   });
   const std::string when = surprise.at.move ? "at step " + std::to_string(*surprise.at.move)
                                             : "near " + cell_text(*surprise.at.near);
-  commit_in_place("schedule a surprise " + when, std::move(changed), scripted_);
+  commit_in_place("schedule a surprise " + when, std::move(changed), scripted());
   return {};
 }
 
@@ -89,7 +89,7 @@ Result<void> Session::run_command(const RemoveSurprise& command) {
   Scenario changed = *scenario_;
   changed.surprises.erase(command.index);
   commit_in_place("remove a surprise", std::move(changed),
-                  command.index < scripted_ ? scripted_ - 1 : scripted_);
+                  command.index < scripted() ? scripted() - 1 : scripted());
   return {};
 }
 
@@ -104,9 +104,9 @@ Result<void> Session::run_command(const ResizeWorld& command) {
   Result<Resized> done = resized(tidied(), command.size);
   if (!done) return Error{done.error()};
   const auto lost = std::count_if(done->surprises_lost.begin(), done->surprises_lost.end(),
-                                  [this](std::size_t index) { return index < scripted_; });
+                                  [this](std::size_t index) { return index < scripted(); });
   commit("resize to " + size_text(done->scenario.map), 0, std::move(done->scenario),
-         scripted_ - static_cast<std::size_t>(lost));
+         scripted() - static_cast<std::size_t>(lost));
   if (done->ends_moved) say("the start or the goal lay outside and moved to the nearest cell inside");
   if (done->cells_lost > 0)
     say(std::to_string(done->cells_lost) + " cells of surprises lay outside and are gone");
@@ -147,7 +147,7 @@ Result<void> Session::replace_map(std::string label, GridMap map, std::optional<
   place_ends(changed);
   changed.start = start.value_or(changed.start);
   changed.goal = goal.value_or(changed.goal);
-  playback_.direction = 0;
+  player_.stop();
   commit(std::move(label), 0, std::move(changed), 0);
   return {};
 }

@@ -6,6 +6,7 @@
 // forgotten is not in the log; who walks back over an epoch takes the state before it from the Timeline.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 
@@ -29,9 +30,8 @@ enum class EventKind : std::uint8_t {
   truth,  ///< what stands in the world: bit 0 a wall, the rest counts the moving obstacles there
   // Values of the run; the node field holds the Scalar
   scalar,
-  // What happened; `delta` is a payload
-  line,        ///< a pseudo-code line was passed that changed nothing
-  pop,         ///< taken from the open list; payload: 1 if it goes back with a newer key
+  // What happened; `delta` is a payload. Number 10 is free.
+  pop = 11,    ///< taken from the open list; payload: 1 if it goes back with a newer key
   sight,       ///< line-of-sight check from the node; payload: target | result << 32
   plan_begin,  ///< a first plan (payload 0) or the n-th replan begins
   plan_end,    ///< it is done; payload: PlanStatus
@@ -54,6 +54,29 @@ inline constexpr int kEventKinds = static_cast<int>(EventKind::epoch) + 1;
 inline constexpr int kWideFields = 7;    ///< EventKind::g .. visit
 inline constexpr int kNarrowFields = 2;  ///< EventKind::known, truth
 inline constexpr int kValueKinds = kWideFields + kNarrowFields + 1;
+
+/// A planner may have values per node of its own besides, 64 bits wide too: own_field(0) and so on (field.hpp).
+inline constexpr int kFirstOwnField = 32, kOwnFields = 8;
+static_assert(kEventKinds <= kFirstOwnField);
+inline constexpr int kWideSlots = kWideFields + kOwnFields;
+
+constexpr bool is_own_field(EventKind kind) {
+  return static_cast<int>(kind) >= kFirstOwnField;
+}
+/// Whether it changes a 64-bit value of a node.
+constexpr bool is_wide(EventKind kind) {
+  return static_cast<int>(kind) < kWideFields || is_own_field(kind);
+}
+/// The number of such a kind among all of them, from 0 on.
+constexpr std::size_t wide_slot(EventKind kind) {
+  const auto number = static_cast<std::size_t>(kind);
+  return is_own_field(kind) ? number - kFirstOwnField + kWideFields : number;
+}
+
+/// The kind of that number.
+constexpr EventKind wide_kind(std::size_t slot) {
+  return static_cast<EventKind>(slot < kWideFields ? slot : slot - kWideFields + kFirstOwnField);
+}
 
 /// Values that belong to the run and not to a node.
 enum class Scalar : std::uint8_t {
@@ -82,12 +105,15 @@ class KindSet {
   friend constexpr bool operator==(const KindSet&, const KindSet&) = default;
 
  private:
-  static constexpr std::uint32_t bit(EventKind kind) { return 1u << static_cast<unsigned>(kind); }
-  std::uint32_t bits_ = 0;
+  static constexpr std::uint64_t bit(EventKind kind) {
+    return std::uint64_t{1} << static_cast<unsigned>(kind);
+  }
+  std::uint64_t bits_ = 0;
 };
-static_assert(kEventKinds <= 32);
+static_assert(kFirstOwnField + kOwnFields <= 64);
 
-/// The values of nodes that an epoch makes the initial ones again. The penalties stay: they are the map's.
+/// The values of nodes that an epoch makes the initial ones again, besides a planner's own that are declared so.
+/// The penalties stay: they are the map's.
 inline constexpr KindSet kForgotten{EventKind::g,  EventKind::rhs, EventKind::queue,
                                     EventKind::lp, EventKind::rp,  EventKind::visit};
 
@@ -95,12 +121,14 @@ inline constexpr KindSet kForgotten{EventKind::g,  EventKind::rhs, EventKind::qu
 struct Event {
   std::uint64_t delta = 0;  ///< before XOR after, or a payload
   NodeId node = kNoNode;
-  EventKind kind = EventKind::line;
+  EventKind kind = EventKind::pop;
   std::uint8_t line = 0;  ///< pseudo-code line, as numbered in the planner's page
   std::uint16_t reserved =
       0;  ///< zero; keeps the record free of padding, so that logs can be hashed bytewise
 
-  [[nodiscard]] constexpr bool changes_value() const { return static_cast<int>(kind) < kValueKinds; }
+  [[nodiscard]] constexpr bool changes_value() const {
+    return static_cast<int>(kind) < kValueKinds || is_own_field(kind);
+  }
   friend constexpr bool operator==(const Event&, const Event&) = default;
 };
 static_assert(sizeof(Event) == 16);

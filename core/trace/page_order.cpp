@@ -6,23 +6,16 @@
 #include "core/trace/search_state.hpp"
 
 namespace replan {
-namespace {
-
-bool is_wide(const Event& event) {
-  return static_cast<int>(event.kind) < kWideFields;
-}
-
-}  // namespace
 
 /// Sets the ends to where the first event of each key goes.
 void PageOrder::count(std::span<const Event> events) {
-  constexpr int kKindBits = 3;
-  static_assert(kWideFields <= 1 << kKindBits);
+  constexpr int kKindBits = 4;
+  static_assert(kWideSlots <= 1 << kKindBits);
   ends_[0].assign((std::size_t{1} << low_bits_) + 1, 0);
   ends_[1].assign((std::size_t{1} << (kKindBits + page_bits_ - low_bits_)) + 1, 0);
   const std::size_t low = (std::size_t{1} << low_bits_) - 1;
   for (const Event& event : events) {
-    if (!is_wide(event)) continue;
+    if (!is_wide(event.kind)) continue;
     ++ends_[0][(key(event) & low) + 1];
     ++ends_[1][(key(event) >> low_bits_) + 1];
   }
@@ -39,7 +32,7 @@ std::span<const Event> PageOrder::sort(std::span<const Event> events, std::size_
     if (sorted.size() < wide) sorted.resize(events.size());
   const std::size_t low = (std::size_t{1} << low_bits_) - 1;
   for (const Event& event : events)
-    if (is_wide(event)) sorted_[0][ends_[0][key(event) & low]++] = event;
+    if (is_wide(event.kind)) sorted_[0][ends_[0][key(event) & low]++] = event;
   for (const Event& event : std::span(sorted_[0]).first(wide))
     sorted_[1][ends_[1][key(event) >> low_bits_]++] = event;
   return std::span(sorted_[1]).first(wide);

@@ -30,7 +30,7 @@ class PageOrder {
 
   void count(std::span<const Event> events);
   [[nodiscard]] std::size_t key(const Event& event) const {
-    return static_cast<std::size_t>(event.kind) << page_bits_ | event.node / kPage;
+    return wide_slot(event.kind) << page_bits_ | event.node / kPage;
   }
 
   int page_bits_ = 0, low_bits_ = 0;

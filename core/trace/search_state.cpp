@@ -4,38 +4,45 @@
 
 namespace replan {
 
-SearchState::SearchState(std::size_t nodes)
+SearchState::SearchState(std::size_t nodes, std::span<const Field> fields)
     : wide_pool_(std::make_shared<PagePool<std::uint64_t>>()),
       narrow_pool_(std::make_shared<PagePool<std::uint8_t>>()) {
-  for (std::size_t kind = 0; kind < kWideFields; ++kind)
-    wide_[kind] = untouched(static_cast<EventKind>(kind), nodes);
+  const auto make = [&](const Field& field) {
+    wide_[wide_slot(field.kind)] = PagedArray<std::uint64_t>(nodes, field.initial, wide_pool_);
+  };
+  for (const Field& field :
+       {fields::kG, fields::kRhs, fields::kQueue, fields::kLp, fields::kRp, fields::kDist, fields::kVisit})
+    make(field);
+  for (const Field& field : fields) {
+    if (!is_own_field(field.kind)) continue;
+    make(field);
+    ++wide_count_;
+    if (field.forgotten) forgotten_.add(field.kind);
+  }
   for (auto& field : narrow_) field = PagedArray<std::uint8_t>(nodes, 0, narrow_pool_);
 }
 
-SearchState::SearchState(SharedBytes known, SharedBytes truth) : SearchState(known.size()) {
+SearchState::SearchState(SharedBytes known, SharedBytes truth, std::span<const Field> fields)
+    : SearchState(known.size(), fields) {
   narrow_[0] = PagedArray<std::uint8_t>(std::move(known), narrow_pool_);
   narrow_[1] = PagedArray<std::uint8_t>(std::move(truth), narrow_pool_);
 }
 
-PagedArray<std::uint64_t> SearchState::untouched(EventKind kind, std::size_t nodes) const {
-  return PagedArray<std::uint64_t>(nodes, initial_value(kind), wide_pool_);
-}
-
 void SearchState::forget_search() {
-  for (std::size_t kind = 0; kind < kWideFields; ++kind)
-    if (const auto which = static_cast<EventKind>(kind); kForgotten.has(which))
-      wide_[kind] = untouched(which, node_count());
+  for (std::size_t slot = 0; slot < wide_count_; ++slot)
+    if (forgotten_.has(wide_kind(slot)))
+      wide_[slot] = PagedArray<std::uint64_t>(node_count(), wide_[slot].initial(), wide_pool_);
   queued_ = 0;
 }
 
 void SearchState::apply(std::span<const Event> events, PageOrder& order) {
   for (const Event& event : events)
-    if (static_cast<int>(event.kind) >= kWideFields) apply(event);
+    if (!is_wide(event.kind)) apply(event);
   // So far ahead that what is asked for is there in time: some groups, and some pages, of the order.
   constexpr std::size_t kGroupsAhead = 64, kPagesAhead = 32;
   const std::span<const Event> sorted = order.sort(events, node_count());
   const auto field = [&](std::size_t i) -> auto& {
-    return wide_[static_cast<std::size_t>(sorted[i].kind)];
+    return wide_[wide_slot(sorted[i].kind)];
   };
   for (std::size_t i = 0; i < sorted.size();) {
     if (i + kGroupsAhead < sorted.size()) field(i + kGroupsAhead).fetch_group(sorted[i + kGroupsAhead].node);
@@ -48,15 +55,15 @@ void SearchState::apply(std::span<const Event> events, PageOrder& order) {
 }
 
 std::uint64_t SearchState::value(EventKind kind, NodeId node) const {
+  if (is_wide(kind)) return wide(kind, node);
   const auto index = static_cast<std::size_t>(kind);
-  if (index < kWideFields) return wide_[index][node];
   if (index < kWideFields + kNarrowFields) return narrow_[index - kWideFields][node];
   return kind == EventKind::scalar ? scalars_[node] : 0;
 }
 
 bool SearchState::touched(EventKind kind, NodeId node) const {
+  if (is_wide(kind)) return wide_[wide_slot(kind)].touched(node);
   const auto index = static_cast<std::size_t>(kind);
-  if (index < kWideFields) return wide_[index].touched(node);
   return index < kWideFields + kNarrowFields && narrow_[index - kWideFields].touched(node);
 }
 
@@ -78,7 +85,7 @@ std::uint64_t hash_field(std::uint64_t seed, const PagedArray<T>& field) {
 
 std::uint64_t SearchState::hash() const {
   std::uint64_t seed = node_count();
-  for (const auto& field : wide_) seed = hash_combine(hash_field(seed, field), 1);
+  for (const auto& field : declared()) seed = hash_combine(hash_field(seed, field), 1);
   for (const auto& field : narrow_) seed = hash_combine(hash_field(seed, field), 2);
   for (const std::uint64_t value : scalars_) seed = hash_combine(seed, value);
   return seed;
@@ -86,7 +93,7 @@ std::uint64_t SearchState::hash() const {
 
 std::size_t SearchState::page_bytes() const {
   std::size_t bytes = 0;
-  for (const auto& field : wide_) bytes += field.page_bytes();
+  for (const auto& field : declared()) bytes += field.page_bytes();
   for (const auto& field : narrow_) bytes += field.page_bytes();
   return bytes;
 }
@@ -97,7 +104,7 @@ std::size_t SearchState::family_bytes() const {
 
 std::size_t SearchState::table_bytes() const {
   std::size_t bytes = sizeof(*this);
-  for (const auto& field : wide_) bytes += field.table_bytes();
+  for (const auto& field : declared()) bytes += field.table_bytes();
   for (const auto& field : narrow_) bytes += field.table_bytes();
   return bytes;
 }

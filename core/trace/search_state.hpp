@@ -10,6 +10,7 @@
 
 #include "core/base/cost.hpp"
 #include "core/trace/event.hpp"
+#include "core/trace/field.hpp"
 #include "core/trace/page_order.hpp"
 #include "core/trace/paged.hpp"
 
@@ -21,11 +22,12 @@ namespace replan {
 class SearchState {
  public:
   SearchState() = default;
-  /// The state before the first event of a run over `nodes` nodes: nothing known, all costs infinite.
-  explicit SearchState(std::size_t nodes);
+  /// The state before the first event of a run over `nodes` nodes: nothing known, all costs infinite. Of the
+  /// fields that the planner has declared, those of its own are looked at here.
+  explicit SearchState(std::size_t nodes, std::span<const Field> fields = {});
   /// As above, with the robot's map (nonzero = obstacle) and the world (as EventKind::truth holds it) before
   /// the run. Both are read where they are: nothing is copied.
-  SearchState(SharedBytes known, SharedBytes truth);
+  SearchState(SharedBytes known, SharedBytes truth, std::span<const Field> fields = {});
 
   [[nodiscard]] std::size_t node_count() const { return narrow_[0].size(); }
 
@@ -40,6 +42,8 @@ class SearchState {
       scalars_[event.node] ^= event.delta;
     else if (event.kind == EventKind::epoch)
       forget_search();
+    else if (is_own_field(event.kind))
+      apply_wide(event);
   }
 
   /// The same over all of a stretch of the log at once, which is much cheaper where they are many: what they
@@ -81,17 +85,18 @@ class SearchState {
   }
 
   /// What a value per node is before anything is written.
-  [[nodiscard]] static constexpr std::uint64_t initial_value(EventKind kind) {
-    const bool is_cost = kind == EventKind::g || kind == EventKind::rhs;
-    return is_cost ? static_cast<std::uint64_t>(Cost::kInfinityRaw) : 0;
+  [[nodiscard]] std::uint64_t initial_value(EventKind kind) const {
+    return is_wide(kind) ? wide_[wide_slot(kind)].initial() : 0;
   }
+  /// The values per node that an epoch makes the initial ones again.
+  [[nodiscard]] KindSet forgotten() const { return forgotten_; }
   /// The raw value of any kind, as events hold it; `node` is the Scalar for EventKind::scalar.
   [[nodiscard]] std::uint64_t value(EventKind kind, NodeId node) const;
   /// True if the page of `node` (kPage nodes) was ever written for that kind; false lets readers skip it.
   [[nodiscard]] bool touched(EventKind kind, NodeId node) const;
   /// The page of `node` for a 64-bit kind, as PagedArray::page(): for readers of long stretches.
   [[nodiscard]] const std::uint64_t* page(EventKind kind, NodeId node) const {
-    return wide_[static_cast<std::size_t>(kind)].page(node);
+    return wide_[wide_slot(kind)].page(node);
   }
   /// The same of the robot's map (EventKind::known) or the true one (EventKind::truth); nonzero = obstacle.
   [[nodiscard]] const std::uint8_t* map_page(EventKind kind, NodeId node) const {
@@ -110,17 +115,17 @@ class SearchState {
   [[nodiscard]] std::size_t family_bytes() const;
   /// How many states of the family there are: this one, and its copies and theirs.
   [[nodiscard]] std::size_t family_size() const {
-    return static_cast<std::size_t>(wide_pool_.use_count()) / (kWideFields + 1);
+    return static_cast<std::size_t>(wide_pool_.use_count()) / (wide_count_ + 1);
   }
   /// Bytes that each copy takes without its pages.
   [[nodiscard]] std::size_t table_bytes() const;
 
  private:
   void forget_search();
-  [[nodiscard]] PagedArray<std::uint64_t> untouched(EventKind kind, std::size_t nodes) const;
-  void apply_wide(const Event& event) {
-    write(wide_[static_cast<std::size_t>(event.kind)].at(event.node), event);
+  [[nodiscard]] std::span<const PagedArray<std::uint64_t>> declared() const {
+    return std::span(wide_).first(wide_count_);
   }
+  void apply_wide(const Event& event) { write(wide_[wide_slot(event.kind)].at(event.node), event); }
   void write(std::uint64_t& value, const Event& event) {
     if (event.kind == EventKind::queue) {
       if (value != 0) --queued_;
@@ -128,9 +133,7 @@ class SearchState {
     }
     value ^= event.delta;
   }
-  [[nodiscard]] std::uint64_t wide(EventKind kind, NodeId n) const {
-    return wide_[static_cast<std::size_t>(kind)][n];
-  }
+  [[nodiscard]] std::uint64_t wide(EventKind kind, NodeId n) const { return wide_[wide_slot(kind)][n]; }
   [[nodiscard]] Cost cost(EventKind kind, NodeId n) const {
     return {static_cast<std::int64_t>(wide(kind, n))};
   }
@@ -138,7 +141,10 @@ class SearchState {
   // Where the pages of all fields lie, those of copies too.
   std::shared_ptr<PagePool<std::uint64_t>> wide_pool_;
   std::shared_ptr<PagePool<std::uint8_t>> narrow_pool_;
-  std::array<PagedArray<std::uint64_t>, kWideFields> wide_;
+  std::array<PagedArray<std::uint64_t>, kWideSlots>
+      wide_;  // by wide_slot(); those that are not declared are empty
+  std::size_t wide_count_ = kWideFields;
+  KindSet forgotten_ = kForgotten;
   std::array<PagedArray<std::uint8_t>, kNarrowFields> narrow_;
   std::array<std::uint64_t, static_cast<std::size_t>(Scalar::count)> scalars_{};
   std::size_t queued_ = 0;

@@ -254,7 +254,7 @@ std::optional<std::size_t> Timeline::next_of_node(NodeId node, KindSet kinds, st
 
 std::optional<std::size_t> Timeline::last_event(NodeId node, KindSet kinds, std::size_t before) const {
   const auto found = last_of_node(node, kinds, before);
-  if (!kinds.meets(kForgotten)) return found;
+  if (!kinds.meets(head_.forgotten())) return found;
   const auto after = std::lower_bound(epochs_.begin(), epochs_.end(), before);
   if (after == epochs_.begin()) return found;
   return std::max(found.value_or(0), *std::prev(after));
@@ -262,7 +262,7 @@ std::optional<std::size_t> Timeline::last_event(NodeId node, KindSet kinds, std:
 
 std::optional<std::size_t> Timeline::next_event(NodeId node, KindSet kinds, std::size_t from) const {
   const auto found = next_of_node(node, kinds, from);
-  if (!kinds.meets(kForgotten)) return found;
+  if (!kinds.meets(head_.forgotten())) return found;
   const auto epoch = std::lower_bound(epochs_.begin(), epochs_.end(), from);
   if (epoch == epochs_.end()) return found;
   return std::min(found.value_or(*epoch), *epoch);
@@ -272,7 +272,7 @@ bool Timeline::changes(std::size_t index, NodeId node, EventKind kind) const {
   const Event e = event(index);
   if (e.kind != EventKind::epoch) return e.delta != 0;
   if (!last_of_node(node, {kind}, index)) return false;
-  return state_at(index).value(kind, node) != SearchState::initial_value(kind);
+  return state_at(index).value(kind, node) != head_.initial_value(kind);
 }
 
 std::uint64_t Timeline::log_hash() const {

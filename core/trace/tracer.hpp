@@ -18,7 +18,6 @@ concept Tracer = requires(T tracer, EventKind kind, NodeId node, std::uint64_t w
                           Scalar scalar) {
   { T::kEnabled } -> std::convertible_to<bool>;
   tracer.line(line);
-  tracer.pass(line, node);
   tracer.change(kind, node, word, word);
   tracer.change(kind, node, cost, cost);
   tracer.change(scalar, word, word);
@@ -29,7 +28,6 @@ concept Tracer = requires(T tracer, EventKind kind, NodeId node, std::uint64_t w
 struct NoTrace {
   static constexpr bool kEnabled = false;
   static constexpr void line(int) {}
-  static constexpr void pass(int, NodeId) {}
   static constexpr void change(EventKind, NodeId, std::uint64_t, std::uint64_t) {}
   static constexpr void change(EventKind, NodeId, Cost, Cost) {}
   static constexpr void change(Scalar, std::uint64_t, std::uint64_t) {}
@@ -44,11 +42,6 @@ class Recorder {
   /// The pseudo-code line that the following events belong to.
   void line(int number) { line_ = static_cast<std::uint8_t>(number); }
   [[nodiscard]] int current_line() const { return line_; }
-  /// A line that changes nothing by itself, worth a step of its own.
-  void pass(int number, NodeId node) {
-    line(number);
-    push(EventKind::line, node, 0);
-  }
   void change(EventKind kind, NodeId node, std::uint64_t before, std::uint64_t after) {
     if (before != after) push(kind, node, before ^ after);
   }

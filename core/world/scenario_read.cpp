@@ -168,16 +168,14 @@ class ScenarioReader {
     scenario_.planners.push_back(std::move(choice));
   }
 
-  /// A stage by its id alone, or with settings.
   static void read_stage(const JsonNode& node, std::vector<StageChoice>& stages) {
-    const bool id_alone = node.value().is_string();
-    if (!id_alone && !node.expect_object({"id", "settings"})) return;
-    const auto id = id_alone ? std::optional(node) : node.require("id");
+    if (!node.expect_object({"id", "settings"})) return;
+    const auto id = node.require("id");
     if (!id) return;
     StageChoice choice{id->text(), {}};
     const Result<const StageInfo*> info = require_stage(choice.id);
     if (!info) return id->fail(info.error());
-    if (const auto settings = id_alone ? std::nullopt : node.find("settings"))
+    if (const auto settings = node.find("settings"))
       read_settings(*settings, (*info)->parameters, choice.settings);
     stages.push_back(std::move(choice));
   }

@@ -66,7 +66,7 @@ Json planner_json(const PlannerChoice& choice) {
   for (const StageChoice& stage : choice.stages) {
     Json one = {{"id", stage.id}};
     add_settings(one, stage.settings, parameters_of(find_stage(stage.id)));
-    planner["stages"].push_back(one.size() == 1 ? Json(stage.id) : std::move(one));
+    planner["stages"].push_back(std::move(one));
   }
   return planner;
 }

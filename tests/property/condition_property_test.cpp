@@ -189,7 +189,7 @@ class Plain {
       case Happening::replan:
         return e.kind == EventKind::plan_begin && e.delta > 0;
       case Happening::underconsistent:
-        return log_.info->values == SearchValues::lookahead && e.kind == EventKind::pop &&
+        return log_.info->values.lookahead() && e.kind == EventKind::pop &&
                state.g(e.node) < state.rhs(e.node);
       case Happening::sight_failed:
         return e.kind == EventKind::sight && (e.delta >> 32) == 0;
@@ -225,7 +225,7 @@ class Plain {
       case Op::wall:
         return state.wall(node(term));
       case Op::consistent:
-        return log_.info->values == SearchValues::best_first || state.g(node(term)) == state.rhs(node(term));
+        return !log_.info->values.lookahead() || state.g(node(term)) == state.rhs(node(term));
       case Op::on_line:
         return line_ == static_cast<int>(term.number);
       case Op::taken:

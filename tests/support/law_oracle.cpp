@@ -61,8 +61,7 @@ class Bench {
     if (map_stale_) map_changed();
     std::vector<NodeId> wrong;
     for (NodeId n = 0; n < world_.blocked.size(); ++n) {
-      const bool holds =
-          view_.info.values == SearchValues::lookahead ? lookahead_holds(n) : best_first_holds(n);
+      const bool holds = view_.info.values.lookahead() ? lookahead_holds(n) : best_first_holds(n);
       if (!holds) wrong.push_back(n);
     }
     return wrong;
@@ -122,7 +121,7 @@ class Bench {
 
   std::optional<NodeId> plan_fault(PlanStatus status) {
     const NodeId goal = state_.node(Scalar::goal), start = state_.node(Scalar::start);
-    const bool lookahead = view_.info.values == SearchValues::lookahead;
+    const bool lookahead = view_.info.values.lookahead();
     const NodeId end = lookahead ? start : goal;
     if (!on_map(end)) return std::nullopt;
     const bool free =

@@ -13,7 +13,7 @@ constexpr std::uint64_t raw(std::int64_t cells) {
 TEST(EventWords, tellWhatEachKindOfEventDid) {
   const Box lattice(10, 8);
   const auto text = [&](EventKind kind, NodeId node, std::uint64_t delta, std::uint64_t after = 0) {
-    return event_text(lattice, {delta, node, kind, 0, 0}, after);
+    return event_text(lattice, lookahead_values(), {delta, node, kind, 0, 0}, after);
   };
   const NodeId at = lattice.node(Cell{3, 2});
   const auto infinite = static_cast<std::uint64_t>(Cost::kInfinityRaw);

@@ -42,7 +42,7 @@ std::vector<OpenEntry> sorted(const Run& run) {
   std::vector<OpenEntry> entries;
   const SearchState& state = run.timeline().state();
   for (NodeId n = 0; n < state.node_count(); ++n)
-    if (state.queued(n)) entries.push_back(open_entry(state, run.info().values, n));
+    if (state.queued(n)) entries.push_back(open_entry(state, run.info().values.order, n));
   std::sort(entries.begin(), entries.end());
   return entries;
 }
@@ -138,7 +138,7 @@ TEST(OpenOrder, BlocksSplitAndEmpty) {
     longest = std::max(longest, order.size());
     std::vector<OpenEntry> expected;
     for (NodeId n = 0; n < kNodes; ++n)
-      if (log.state().queued(n)) expected.push_back(open_entry(log.state(), info.values, n));
+      if (log.state().queued(n)) expected.push_back(open_entry(log.state(), info.values.order, n));
     std::sort(expected.begin(), expected.end());
     expect_order(order, expected);
   }

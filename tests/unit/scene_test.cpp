@@ -123,7 +123,7 @@ TEST(Scene, PathRunsThroughTheRoutesVertices) {
   ASSERT_EQ(lines[0].points.size(), nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Cell cell = run.lattice().position(nodes[i]);
-    EXPECT_EQ(lines[0].points[i], (Point{cell.x + 0.5, cell.y + 0.5}));
+    EXPECT_EQ(lines[0].points[i], centre_of(cell));
   }
 }
 
@@ -142,7 +142,7 @@ TEST(Scene, TheNearestCellStandsBesideTheGoalWhileTheRobotMakesForIt) {
     return std::any_of(discs.begin(), discs.end(),
                        [&](const Disc& disc) { return disc.centre == at && disc.glyph == glyph; });
   };
-  const Point goal{17.5, 7.5}, nearest{9.5, 7.5};
+  const Point goal{17.5, 7.5, 0.5}, nearest{9.5, 7.5, 0.5};
   EXPECT_FALSE(built(scenario).shows(Sign::nearest)) << "a robot that waits makes for its goal";
   scenario.robot.unreachable_goal = UnreachableGoal::nearest;
   const Scene shut = built(scenario);

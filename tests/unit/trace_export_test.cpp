@@ -159,7 +159,7 @@ class Rebuilt {
  private:
   static EventKind kind(const std::string& name) {
     int kind = 0;
-    while (event_name(static_cast<EventKind>(kind)) != name) ++kind;
+    while (event_name({}, static_cast<EventKind>(kind)) != name) ++kind;
     return static_cast<EventKind>(kind);
   }
   static NodeId scalar(const std::string& name) {

@@ -25,10 +25,10 @@ json full_document() {
     "map": {"rows": ["....", ".@..", "...?"], "resolution": 0.05, "origin": [-10, 2.5, 0.1]},
     "start": [0, 0], "goal": [3, 2],
     "planners": [{"id": "dld-star-lite", "settings": {"heuristic": "euclidean", "range": 2.5, "border": true}},
-                 {"id": "dstar-lite"}],
+                 {"id": "dstar-lite", "stages": [{"id": "collinear", "settings": {}}]}],
     "robot": {"knowledge": "nothing", "sensor_radius": 4.5, "sensor_blocked": true,
               "motion": "smooth", "speed": 2.5, "patience": 10,
-              "unreachable_goal": "nearest", "robot_cell_blocks": true},
+              "unreachable_goal": "nearest", "robot_cell_blocks": true, "kind": "cells", "settings": {}},
     "surprises": [
       {"at": {"move": 12}, "add": {"cells": [[2, 0]], "rectangles": [[2, 1, 2, 2]]}, "announced": true},
       {"at": {"move": 0}, "remove": {"cells": [[1, 1]]}},
@@ -73,6 +73,7 @@ TEST(Scenario, ReadsEveryKey) {
   EXPECT_EQ(scenario->planners[0].settings.get("range", 0), 2.5);
   EXPECT_EQ(scenario->planners[0].settings.get("heuristic", 0), 1);
   EXPECT_EQ(scenario->planners[0].settings.get("border", 0), 1);
+  EXPECT_EQ(scenario->planners[1].stages, (std::vector<StageChoice>{{"collinear", {}}}));
   EXPECT_EQ(scenario->map.blocked[scenario->map.index({3, 2})], kUnmapped);
   EXPECT_EQ(scenario->map.origin, (std::array{-10.0, 2.5, 0.1}));
   EXPECT_EQ(scenario->robot, (RobotSetup{Knowledge::nothing, 4.5, true, Motion::smooth, 2.5, 10,

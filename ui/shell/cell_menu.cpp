@@ -51,7 +51,7 @@ void value_menu_items(Frame& frame, const char* name, EventKind kind, Cell cell)
 void cell_menu_items(Frame& frame, Cell cell) {
   const Look& look = frame.look;
   const PlannerInfo& info = frame.run().info();
-  const bool lookahead = info.values == SearchValues::lookahead;
+  const bool lookahead = info.values.lookahead();
   const NodeId node = frame.run().lattice().node(cell);
   text(look.fonts.title, look.theme.text, "Cell " + cell_text(cell));
   ImGui::Separator();

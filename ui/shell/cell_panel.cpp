@@ -33,22 +33,22 @@ std::string rank_text(const CellView& view) {
   constexpr std::size_t kMostNodes = std::size_t{1} << 20;
   if (!view.state.queued(view.node)) return "no";
   if (view.state.node_count() > kMostNodes) return "yes";
-  const SearchValues values = view.run.info().values;
-  const OpenEntry mine = open_entry(view.state, values, view.node);
+  const ListOrder& order = view.run.info().values.order;
+  const OpenEntry mine = open_entry(view.state, order, view.node);
   std::size_t rank = 1;
   for (NodeId n = 0; n < view.state.node_count(); ++n) {
     if (n % SearchState::kPage == 0 && !view.state.touched(EventKind::queue, n)) {
       n += static_cast<NodeId>(SearchState::kPage) - 1;
       continue;
     }
-    if (view.state.queued(n) && open_entry(view.state, values, n) < mine) ++rank;
+    if (view.state.queued(n) && open_entry(view.state, order, n) < mine) ++rank;
   }
   return "yes, #" + std::to_string(rank);
 }
 
 /// One value of the block at the top: what it is called, what it is, and which events write it.
-struct Field {
-  const char* name;
+struct ValueRow {
+  std::string name;
   std::string value;
   EventKind kind;
   ImU32 colour = 0;
@@ -61,33 +61,38 @@ std::string key_text(const CellView& view) {
   return view.lookahead ? k1 + " ; " + cost_text(view.state.k2(view.node), 1) : k1;
 }
 
-std::vector<Field> fields_of(const Theme& theme, const CellView& view) {
+/// The rows of the declared values of one type.
+void add_rows(std::vector<ValueRow>& rows, const CellView& view, FieldType type) {
+  for (const Field& field : view.run.info().values.fields)
+    if (field.type == type)
+      rows.push_back({std::string(field.label),
+                      value_text(view.run.lattice(), field, view.state.value(field.kind, view.node)),
+                      field.kind});
+}
+
+std::vector<ValueRow> rows_of(const Theme& theme, const CellView& view) {
   const SearchState& state = view.state;
-  const PlannerInfo& info = view.run.info();
   const auto [state_word, state_colour] = consistency(theme, view);
   const bool marked = state_colour != theme.text && state_colour != theme.dim;
-  std::vector<Field> fields = {{"g", cost_text(state.g(view.node)), EventKind::g}};
-  if (view.lookahead) fields.push_back({"rhs", cost_text(state.rhs(view.node)), EventKind::rhs});
-  if (info.clearance) fields.push_back({"dist", cost_text(state.dist(view.node)), EventKind::dist});
-  fields.push_back(
-      {"state", state_word, view.lookahead ? EventKind::rhs : EventKind::g, state_colour, marked});
-  fields.push_back({view.lookahead ? "key" : "f", key_text(view), EventKind::queue});
-  fields.push_back({"in U", rank_text(view), EventKind::queue});
-  fields.push_back(
-      {view.lookahead ? "lp" : "parent", node_text(view.run, state.lp(view.node)), EventKind::lp});
-  if (info.sight) fields.push_back({"rp", node_text(view.run, state.rp(view.node)), EventKind::rp});
+  std::vector<ValueRow> rows;
+  add_rows(rows, view, FieldType::cost);
+  rows.push_back({"state", state_word, view.lookahead ? EventKind::rhs : EventKind::g, state_colour, marked});
+  rows.push_back({view.lookahead ? "key" : "f", key_text(view), EventKind::queue});
+  rows.push_back({"in U", rank_text(view), EventKind::queue});
+  for (const FieldType type : {FieldType::node, FieldType::name, FieldType::count})
+    add_rows(rows, view, type);
   if (state.order(view.node) != 0) {
-    fields.push_back({"expanded", std::to_string(state.times_expanded(view.node)) + "×", EventKind::visit});
-    fields.push_back({"as number", grouped(std::int64_t{state.order(view.node)}), EventKind::visit});
+    rows.push_back({"expanded", std::to_string(state.times_expanded(view.node)) + "×", EventKind::visit});
+    rows.push_back({"as number", grouped(std::int64_t{state.order(view.node)}), EventKind::visit});
   }
-  return fields;
+  return rows;
 }
 
 /// Who wrote a value last, as a tooltip, and what a click on it does.
-void value_hint(Frame& frame, const CellView& view, const Field& field) {
-  const auto written = view.run.timeline().last_event(view.node, {field.kind}, view.run.timeline().cursor());
-  const std::string title = std::string(field.name) + " = " + field.value;
-  const GlossaryTerm* term = find_term(field.name);
+void value_hint(Frame& frame, const CellView& view, const ValueRow& row) {
+  const auto written = view.run.timeline().last_event(view.node, {row.kind}, view.run.timeline().cursor());
+  const std::string title = row.name + " = " + row.value;
+  const GlossaryTerm* term = find_term(row.name);
   const std::string words = (term == nullptr ? "" : std::string(term->text) + "\n\n") +
                             (written ? "Written by event " + grouped(*written + 1) + ", " +
                                            origin_text(frame, *written) + ". Click to go there.\n"
@@ -102,13 +107,13 @@ void value_hint(Frame& frame, const CellView& view, const Field& field) {
 /// The block at the top. A value leads to the event that wrote it, and has a menu.
 void values(Frame& frame, const CellView& view) {
   const Look& look = frame.look;
-  const std::vector<Field> fields = fields_of(look.theme, view);
+  const std::vector<ValueRow> rows = rows_of(look.theme, view);
   std::vector<KeyValue> pairs;
-  for (const Field& field : fields) pairs.push_back({field.name, field.value, field.colour, field.strong});
+  for (const ValueRow& row : rows) pairs.push_back({row.name.c_str(), row.value, row.colour, row.strong});
   const int at = key_values(look, pairs, 2, Align::left, true);
   int& chosen = frame.panels.debugger.chosen_value;
   if (at >= 0) {
-    value_hint(frame, view, fields[static_cast<std::size_t>(at)]);
+    value_hint(frame, view, rows[static_cast<std::size_t>(at)]);
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
       chosen = at;
       ImGui::OpenPopup("value menu");
@@ -117,8 +122,8 @@ void values(Frame& frame, const CellView& view) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.m, look.px(10)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px.s, look.px(7)));
   if (ImGui::BeginPopup("value menu")) {
-    const Field& field = fields[std::min(static_cast<std::size_t>(chosen), fields.size() - 1)];
-    value_menu_items(frame, field.name, field.kind, view.cell);
+    const ValueRow& row = rows[std::min(static_cast<std::size_t>(chosen), rows.size() - 1)];
+    value_menu_items(frame, row.name.c_str(), row.kind, view.cell);
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar(2);

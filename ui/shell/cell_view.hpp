@@ -19,7 +19,7 @@ struct CellView {
         state(of.timeline().state()),
         cell(at),
         node(of.lattice().node(at)),
-        lookahead(of.info().values == SearchValues::lookahead) {}
+        lookahead(of.info().values.lookahead()) {}
 };
 
 /// Each neighbour with c + g + dist = sum, the winner marked: why the cell's rhs (A*: its g) is what it is.

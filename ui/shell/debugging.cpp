@@ -19,7 +19,7 @@ std::optional<FirstBreach> breach_of(const Session& session, std::size_t pane) {
 
 /// The value that tells most of a vertex: D* Lite's rhs, A*'s g.
 EventKind main_value(const Session& session) {
-  return session.run().info().values == SearchValues::lookahead ? EventKind::rhs : EventKind::g;
+  return session.run().info().values.lookahead() ? EventKind::rhs : EventKind::g;
 }
 
 }  // namespace

@@ -15,33 +15,19 @@ namespace {
 constexpr std::size_t kReadPerFrame = 512;
 constexpr std::size_t kRowsShown = 7;
 
-KindSet kinds_shown(bool every_value) {
-  if (!every_value) return {EventKind::g, EventKind::rhs, EventKind::dist, EventKind::known};
-  return {EventKind::g,  EventKind::rhs, EventKind::dist,  EventKind::known, EventKind::queue,
-          EventKind::lp, EventKind::rp,  EventKind::visit, EventKind::truth};
+/// Costs and the robot's map, or all that the planner has declared, and the world.
+KindSet kinds_shown(const SearchValues& values, bool every_value) {
+  KindSet kinds{EventKind::known};
+  if (every_value) kinds.add(EventKind::truth);
+  for (const Field& field : values.fields)
+    if (every_value || field.type == FieldType::cost) kinds.add(field.kind);
+  return kinds;
 }
 
-std::string what_text(const Run& run, EventKind kind) {
-  switch (kind) {
-    case EventKind::lp:
-      return run.info().from_goal ? "lp" : "parent";
-    case EventKind::queue:
-      return run.info().from_goal ? "k1" : "f";
-    case EventKind::visit:
-      return "expanded";
-    case EventKind::known:
-      return "known";
-    case EventKind::truth:
-      return "world";
-    default:
-      return value_name(kind);
-  }
-}
-
-std::string raw_text(const Run& run, EventKind kind, std::uint64_t raw) {
-  if (kind == EventKind::visit) return std::to_string(raw >> 32) + "×";
-  if (kind == EventKind::queue && raw == 0) return "—";
-  return value_text(run.lattice(), kind, raw);
+std::string raw_text(const Run& run, const Field& field, std::uint64_t raw) {
+  if (field.type == FieldType::visits) return std::to_string(raw >> 32) + "×";
+  if (field.type == FieldType::queue && raw == 0) return "—";
+  return value_text(run.lattice(), field, raw);
 }
 
 /// One change; a click goes to behind it. What lies after the cursor stands back.
@@ -50,9 +36,9 @@ void change_row(Frame& frame, std::size_t row, const ValueChange& change, std::s
   const Run& run = frame.run();
   const std::size_t cursor = run.timeline().cursor();
   const bool ahead = change.event >= cursor, here = change.event + 1 == cursor;
-  const std::string event = grouped(change.event + 1), what = what_text(run, change.kind),
-                    before = raw_text(run, change.kind, change.before),
-                    after = raw_text(run, change.kind, change.after);
+  const Field& field = run.info().values.field(change.kind);
+  const std::string event = grouped(change.event + 1), what(field.label),
+                    before = raw_text(run, field, change.before), after = raw_text(run, field, change.after);
   const ImU32 words = ahead ? look.theme.faint : look.theme.dim;
   const std::array<TableCell, 4> cells = {
       {{event, ahead ? mix(look.theme.panel, look.theme.accent, 0.5f) : look.theme.accent},
@@ -111,8 +97,8 @@ void draw_history(Frame& frame, Cell cell) {
   DebuggerState& state = frame.panels.debugger;
   const Run& run = frame.run();
   CellHistory& history = state.history;
-  history.follow(run.timeline(), run.log_id(), run.lattice().node(cell), kinds_shown(state.every_value),
-                 kReadPerFrame);
+  history.follow(run.timeline(), run.log_id(), run.lattice().node(cell),
+                 kinds_shown(run.info().values, state.every_value), kReadPerFrame);
   if (!history.complete()) frame.panels.animated = true;
   title(frame, history);
   if (history.size() == 0) {

@@ -84,7 +84,8 @@ void draw_lines(Frame& frame) {
 
 /// As a heading: without a full stop.
 std::string story_words(const Run& run, const Marker& marker) {
-  std::string words = as_sentence(event_text(run.lattice(), run.timeline().event(marker.event), 0));
+  std::string words =
+      as_sentence(event_text(run.lattice(), run.info().values, run.timeline().event(marker.event), 0));
   if (words.ends_with('.')) words.pop_back();
   return words;
 }

@@ -37,7 +37,7 @@ struct StateWord {
 StateWord state_word(const Theme& theme, const Run& run, NodeId node) {
   const SearchState& state = run.timeline().state();
   const Cost g = state.g(node), rhs = state.rhs(node);
-  if (run.info().values == SearchValues::best_first) return {"open", theme.accent};
+  if (!run.info().values.lookahead()) return {"open", theme.accent};
   if (g == rhs) return {"even", theme.dim};  // in the middle of a step
   return g > rhs ? StateWord{"over", theme.accent} : StateWord{"under", theme.warning};
 }
@@ -57,7 +57,7 @@ std::string widest_cell(const Run& run) {
 /// Columns as wide as what stands in them: ranks and cells first, then the state in words, then decimals give
 /// way.
 OpenListLayout open_list_layout(const Look& look, const Run& run, const OpenOrder& order) {
-  const bool lookahead = run.info().values == SearchValues::lookahead;
+  const bool lookahead = run.info().values.lookahead();
   const float digit = text_width(look.fonts.mono, "0"), padding = look.px(12);
   const float room = ImGui::GetContentRegionAvail().x;
   const Cost middle = order[order.size() / 2].k1;
@@ -174,8 +174,7 @@ void touched_list(Frame& frame) {
     return;
   }
   std::vector<Column> columns = {{"cell", 1.3f, Align::left}, {"g"}, {"→ g"}};
-  if (run.info().values == SearchValues::lookahead)
-    columns.insert(columns.end(), {Column{"rhs"}, Column{"→ rhs"}});
+  if (run.info().values.lookahead()) columns.insert(columns.end(), {Column{"rhs"}, Column{"→ rhs"}});
   table_head(look, columns);
   const RowsInSight sight =
       begin_rows(look, "touched", touched->list().size(), 0, frame.panels.debugger.touched_rows);

@@ -1,0 +1,76 @@
+// What a planner's values are, declared: all that the debugger, windows and exports know of them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "core/trace/field.hpp"
+#include "core/trace/search_state.hpp"
+
+namespace replan {
+
+/// How an open list is ordered: by the first key component, which the queue values hold, then by a second one, then
+/// by the node; the least comes out first.
+struct ListOrder {
+  std::string_view second;                   ///< what the second one is called: "k2"
+  std::array<EventKind, 2> reads{};          ///< the costs that it is made of, besides the first
+  Cost (*of)(Cost first, Cost a, Cost b){};  ///< the second one, of the first and of those
+};
+
+/// Where the log holds the cost of a plan that stands: this value of that node.
+struct CostPlace {
+  EventKind field{};
+  Scalar node{};
+};
+
+struct SearchValues {
+  /// Those that it writes for each node; what is its own has the ids own_field(0), own_field(1) and so on.
+  std::vector<Field> fields;
+  ListOrder order;
+  CostPlace cost;
+  std::string_view laws;    ///< those that its values keep, by their name in core/debug/laws.def
+  bool least_cost = false;  ///< its cost is that of a cheapest lattice path whatever its paths look like
+
+  [[nodiscard]] const Field* find(EventKind kind) const {
+    const auto found =
+        std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.kind == kind; });
+    return found == fields.end() ? nullptr : &*found;
+  }
+  [[nodiscard]] bool declares(EventKind kind) const { return find(kind) != nullptr; }
+  /// Whether a node has a cost and a lookahead of it, which make it consistent or not.
+  [[nodiscard]] bool lookahead() const { return declares(EventKind::rhs); }
+  /// What is known of any value per node: as declared, or as all runs have it (the two maps).
+  [[nodiscard]] const Field& field(EventKind kind) const {
+    if (const Field* own = find(kind)) return *own;
+    return kind == EventKind::truth ? fields::kTruth : fields::kKnown;
+  }
+};
+
+/// What the plan costs that stands in a state.
+inline Cost claimed_cost(const SearchValues& values, const SearchState& state) {
+  return {static_cast<std::int64_t>(state.value(values.cost.field, state.node(values.cost.node)))};
+}
+
+/// g from the start, and a list by f = g + h, then the larger g: A* and its like.
+inline SearchValues best_first_values() {
+  return {
+      .fields = {fields::kG, fields::kF, fields::kParent, fields::kVisit},
+      .order = {"h", {EventKind::g, EventKind::g}, [](Cost f, Cost g, Cost) { return Cost{f.raw - g.raw}; }},
+      .cost = {EventKind::g, Scalar::goal},
+      .laws = "best-first"};
+}
+
+/// g and rhs to the goal, and a list by [min(g, rhs) + h + km; min(g, rhs)]: D* Lite and its like.
+inline SearchValues lookahead_values() {
+  return {.fields = {fields::kG, fields::kRhs, fields::kQueue, fields::kLp, fields::kVisit},
+          .order = {"k2",
+                    {EventKind::g, EventKind::rhs},
+                    [](Cost, Cost g, Cost rhs) { return std::min(g, rhs); }},
+          .cost = {EventKind::rhs, Scalar::start},
+          .laws = "lookahead",
+          .least_cost = true};
+}
+
+}  // namespace replan

@@ -1,0 +1,90 @@
+// The values that a planner keeps for each node, declared: what readers of its log know of them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "core/base/cost.hpp"
+#include "core/trace/event.hpp"
+
+namespace replan {
+
+/// How the 64 bits of a value are to be read.
+enum class FieldType : std::uint8_t {
+  cost,      ///< raw Cost
+  queue,     ///< raw Cost + 1 of the first key component while in the open list; 0 = not in it
+  node,      ///< node + 1; 0 = none
+  visits,    ///< low word: number of the latest expansion; high word: times expanded
+  count,     ///< a whole number
+  name,      ///< the index of one of `names`
+  obstacle,  ///< nonzero = obstacle
+};
+
+/// One value per node. A planner declares those that it writes (PlannerInfo::fields); windows, conditions,
+/// histories and exports read what it has declared.
+struct Field {
+  EventKind kind{};       ///< its id in events
+  std::string_view name;  ///< in files and conditions: "rhs"
+  FieldType type = FieldType::cost;
+  std::string_view label;  ///< in the window, next to a value: "rhs"
+  std::string_view help;   ///< a sentence that teaches
+  std::uint64_t initial = 0;
+  bool forgotten = true;                         ///< an epoch makes it `initial` again
+  std::span<const std::string_view> names = {};  ///< of FieldType::name
+};
+
+/// The id of the i-th value of a planner's own, besides those below; at most kOwnFields.
+constexpr EventKind own_field(int i) {
+  return static_cast<EventKind>(kFirstOwnField + i);
+}
+
+/// Fields that planners share. A planner may declare one under another label.
+namespace fields {
+
+inline constexpr auto kInfinite = static_cast<std::uint64_t>(Cost::kInfinityRaw);
+
+inline constexpr Field kG{EventKind::g,
+                          "g",
+                          FieldType::cost,
+                          "g",
+                          "The cost to the goal (of a search from the start: from there), as settled last.",
+                          kInfinite};
+inline constexpr Field kRhs{
+    EventKind::rhs, "rhs", FieldType::cost, "rhs", "One step of lookahead: the least c + g.", kInfinite};
+inline constexpr Field kQueue{EventKind::queue, "queue", FieldType::queue, "k1",
+                              "The first part of its key while it waits in the open list."};
+inline constexpr Field kLp{EventKind::lp, "lp", FieldType::node, "lp",
+                           "Its local parent: the neighbour that it leads to."};
+inline constexpr Field kRp{EventKind::rp, "rp", FieldType::node, "rp",
+                           "Its remote parent: the vertex in sight that it leads to."};
+inline constexpr Field kDist{.kind = EventKind::dist,
+                             .name = "dist",
+                             .type = FieldType::cost,
+                             .label = "dist",
+                             .help = "The penalty that it costs for lying near an obstacle.",
+                             .forgotten = false};
+inline constexpr Field kVisit{EventKind::visit, "visit", FieldType::visits, "expanded",
+                              "When it was expanded last, and how often."};
+inline constexpr Field kKnown{.kind = EventKind::known,
+                              .name = "known",
+                              .type = FieldType::obstacle,
+                              .label = "known",
+                              .help = "Whether it is an obstacle on the robot's map.",
+                              .forgotten = false};
+inline constexpr Field kTruth{.kind = EventKind::truth,
+                              .name = "truth",
+                              .type = FieldType::obstacle,
+                              .label = "world",
+                              .help = "Whether something stands there in the world.",
+                              .forgotten = false};
+
+/// As a search from the start calls them.
+inline constexpr Field kF{EventKind::queue, "queue", FieldType::queue, "f",
+                          "g + h while it waits in the open list."};
+inline constexpr Field kParent{EventKind::lp, "lp", FieldType::node, "parent",
+                               "The neighbour that it was reached from."};
+
+}  // namespace fields
+
+}  // namespace replan
