@@ -46,7 +46,7 @@ void LawBook<D>::hold_status(PlanStatus status, const char* value, NodeId node, 
 template <int D>
 std::unique_ptr<LawBook<D>> make_law_book(const LogView& view, LawValues<D>& values) {
   return view.info.values == SearchValues::lookahead ? make_lookahead_laws<D>(view, values)
-                                                     : make_best_first_laws<D>(values);
+                                                     : make_best_first_laws<D>(view, values);
 }
 
 template class LawBook<2>;

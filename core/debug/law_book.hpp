@@ -83,6 +83,6 @@ std::unique_ptr<LawBook<D>> make_law_book(const LogView& view, LawValues<D>& val
 template <int D>
 std::unique_ptr<LawBook<D>> make_lookahead_laws(const LogView& view, LawValues<D>& values);
 template <int D>
-std::unique_ptr<LawBook<D>> make_best_first_laws(LawValues<D>& values);
+std::unique_ptr<LawBook<D>> make_best_first_laws(const LogView& view, LawValues<D>& values);
 
 }  // namespace replan

@@ -13,8 +13,8 @@ namespace replan {
 
 /// A vertex of the open list with what it is ordered by; the least comes out first.
 struct OpenEntry {
-  Cost k1;  ///< A*: f
-  Cost k2;  ///< min(g, rhs); A*: h = f - g, so that among equal f the larger g comes first
+  Cost k1;  ///< best-first searches: f
+  Cost k2;  ///< min(g, rhs); best-first: f - g, so that among equal f the larger g comes first
   NodeId node = kNoNode;
   friend auto operator<=>(const OpenEntry&, const OpenEntry&) = default;
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/lattice/box_lattice.hpp"
+#include "core/plan/key_rule.hpp"
 #include "core/plan/parameters.hpp"
 #include "core/plan/planner.hpp"
 #include "core/trace/tracer.hpp"
@@ -18,7 +19,7 @@ namespace replan {
 /// What a planner's values mean, and with that the laws that they keep (core/debug/laws.hpp) and how its open
 /// list is ordered (core/debug/open_order.hpp).
 enum class SearchValues : std::uint8_t {
-  best_first,  ///< g from the start; the list by f = g + h, then the larger g
+  best_first,  ///< g from the start; the list by f, as PlannerInfo::key makes it of g and h, then the larger g
   lookahead,   ///< g and rhs to the goal; the list by [min(g, rhs) + h + km; min(g, rhs)]
 };
 
@@ -30,12 +31,13 @@ struct PlannerInfo {
   std::string_view source;   ///< authors, year, DOI
   std::vector<Parameter> parameters;
   SearchValues values = SearchValues::best_first;
-  bool exercise = false;     ///< broken on purpose, to learn finding it: not among "all" planners
-  bool incremental = false;  ///< repairs its plan instead of starting afresh
-  bool any_angle = false;    ///< its paths leave the lattice's directions
-  bool from_goal = false;    ///< searches from the goal: g is the cost to go
-  bool clearance = false;    ///< pays for coming near obstacles
-  bool sight = false;        ///< asks for lines of sight
+  KeyRule key = key_rule<GPlusH>();  ///< of SearchValues::best_first
+  bool exercise = false;          ///< broken on purpose, to learn finding it: not among "all" planners
+  bool incremental = false;       ///< repairs its plan instead of starting afresh
+  bool any_angle = false;         ///< its paths leave the lattice's directions
+  bool from_goal = false;         ///< searches from the goal: g is the cost to go
+  bool clearance = false;         ///< pays for coming near obstacles
+  bool sight = false;             ///< asks for lines of sight
   /// With these settings a path is at most so many times as long as a shortest lattice path: 1 if it is never
   /// longer, infinite if there is no bound (only where a planner is meant to fail).
   double (*length_bound)(const Settings& settings) = nullptr;
@@ -60,6 +62,9 @@ Result<const PlannerInfo*> require_planner(std::string_view id);
 template <class L, class T>
 std::unique_ptr<Planner<L>> make_planner(const PlannerInfo& info, const L& lattice, const Settings& settings,
                                          T& tracer);
+
+/// The estimate that a planner of these settings makes: `zero` if it has no setting for it.
+Heuristic heuristic_of(const PlannerInfo& info, const Settings& settings);
 
 /// The parameters `moves` and `corners`, which every lattice planner has.
 std::span<const Parameter> lattice_parameters();
