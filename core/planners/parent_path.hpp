@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/plan/planner.hpp"
+#include "core/trace/event.hpp"
 
 namespace replan {
 
