@@ -1,4 +1,4 @@
-// The laws of A* and Dijkstra's algorithm. As with the D* Lite family only what a step touched is looked at:
+// The laws of best-first searches. As with the D* Lite family only what a step touched is looked at:
 // what holds at a vertex depends on its own values and on its neighbours' g and whether they are in the list.
 #include <bit>
 
@@ -25,13 +25,16 @@ class BestFirstLaws final : public LawBook<D> {
       "g(s) is its parent's g and the move, or more while the parent's g has yet to spread";
   static constexpr const char* kSpreadLaw =
       "a vertex that was taken from the list has offered its g to all neighbours";
-  static constexpr const char* kKeyLaw = "a key in the list is g + h";
   static constexpr const char* kWayLaw =
       "parents lead from the goal to the start, by moves along which g falls";
 
  public:
-  explicit BestFirstLaws(LawValues<D>& values)
-      : LawBook<D>(values), start_(values.start()), goal_(values.goal()) {}
+  BestFirstLaws(const LogView& view, LawValues<D>& values)
+      : LawBook<D>(values),
+        key_law_(view.info.key.law),
+        f_(view.info.key.f(view.settings)),
+        start_(values.start()),
+        goal_(values.goal()) {}
 
   void step() override {
     follow(start_, values_.start());
@@ -123,9 +126,10 @@ class BestFirstLaws final : public LawBook<D> {
     const LawVertex& vertex = values_.at(s);
     const bool any = vertex.queued() && values_.on_map(goal_);
     const Cost h = any ? values_.known().bound(values_.heuristic(), s, goal_) : Cost::zero();
-    hold(s, kKey, kKeyLaw, !any || vertex.k1() == vertex.g + h, [&] {
-      return "the key of " + cell(s) + " is " + cost_text(vertex.k1()) + ", but g + h is " +
-             cost_text(vertex.g) + " + " + cost_text(h) + " = " + cost_text(vertex.g + h);
+    const Cost f = any ? f_(vertex.g, h) : Cost::zero();
+    hold(s, kKey, key_law_, !any || vertex.k1() == f, [&] {
+      return "the key of " + cell(s) + " is " + cost_text(vertex.k1()) + ", but it should be " +
+             cost_text(f) + ": g is " + cost_text(vertex.g) + " and h is " + cost_text(h);
     });
   }
 
@@ -143,6 +147,8 @@ class BestFirstLaws final : public LawBook<D> {
     }
   }
 
+  const char* key_law_;
+  KeyRule::F f_;
   bool any_broken_ = false;
   NodeId start_, goal_;  // as of the last step
 };
@@ -150,8 +156,8 @@ class BestFirstLaws final : public LawBook<D> {
 }  // namespace
 
 template <int D>
-std::unique_ptr<LawBook<D>> make_best_first_laws(const LogView&, LawValues<D>& values) {
-  return std::make_unique<BestFirstLaws<D>>(values);
+std::unique_ptr<LawBook<D>> make_best_first_laws(const LogView& view, LawValues<D>& values) {
+  return std::make_unique<BestFirstLaws<D>>(view, values);
 }
 
 template std::unique_ptr<LawBook<2>> make_best_first_laws(const LogView&, LawValues<2>&);

@@ -1,20 +1,10 @@
 #include "core/debug/law_values.hpp"
 
 #include <algorithm>
-#include <string_view>
 
 #include "core/plan/common_parameters.hpp"
 
 namespace replan {
-
-Heuristic heuristic_of(const PlannerInfo& info, const Settings& settings) {
-  const Parameter* parameter = find_parameter(info.parameters, parameters::kAnyHeuristic.key);
-  if (parameter == nullptr) return Heuristic::zero;
-  // By name: not all planners offer all of them.
-  const std::string_view name = parameter->choices[static_cast<std::size_t>(settings.get(*parameter))];
-  const auto& all = parameters::kAnyHeuristic.choices;
-  return static_cast<Heuristic>(std::find(all.begin(), all.end(), name) - all.begin());
-}
 
 template <int D>
 LawValues<D>::LawValues(const LogView& view, std::size_t position)

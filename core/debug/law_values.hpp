@@ -36,9 +36,6 @@ struct LawVertex {
   [[nodiscard]] Cost least() const { return std::min(g, rhs); }
 };
 
-/// The estimate that a planner of these settings makes: `zero` if it has no setting for it.
-Heuristic heuristic_of(const PlannerInfo& info, const Settings& settings);
-
 template <int D>
 class LawValues {
  public:

@@ -46,6 +46,15 @@ Result<const PlannerInfo*> require_planner(std::string_view id) {
   return require_by_id(planners(), id, "planner");
 }
 
+Heuristic heuristic_of(const PlannerInfo& info, const Settings& settings) {
+  const Parameter* parameter = find_parameter(info.parameters, parameters::kAnyHeuristic.key);
+  if (parameter == nullptr) return Heuristic::zero;
+  // By name: not all planners offer all of them.
+  const std::string_view name = parameter->choices[static_cast<std::size_t>(settings.get(*parameter))];
+  const auto& all = parameters::kAnyHeuristic.choices;
+  return static_cast<Heuristic>(std::find(all.begin(), all.end(), name) - all.begin());
+}
+
 std::span<const Parameter> lattice_parameters() {
   static const std::vector<Parameter> all = {parameters::kMoves, parameters::kCorners};
   return all;

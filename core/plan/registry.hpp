@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/lattice/box_lattice.hpp"
+#include "core/plan/key_rule.hpp"
 #include "core/plan/parameters.hpp"
 #include "core/plan/planner.hpp"
 #include "core/plan/search_values.hpp"
@@ -24,6 +25,7 @@ struct PlannerInfo {
   std::string_view source;   ///< authors, year, DOI
   std::vector<Parameter> parameters;
   SearchValues values = best_first_values();
+  KeyRule key = key_rule<GPlusH>();  ///< of best_first_values()
   bool exercise = false;     ///< broken on purpose, to learn finding it: not among "all" planners
   bool incremental = false;  ///< repairs its plan instead of starting afresh
   bool any_angle = false;    ///< its paths leave the lattice's directions

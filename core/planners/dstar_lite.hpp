@@ -34,104 +34,47 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
-#include <unordered_map>
-#include <unordered_set>
+#include <span>
 #include <vector>
 
-#include "core/field/clearance.hpp"
-#include "core/lattice/sight.hpp"
-#include "core/plan/common_parameters.hpp"
 #include "core/plan/node_table.hpp"
-#include "core/plan/open_list.hpp"
-#include "core/plan/planner.hpp"
-#include "core/plan/registry.hpp"
-#include "core/planners/kept_leaps.hpp"
-#include "core/planners/sight_along.hpp"
-#include "core/planners/visits.hpp"
-#include "core/trace/search_state.hpp"
-#include "core/trace/tracer.hpp"
+#include "core/plan/search_record.hpp"
+#include "core/planners/dstar_lite_family.hpp"
+#include "core/planners/ground.hpp"
+#include "core/planners/leaping_path.hpp"
+#include "core/planners/parent_path.hpp"
 
 namespace replan {
 
-struct DStarLiteSwitches {
-  bool sight = false;
-  bool clearance = false;
+/// What D* Lite remembers of a vertex.
+struct DStarLiteNode {
+  Cost g = Cost::infinity();
+  Cost rhs = Cost::infinity();
+  NodeId rp = kNoNode;
+  std::uint32_t slot : 27 = 0;    // in U
+  std::uint32_t parent : 5 = 31;  // lp, as a direction
 };
-
-inline PlannerInfo describe(DStarLiteSwitches switches) {
-  using namespace parameters;
-  PlannerInfo info;
-  info.incremental = info.from_goal = true;
-  info.values = lookahead_values();
-  if (switches.sight) info.values.fields.push_back(fields::kRp);
-  if (switches.clearance) info.values.fields.push_back(fields::kDist);
-  info.any_angle = info.sight = switches.sight;
-  info.clearance = switches.clearance;
-  info.parameters = {kHeuristic};
-  info.source = "Koenig & Likhachev, D* Lite, AAAI 2002";
-  if (switches.sight || switches.clearance)
-    info.source = "Huang & Zhou, Control and Decision 2018, doi 10.13195/j.kzyjc.2018.0583";
-  if (switches.sight) info.parameters.insert(info.parameters.end(), {kSight, kSightChecks, kRemoteParents});
-  if (switches.clearance) info.parameters.insert(info.parameters.end(), {kRange, kTransform, kBorder});
-  if (switches.sight && switches.clearance) {
-    info.name = "DLD* Lite";
-    info.summary =
-        "D* Lite with a lazy line of sight and a distance transform: smooth, safe, repairable paths.";
-  } else if (switches.sight) {
-    info.name = "Los D* Lite";
-    info.summary = "D* Lite with a lazy line of sight: any-angle paths that hug corners.";
-  } else if (switches.clearance) {
-    info.name = "Dist D* Lite";
-    info.summary = "D* Lite with a penalty near obstacles: lattice paths that keep their distance.";
-  } else {
-    info.name = "D* Lite";
-    info.summary = "Searches from the goal and repairs its plan when the map changes.";
-  }
-  // A path costs no more than the shortest one, of which each cell costs at most 1 + range times its length.
-  static constexpr auto kBound = [](const Settings& settings, double by_clearance) {
-    const bool trusts = settings.get(kRemoteParents) != 0 && !checks_along_path(settings);
-    return trusts ? std::numeric_limits<double>::infinity() : by_clearance;
-  };
-  info.length_bound =
-      switches.clearance
-          ? +[](const Settings& settings) { return kBound(settings, 1 + settings.get(kRange)); }
-          : +[](const Settings& settings) { return kBound(settings, 1); };
-  return info;
-}
-
-/// Nothing is wrong. What a policy that puts mistakes in answers is in broken_dstar_lite.hpp.
-struct NoFaults {
-  static constexpr bool kAny = false;
-  explicit NoFaults(const Settings&) {}
-};
+static_assert(sizeof(DStarLiteNode) == 24, "a large map has many of them");
 
 template <Lattice L, Tracer T, class Faults = NoFaults>
-class DStarLite final : public Planner<L> {
+class DStarLite final : public SearchRecord<L, T, NodeTable<DStarLiteNode>> {
  public:
   DStarLite(const L& lattice, const Settings& settings, T& tracer, DStarLiteSwitches switches)
-      : lattice_(lattice),
-        tr_(tracer),
-        nodes_(lattice.node_count()),
+      : Record(lattice, tracer),
         switches_(switches),
         faults_(settings),
-        visits_(lattice.node_count()) {
-    using namespace parameters;
-    heuristic_ =
-        static_cast<Heuristic>(kHeuristicByChoice[static_cast<std::size_t>(settings.get(kHeuristic))]);
-    sight_rule_ = static_cast<SightRule>(settings.get(kSight));
-    along_path_ = switches_.sight && checks_along_path(settings);
-    in_search_ = switches_.sight && !along_path_;
-    checked_ = !in_search_ || settings.get(kRemoteParents) == 0;
-    clearance_rules_ = clearance_rules_of(settings);
+        heuristic_(heuristic_of(describe(switches), settings)),
+        along_path_(switches.sight && parameters::checks_along_path(settings)),
+        in_search_(switches.sight && !along_path_),
+        checked_(!in_search_ || settings.get(parameters::kRemoteParents) == 0),
+        ground_(lattice, settings, switches.clearance, in_search_) {
     if (switches_.clearance) marked_.resize(nodes_.size());
   }
 
   void begin(NodeId start, NodeId goal) override {
     tr_.line(6);
-    if (goal_ != kNoNode) tr_.note(EventKind::epoch, start);
-    counters_ = {};
-    visits_.begin();
+    this->forget_search(start);
+    this->begin_counting();
     set_scalar(Scalar::start, start_, start);
     set_scalar(Scalar::last, last_, start);
     set_scalar(Scalar::goal, goal_, goal);
@@ -153,90 +96,74 @@ class DStarLite final : public Planner<L> {
     set_scalar(Scalar::start, start_, start);
     set_scalar(Scalar::last, last_, start);
     start_at_ = lattice_.coordinates(start);
-    fields_revision_ = lattice_.revision();
-    turned_.clear();
+    const auto changed = ground_.update(change.cells);
     if (switches_.clearance) {
-      costs_changed(change);
+      costs_changed(change, changed);
     } else {
       tr_.line(115);
       for (const auto& move : change.moves) moves_changed(move.node, move.before);
-      if (in_search_)
-        for (const CellEdit& cell : change.cells)
-          sight_map_.change(lattice_.coordinates(cell.node), cell.blocked);
     }
-    if (along_path_) keep_leaps(change);
+    if (along_path_) {
+      for (const CellEdit& cell : change.cells) leaps_.turn(cell.node);
+      leaps_.forget_turned();
+    }
   }
 
   [[nodiscard]] PlanStatus status() const override {
-    if (lattice_.blocked(start_)) return PlanStatus::start_blocked;
-    if (lattice_.blocked(goal_)) return PlanStatus::goal_blocked;
-    if (search_needed()) return PlanStatus::searching;
-    return nodes_[start_].rhs.is_infinite() ? PlanStatus::no_path : PlanStatus::found;
+    return this->status_with(search_needed(), nodes_[start_].rhs);
   }
-  [[nodiscard]] Cost cost() const override { return resting() ? Cost::infinity() : nodes_[start_].rhs; }
-  [[nodiscard]] Counters counters() const override { return counters_; }
+  [[nodiscard]] Cost cost() const override {
+    return this->ends_blocked() ? Cost::infinity() : nodes_[start_].rhs;
+  }
   [[nodiscard]] std::size_t memory_bytes() const override {
-    return nodes_.memory_bytes() + open_.peak_bytes() + clearance_.memory_bytes() +
-           sight_map_.memory_bytes() + marked_.capacity() + kept_leaps_.memory_bytes();
+    return Record::memory_bytes() + ground_.memory_bytes() + marked_.capacity() + leaps_.memory_bytes();
   }
 
-  /// Algorithm 1, line 6, from the start on. What it calls is marked cold, so that the compiler spends no
-  /// inlining on it that the search is in want of: 4 % of its instructions.
+  /// Algorithm 1, line 6, from the start on.
   Path path() override {
     tr_.line(106);
     if (status() != PlanStatus::found) return {};
-    return along_path_ ? leaping_path() : path_of_parents();
+    return along_path_ ? leaps_.read() : parents_.read();
   }
 
   void restore(const SearchState& state, const Counters& counters) override {
-    counters_ = counters;
-    start_ = state.node(Scalar::start);
     last_ = state.node(Scalar::last);
-    goal_ = state.node(Scalar::goal);
-    start_at_ = lattice_.coordinates(start_);
     km_ = state.km();
-    open_.clear(nodes_);
-    fields_revision_ = lattice_.revision();
-    if (switches_.clearance) clearance_ = ClearanceField<L::kDimensions>(lattice_, clearance_rules_);
-    if (in_search_) sight_map_ = SightMap<L::kDimensions>(lattice_, [this](NodeId c) { return is_bad(c); });
-    kept_leaps_.clear();
-    visits_.restore(state, counters.expansions);
-    for (NodeId n = 0; n < nodes_.size(); ++n) restore_node(state, n);
+    ground_.make();
+    leaps_.clear();
+    this->restore_record(state, counters, [&](NodeId n, Node& node) {
+      node.rhs = state.rhs(n);
+      node.rp = state.rp(n);
+      if (along_path_ && node.rp != kNoNode && n != goal_) leaps_.keep({n, node.rp});
+      return state.k2(n);
+    });
+    start_at_ = lattice_.coordinates(start_);
   }
 
  private:
-  using Coordinates = typename L::Coordinates;
-  static constexpr std::uint32_t kNoDirection = 31;
-  static constexpr std::size_t kMostKept = 64;  // leaps that a path does not take, besides twice its own
-  static constexpr Heuristic kHeuristicByChoice[] = {Heuristic::octile, Heuristic::euclidean,
-                                                     Heuristic::zero};
+  friend class LeapingPath<DStarLite, L::kDimensions>;
+  friend class ParentPath<DStarLite>;
+  static constexpr bool kFaulty = Faults::kAny;
+  using Record = SearchRecord<L, T, NodeTable<DStarLiteNode>>;
+  using Record::counters_, Record::goal_, Record::lattice_, Record::nodes_, Record::open_, Record::start_,
+      Record::tr_;
+  using Record::kNoDirection, Record::put_in, Record::raw, Record::re_key, Record::set_g, Record::set_scalar;
+  using typename Record::Coordinates, typename Record::Node;
 
-  struct Node {
-    Cost g = Cost::infinity();
-    Cost rhs = Cost::infinity();
-    NodeId rp = kNoNode;
-    std::uint32_t slot : 27 = 0;          // place in U + 1; kMaxCells fits
-    std::uint32_t lp : 5 = kNoDirection;  // direction of the local parent
-  };
-
-  static constexpr std::uint64_t raw(Cost cost) { return static_cast<std::uint64_t>(cost.raw); }
-  void set_scalar(Scalar which, NodeId& held, NodeId node) {
-    tr_.change(which, std::uint64_t{held + 1u}, std::uint64_t{node + 1u});
-    held = node;
+  [[nodiscard]] Path path_over(std::vector<NodeId> nodes) const {
+    return Path(lattice_.box(), std::move(nodes), ground_.sight_rule());
   }
 
   // Algorithm 2, lines 5-17.
   void initialize() {
-    tr_.line(6);
-    open_.clear(nodes_);
     tr_.line(7);
     tr_.change(Scalar::km, raw(km_), 0);
     km_ = Cost::zero();
-    nodes_.reset();
-    kept_leaps_.clear();
+    leaps_.clear();
     start_at_ = lattice_.coordinates(start_);
     tr_.line(12);
-    make_fields();
+    ground_.make(
+        [this](NodeId n, Cost before, Cost after) { tr_.change(EventKind::dist, n, before, after); });
     tr_.line(13);
     set_rhs(goal_, Cost::zero());
     tr_.line(14);
@@ -249,19 +176,16 @@ class DStarLite final : public Planner<L> {
 
   /// Line 42: whether the plan is not yet known to be right.
   [[nodiscard]] bool search_needed() const {
-    if (resting()) return false;
+    if (this->ends_blocked()) return false;
     return top_key() < key_of(start_, Cost::zero()) || nodes_[start_].rhs != nodes_[start_].g;
   }
-  [[nodiscard]] bool resting() const { return lattice_.blocked(start_) || lattice_.blocked(goal_); }
 
   // Algorithm 2, lines 41-64: one iteration. False if there was nothing left to do.
   bool compute_shortest_path_step() {
     if (!search_needed()) return false;
     const Key old_key = open_.top().key;
-    const NodeId u = open_.top().node;
     tr_.line(44);
-    tr_.note(EventKind::pop, u);
-    take_out_top();
+    const NodeId u = this->take_out_top();
     if (in_search_) set_vertex(u);
     const Coordinates at = lattice_.coordinates(u);
     const Key key = calculate_key(u, at);
@@ -270,8 +194,7 @@ class DStarLite final : public Planner<L> {
       put_in(u, key);
       return true;
     }
-    ++counters_.expansions;
-    visits_.record(tr_, u);
+    this->count_expansion(u);
     if (nodes_[u].g > nodes_[u].rhs)
       lower_vertex(u, at);
     else
@@ -314,7 +237,7 @@ class DStarLite final : public Planner<L> {
       if constexpr (Faults::kAny)
         if (faults_.forgets_predecessor(d)) continue;
       const NodeId s = lattice_.neighbour(u, d);
-      if (nodes_[s].lp == static_cast<std::uint32_t>(L::reverse(d)) && s != goal_) update_vertex(s);
+      if (nodes_[s].parent == static_cast<std::uint32_t>(L::reverse(d)) && s != goal_) update_vertex(s);
     }
     update_queue(u);  // rhs(u) does not depend on g(u)
   }
@@ -338,28 +261,28 @@ class DStarLite final : public Planner<L> {
       tr_.line(21);
       set_rhs(u, best);
       tr_.line(22);
-      set_lp(u, parent);
+      this->set_parent(u, parent);
     }
     update_queue(u);
   }
 
   // Lines 19-33 where only one successor of s improved: s can be reached in direction d at cost `sum`.
   void offer(NodeId s, const Coordinates& at, std::uint32_t d, Cost sum) {
-    Node& node = nodes_[s];
-    if (sum > node.rhs || (sum == node.rhs && d >= node.lp) || s == goal_) return;
+    const Node& node = nodes_[s];
+    if (sum > node.rhs || (sum == node.rhs && d >= node.parent) || s == goal_) return;
     const bool better = sum < node.rhs;
     tr_.line(21);
     set_rhs(s, sum);
     tr_.line(22);
-    set_lp(s, d);
+    this->set_parent(s, d);
     if (better) update_queue(s, at);
   }
 
   // Lines 24-32.
   void update_queue(NodeId u) { update_queue(u, lattice_.coordinates(u)); }
   void update_queue(NodeId u, const Coordinates& at) {
-    Node& node = nodes_[u];
-    if (node.rp == kNoNode && !along_path_ && node.lp != kNoDirection) {
+    const Node& node = nodes_[u];
+    if (node.rp == kNoNode && !along_path_ && node.parent != kNoDirection) {
       tr_.line(25);
       set_rp(u, lp(u));
     }
@@ -373,7 +296,7 @@ class DStarLite final : public Planner<L> {
         put_in(u, calculate_key(u, at));
     } else if (node.slot != 0) {
       tr_.line(28);
-      take_out(u);
+      this->take_out(u);
     }
   }
 
@@ -389,170 +312,11 @@ class DStarLite final : public Planner<L> {
   }
 
   // Kept out of line: its code would make that of the search slower.
-  /// Whether n and s see each other: a cell is bad if it is an obstacle or, with clearance on, dist != 0.
   [[gnu::noinline]] bool in_sight(NodeId n, NodeId s) {
     ++counters_.sight_checks;
-    const auto bad = [this](NodeId c) { return is_bad(c); };
-    const bool seen = along_path_ ? line_of_sight(lattice_, sight_rule_, n, s, bad)
-                                  : line_of_sight(lattice_, sight_rule_, n, s, bad, sight_map_);
+    const bool seen = ground_.sees(n, s);
     tr_.note(EventKind::sight, s, std::uint64_t{n} | std::uint64_t{seen} << 32);
     return seen;
-  }
-
-  [[nodiscard]] bool is_bad(NodeId c) const {
-    return switches_.clearance ? clearance_.near(c) : lattice_.blocked(c);
-  }
-
-  /// Only parents that may be wrong are watched for circles.
-  [[gnu::cold]] Path path_of_parents() {
-    std::vector<NodeId> nodes = {start_};
-    std::unordered_set<NodeId> passed;
-    bool unchecked = false;
-    ways_.clear();
-    for (NodeId s = start_; s != goal_;) {
-      if ((Faults::kAny || !checked_) && !passed.insert(s).second) break;
-      s = next(s, unchecked);
-      if (s == kNoNode) break;  // printed mode only: a stale parent led where nothing leads on
-      nodes.push_back(s);
-    }
-    const bool arrives = nodes.back() == goal_;
-    Path path(lattice_.box(), std::move(nodes), sight_rule_);
-    path.loops = !arrives;
-    path.unchecked = unchecked;
-    return path;
-  }
-
-  /// Where the robot goes from s: the remote parent if it can be trusted, else the local one.
-  NodeId next(NodeId s, bool& unchecked) {
-    const NodeId local = lp(s);
-    const NodeId remote = nodes_[s].rp;
-    if (!switches_.sight || remote == local) return local;
-    if (!checked_) {
-      if (remote != kNoNode) tr_.note(EventKind::unchecked, s, remote);
-      unchecked = true;
-      return remote;
-    }
-    return remote != kNoNode && settled(remote) && saves_way(s, remote) && in_sight(remote, s) ? remote
-                                                                                               : local;
-  }
-  /// Whether going straight from s to n is no detour: c(s, n) + g(n) <= rhs(s). With clearance g counts
-  /// penalties besides, which a longer way may save, so the lengths of both ways are held against each other
-  /// too.
-  [[nodiscard]] bool saves_way(NodeId s, NodeId n) {
-    const std::int64_t squared = lattice_.squared_distance(s, n);
-    const auto fits = [squared](Cost from_s, Cost from_n) {
-      return from_n < from_s && compare_to_segment({from_s.raw - from_n.raw}, squared) >= 0;
-    };
-    return fits(nodes_[s].rhs, nodes_[n].g) && (!switches_.clearance || fits(way(s), way(n)));
-  }
-  /// The length of the way from s along local parents; s is settled. Each stretch is walked once a path.
-  [[gnu::cold]] Cost way(NodeId s) {
-    std::vector<NodeId> passed;
-    for (; s != goal_ && !ways_.contains(s); s = lp(s)) passed.push_back(s);
-    Cost length = s == goal_ ? Cost::zero() : ways_[s];
-    for (std::size_t i = passed.size(); i-- > 0;) {
-      length = length + L::step_cost(static_cast<int>(nodes_[passed[i]].lp));
-      ways_[passed[i]] = length;
-    }
-    return length;
-  }
-
-  // Algorithm 3, lines 1-8: along the leaps that are kept, and where there is none a new one.
-  [[gnu::noinline]] Path leaping_path() {
-    chain_.clear();
-    leads_ = kNoNode;
-    std::vector<NodeId> nodes = {start_};
-    nodes.reserve(kept_leaps_.size() + 1);
-    for (NodeId s = start_; s != goal_; nodes.push_back(s)) {
-      if (!leads_ahead(s)) set_leap(s);
-      s = nodes_[s].rp;
-    }
-    if (kept_leaps_.size() > kMostKept + 2 * nodes.size()) {
-      tr_.line(207);
-      forget(kept_leaps_.take_others(nodes));
-    }
-    return Path(lattice_.box(), std::move(nodes), sight_rule_);
-  }
-
-  // Line 4: whether s has a leap, and it ends on the way from s along local parents, on which g falls.
-  // The last answer is remembered: the path often goes on from there.
-  [[nodiscard]] bool leads_ahead(const NodeId s) {
-    const NodeId end = nodes_[s].rp;
-    if (s == leads_ || end == kNoNode) return s == leads_;
-    const Cost g = nodes_[end].g;
-    NodeId next = s;
-    do {
-      next = lattice_.neighbour(next, static_cast<int>(nodes_[next].lp));
-    } while (next != end && g < nodes_[next].g);
-    if (next != end) return false;
-    leads_ = s;
-    return true;
-  }
-
-  // Line 5.
-  [[gnu::cold]] void set_leap(NodeId s) {
-    const NodeId end = farthest_seen(s);
-    tr_.line(205);
-    if (nodes_[s].rp != kNoNode) kept_leaps_.remove(s, lattice_.coordinates(s));  // it leads ahead no more
-    set_rp(s, end);
-    keep({s, end});
-  }
-
-  // Lines 9-17.
-  [[gnu::cold]] NodeId farthest_seen(NodeId s) {
-    const auto sees = [&](int line, NodeId n) {
-      tr_.line(line);
-      return in_sight(n, s);
-    };
-    if (lp(s) == goal_ || sees(210, goal_)) return goal_;
-    read_chain(s);
-    const NodeId* const chain = &chain_[at_];
-    const std::size_t last = chain_.size() - 1 - at_;
-    NodeId end = chain[last];
-    if (end == goal_ || (last > 1 && !sees(212, end))) {
-      at_ += leap_along(straight_along(last), last,
-                        [&](int line, std::size_t k) { return sees(line, chain[k]); });
-      return chain_[at_];
-    }
-    while (end != goal_ && leads_ahead(end) && sees(213, nodes_[end].rp)) end = nodes_[end].rp;
-    return end;
-  }
-
-  /// Line 11: the chain of local parents from s to the next vertex with a leap that leads ahead, or to the
-  /// goal. What was read for the leap before goes on from its end.
-  [[gnu::cold]] void read_chain(NodeId s) {
-    if (at_ < chain_.size() && chain_[at_] == s) return;
-    at_ = 0;
-    chain_.assign(1, s);
-    do chain_.push_back(s = lp(s));
-    while (s != goal_ && !leads_ahead(s));
-  }
-
-  /// How far sight along the chain needs no check, up to number `last` of it. Moves that go on in one
-  /// direction ask no less of the map than sight does; but with clearance a move may lead past an obstacle,
-  /// sight not.
-  [[gnu::cold]] std::size_t straight_along(std::size_t last) const {
-    std::size_t k = 1;
-    if (!switches_.clearance)
-      while (k < last && nodes_[chain_[at_ + k]].lp == nodes_[chain_[at_]].lp) ++k;
-    return k;
-  }
-
-  // Lines 17-19: sight is a matter of the cells in the box that both ends span. Where none of them changed a
-  // leap need not be looked at again.
-  [[gnu::cold]] void keep_leaps(const MapChange<L>& change) {
-    for (const CellEdit& edit : change.cells) turned_.push_back(edit.node);
-    std::vector<Coordinates> places;
-    places.reserve(turned_.size());
-    for (const NodeId cell : turned_) places.push_back(lattice_.coordinates(cell));
-    tr_.line(219);
-    forget(kept_leaps_.take_touched(places));
-  }
-  [[gnu::cold]] void keep(Leap leap) {
-    kept_leaps_.add(leap, lattice_.coordinates(leap.from), lattice_.coordinates(leap.to));
-  }
-  [[gnu::cold]] void forget(const std::vector<Leap>& leaps) {
-    for (const Leap& leap : leaps) set_rp(leap.from, kNoNode);
   }
 
   [[nodiscard]] bool settled(NodeId n) const {
@@ -564,7 +328,7 @@ class DStarLite final : public Planner<L> {
     if (u == goal_) return;
     const std::uint32_t now = lattice_.moves(u);
     const Node& node = nodes_[u];
-    if (node.lp != kNoDirection && ((before & ~now) >> node.lp & 1u) != 0) {
+    if (node.parent != kNoDirection && ((before & ~now) >> node.parent & 1u) != 0) {
       update_vertex(u);
       return;
     }
@@ -577,7 +341,7 @@ class DStarLite final : public Planner<L> {
 
   // Lines 12-15 of Algorithm 1 with clearance on: penalties change around a changed cell, and with them the
   // cost of every edge that leads to such a vertex.
-  void costs_changed(const MapChange<L>& change) {
+  void costs_changed(const MapChange<L>& change, std::span<const ClearanceChange> dist_changed) {
     affected_.clear();
     const auto affect = [this](NodeId n) {
       if (marked_[n] == 0) affected_.push_back(n);
@@ -585,13 +349,9 @@ class DStarLite final : public Planner<L> {
     };
     for (const auto& move : change.moves) affect(move.node);
     tr_.line(114);
-    for (const ClearanceChange& changed : clearance_.update(lattice_, change.cells)) {
-      const Cost penalty = clearance_.penalty(changed.node);
-      tr_.change(EventKind::dist, changed.node, changed.before, penalty);
-      if (changed.before == Cost::zero() || penalty == Cost::zero()) {
-        if (along_path_) turned_.push_back(changed.node);
-        if (in_search_) sight_map_.change(lattice_.coordinates(changed.node), penalty != Cost::zero());
-      }
+    for (const ClearanceChange& changed : dist_changed) {
+      tr_.change(EventKind::dist, changed.node, changed.before, dist(changed.node));
+      if (along_path_ && ground_.turned(changed)) leaps_.turn(changed.node);
       for (std::uint32_t rest = lattice_.moves(changed.node); rest != 0; rest &= rest - 1)
         affect(lattice_.neighbour(changed.node, std::countr_zero(rest)));
     }
@@ -602,23 +362,7 @@ class DStarLite final : public Planner<L> {
     }
   }
 
-  // What is known of the whole map is made anew only if the lattice has changed behind the planner's back.
-  void make_fields() {
-    if (fields_revision_ == lattice_.revision()) return;
-    fields_revision_ = lattice_.revision();
-    if (switches_.clearance) distance_transform();
-    if (in_search_) sight_map_ = SightMap<L::kDimensions>(lattice_, [this](NodeId c) { return is_bad(c); });
-  }
-  void distance_transform() {
-    ClearanceField<L::kDimensions> field(lattice_, clearance_rules_);
-    if constexpr (T::kEnabled)
-      for (NodeId n = 0; n < nodes_.size(); ++n)
-        tr_.change(EventKind::dist, n, clearance_.empty() ? Cost::zero() : dist(n), field.penalty(n));
-    clearance_ = std::move(field);
-  }
-  [[nodiscard]] Cost dist(NodeId s) const {
-    return switches_.clearance ? clearance_.penalty(s) : Cost::zero();
-  }
+  [[nodiscard]] Cost dist(NodeId s) const { return ground_.dist(s); }
 
   // Lines 1-3.
   [[nodiscard]] Key calculate_key(NodeId s) const { return calculate_key(s, lattice_.coordinates(s)); }
@@ -633,100 +377,30 @@ class DStarLite final : public Planner<L> {
   }
   [[nodiscard]] Key top_key() const { return open_.empty() ? Key{} : open_.top().key; }
 
-  [[nodiscard]] NodeId lp(NodeId s) const {
-    if (s == goal_) return goal_;
-    return nodes_[s].lp == kNoDirection ? kNoNode : lattice_.neighbour(s, static_cast<int>(nodes_[s].lp));
-  }
+  [[nodiscard]] NodeId lp(NodeId s) const { return s == goal_ ? goal_ : this->parent(s); }
 
-  // Every write of a value goes through one of these, so that the log misses none.
-  void set_g(NodeId s, Cost value) {
-    tr_.change(EventKind::g, s, nodes_[s].g, value);
-    nodes_[s].g = value;
-  }
+  // These two as well as set_g() and set_parent(): every write of a value, so that the log misses none.
   void set_rhs(NodeId s, Cost value) {
-    nodes_.mark(s);  // rhs is the first value of a vertex that is written
-    tr_.change(EventKind::rhs, s, nodes_[s].rhs, value);
-    nodes_[s].rhs = value;
-  }
-  void set_lp(NodeId s, std::uint32_t d) {
-    const NodeId before = lp(s);
-    nodes_[s].lp = d & 31u;
-    tr_.change(EventKind::lp, s, std::uint64_t{before + 1u}, std::uint64_t{lp(s) + 1u});
+    Node& node = nodes_.write(s);  // rhs is the first value of a vertex that is written
+    tr_.change(EventKind::rhs, s, node.rhs, value);
+    node.rhs = value;
   }
   void set_rp(NodeId s, NodeId parent) {
     tr_.change(EventKind::rp, s, std::uint64_t{nodes_[s].rp + 1u}, std::uint64_t{parent + 1u});
-    nodes_[s].rp = parent;
+    nodes_.held(s).rp = parent;
   }
 
-  // As above for the open list; the log holds k1 + 1 while a node is in it.
-  void note_queue(NodeId s, Cost before, Cost after) {
-    ++counters_.queue_operations;
-    tr_.note(EventKind::queue, s, raw(before) ^ raw(after));
-  }
-  [[gnu::always_inline]] void put_in(NodeId s, const Key& key) {  // see OpenList::push()
-    note_queue(s, Cost::zero(), {key.k1.raw + 1});
-    open_.push(nodes_, key, s);
-  }
-  void re_key(NodeId s, const Key& key) {
-    if constexpr (T::kEnabled)
-      note_queue(s, {open_.entries()[nodes_.get(s) - 1].key.k1.raw + 1}, {key.k1.raw + 1});
-    else
-      ++counters_.queue_operations;
-    open_.update(nodes_, key, s);
-  }
-  void take_out(NodeId s) {
-    if constexpr (T::kEnabled)
-      note_queue(s, {open_.entries()[nodes_.get(s) - 1].key.k1.raw + 1}, Cost::zero());
-    else
-      ++counters_.queue_operations;
-    open_.remove(nodes_, s);
-  }
-  void take_out_top() {
-    note_queue(open_.top().node, {open_.top().key.k1.raw + 1}, Cost::zero());
-    open_.pop(nodes_);
-  }
-
-  void restore_node(const SearchState& state, NodeId n) {
-    Node& node = nodes_[n];
-    nodes_.mark(n);
-    node.g = state.g(n);
-    node.rhs = state.rhs(n);
-    node.rp = state.rp(n);
-    if (along_path_ && node.rp != kNoNode && n != goal_) keep({n, node.rp});
-    node.lp = kNoDirection;
-    if (const NodeId parent = state.lp(n); parent != kNoNode && n != goal_)
-      for (std::uint32_t rest = lattice_.moves(n); rest != 0; rest &= rest - 1)
-        if (const int d = std::countr_zero(rest); lattice_.neighbour(n, d) == parent)
-          node.lp = static_cast<std::uint32_t>(d) & 31u;
-    if (state.queued(n)) open_.push(nodes_, {state.k1(n), state.k2(n)}, n);
-  }
-
-  const L& lattice_;
-  T& tr_;
-  NodeTable<Node> nodes_;
-  OpenList<Key> open_;  // U
-  ClearanceField<L::kDimensions> clearance_;
-  SightMap<L::kDimensions> sight_map_;
   DStarLiteSwitches switches_;
   [[no_unique_address]] Faults faults_;
-  ClearanceRules clearance_rules_;
-  Heuristic heuristic_ = Heuristic::octile;
-  SightRule sight_rule_ = SightRule::supercover;
-  bool in_search_ = false, along_path_ = false;  // where sight is checked
-  bool checked_ = true;                          // remote parents, when they are used
-  std::uint64_t fields_revision_ = 0;  // of the lattice that the field and the sight map are of; 0: none
-  NodeId start_ = kNoNode, last_ = kNoNode, goal_ = kNoNode;
+  Heuristic heuristic_;
+  bool along_path_, in_search_;  // where sight is checked
+  bool checked_;                 // remote parents, when they are used
+  Ground<L> ground_;
+  NodeId last_ = kNoNode;
   Coordinates start_at_{};
   Cost km_ = Cost::zero();
-  Counters counters_;
-  Visits<T> visits_;
-  std::unordered_map<NodeId, Cost> ways_;  // of vertices that a path was held against
-  KeptLeaps<L::kDimensions>
-      kept_leaps_;             // with along_path_: of the vertices whose rp is set, but for the goal
-  std::vector<NodeId> chain_;  // of local parents, as far as a leap may go
-  std::size_t at_ = 0;         // where that leap begins
-  NodeId leads_ = kNoNode;     // the last vertex whose leap was found to lead ahead, on the path that is read
-  std::vector<NodeId> turned_;  // cells that the last change made good or bad for sight, or may have
+  LeapingPath<DStarLite, L::kDimensions> leaps_{*this};  // with along_path_
+  ParentPath<DStarLite> parents_{*this};                 // else
   std::vector<NodeId> affected_;
   std::vector<std::uint8_t> marked_;  // 1 while a node is among affected_
 };

@@ -13,7 +13,10 @@ namespace {
 class Bench {
  public:
   explicit Bench(const LogView& view)
-      : view_(view), rules_(move_rules(view.settings)), state_(view.log.state_at(0)) {
+      : view_(view),
+        rules_(move_rules(view.settings)),
+        state_(view.log.state_at(0)),
+        f_(view.info.key.f(view.settings)) {
     world_.size = {view.lattice.width(), view.lattice.height(), 1};
     world_.blocked.resize(state_.node_count());
     map_changed();
@@ -103,7 +106,7 @@ class Bench {
     const NodeId goal = state_.node(Scalar::goal), start = state_.node(Scalar::start);
     const Raw g = state_.g(s).raw;
     const NodeId parent = state_.lp(s);
-    if (state_.queued(s) && on_map(goal) && state_.k1(s).raw != sum(g, h(s, goal))) return false;
+    if (state_.queued(s) && on_map(goal) && state_.k1(s) != f_({g}, {h(s, goal)})) return false;
     if (g < kNever && !state_.queued(s))
       for (const Move& move : successors_[s])
         if (state_.g(move.to).raw > sum(g, move.cost)) return false;
@@ -169,6 +172,7 @@ class Bench {
   LogView view_;
   MoveRules rules_;
   SearchState state_;
+  KeyRule::F f_;
   World world_;
   std::vector<std::vector<Move>> successors_;
   std::vector<Raw> penalty_;

@@ -14,17 +14,24 @@ struct Record {
   int value = 7;
   std::uint32_t slot = 0;
 };
+struct Numbered : Record {
+  std::uint32_t search = 0;
+};
 
-TEST(NodeTable, ResetsEveryRecordThatWasMarkedAndItsBlock) {
+template <class Table>
+void check_reset() {
   for (const std::size_t size : {1u, 63u, 64u, 65u, 511u, 512u, 513u, 5000u}) {
-    NodeTable<Record> table(size);
+    Table table(size);
     ASSERT_EQ(table.size(), size);
     for (const std::size_t at : {std::size_t{0}, size / 2, size - 1}) {
       const auto node = static_cast<NodeId>(at);
-      table.mark(node);
-      table[node].value = 1;
+      table.write(node).value = 1;
       table.set(node, 12);
       EXPECT_EQ(table.get(node), 12u);
+      EXPECT_EQ(table[node].value, 1);
+      EXPECT_EQ(&table.held(node), &table.write(node));
+      EXPECT_EQ(table.held(node).value, 1);
+      table.set(node, 0);  // as the open list does when it is cleared
     }
     table.reset();
     for (NodeId n = 0; n < size; ++n) {
@@ -32,6 +39,13 @@ TEST(NodeTable, ResetsEveryRecordThatWasMarkedAndItsBlock) {
       ASSERT_EQ(table.get(n), 0u);
     }
   }
+}
+
+TEST(NodeTable, ResetsEveryRecordThatWasWrittenToAndItsBlock) {
+  check_reset<NodeTable<Record>>();
+}
+TEST(NumberedTable, ReadsRecordsOfEarlierSearchesAsBlank) {
+  check_reset<NumberedTable<Numbered>>();
 }
 
 /// begin() after a change that the planner was not told of plans on the map as it is, and what it writes down
