@@ -20,7 +20,7 @@
 #include "core/base/folders.hpp"
 #include "core/plan/pages.hpp"
 #include "core/world/library.hpp"
-#include "ui/shell/documents.hpp"
+#include "ui/documents/files.hpp"
 #include "ui/shell/shell.hpp"
 
 namespace replan::app {

@@ -4,7 +4,7 @@
 #include "app/studio.hpp"
 #include "core/base/file.hpp"
 #include "core/scene/svg.hpp"
-#include "ui/canvas_draw.hpp"
+#include "ui/canvas/draw.hpp"
 #include "ui/shell/actions.hpp"
 
 namespace replan::app {

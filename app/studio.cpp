@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/world/library.hpp"
-#include "ui/pane_grid.hpp"
+#include "ui/canvas/pane_grid.hpp"
 
 namespace replan::app {
 namespace {

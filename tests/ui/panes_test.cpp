@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/ui/shell_fixture.hpp"
-#include "ui/pane_grid.hpp"
+#include "ui/canvas/pane_grid.hpp"
 
 namespace replan::ui::panes_test {
 namespace {

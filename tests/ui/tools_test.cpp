@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "tests/ui/canvas_fixture.hpp"
-#include "ui/canvas_overlay.hpp"
-#include "ui/canvas_tools.hpp"
+#include "ui/canvas/hand.hpp"
+#include "ui/canvas/overlay.hpp"
 
 namespace replan::ui::tools_test {
 namespace {

@@ -12,9 +12,9 @@
 #include "core/scene/view.hpp"
 #include "core/session/commands.hpp"
 #include "core/study/figures_table.hpp"
-#include "ui/canvas.hpp"
+#include "ui/canvas/canvas.hpp"
 #include "ui/shell/frame.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 

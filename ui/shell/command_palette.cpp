@@ -6,10 +6,10 @@
 
 #include "core/base/file.hpp"
 #include "core/plan/glossary.hpp"
+#include "ui/documents/world_library.hpp"
 #include "ui/icons.hpp"
 #include "ui/keys.hpp"
 #include "ui/shell/panels.hpp"
-#include "ui/shell/world_library.hpp"
 
 namespace replan::ui {
 namespace {

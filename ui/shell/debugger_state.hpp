@@ -9,7 +9,7 @@
 #include "core/debug/cell_history.hpp"
 #include "core/debug/open_order.hpp"
 #include "core/debug/touched.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 

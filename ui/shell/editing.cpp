@@ -4,7 +4,7 @@
 #include "core/base/words.hpp"
 #include "core/export/case_text.hpp"
 #include "core/world/ascii_map.hpp"
-#include "ui/canvas_tools.hpp"
+#include "ui/canvas/hand.hpp"
 #include "ui/shell/actions.hpp"
 
 namespace replan::ui {

@@ -12,7 +12,7 @@
 #include "core/plan/figures.hpp"
 #include "core/plan/pages.hpp"
 #include "core/session/session.hpp"
-#include "ui/canvas.hpp"
+#include "ui/canvas/canvas.hpp"
 #include "ui/look.hpp"
 #include "ui/shell/debugger_state.hpp"
 #include "ui/shell/recording.hpp"

@@ -2,8 +2,8 @@
 #include <imgui_internal.h>
 
 #include "core/base/file.hpp"
+#include "ui/documents/files.hpp"
 #include "ui/icons.hpp"
-#include "ui/shell/documents.hpp"
 #include "ui/shell/panels.hpp"
 
 namespace replan::ui {

@@ -6,9 +6,9 @@
 #include <imgui_internal.h>
 
 #include "core/scene/scene.hpp"
+#include "ui/canvas/pane_grid.hpp"
 #include "ui/icons.hpp"
 #include "ui/keys.hpp"
-#include "ui/pane_grid.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
 

@@ -10,17 +10,17 @@
 #include <vector>
 
 #include "core/session/autosave.hpp"
-#include "ui/canvas.hpp"
+#include "ui/canvas/canvas.hpp"
+#include "ui/documents/file_watch.hpp"
+#include "ui/documents/recent_files.hpp"
+#include "ui/documents/world_library.hpp"
 #include "ui/gl/imgui_renderer.hpp"
 #include "ui/shell/actions.hpp"
 #include "ui/shell/command_palette.hpp"
 #include "ui/shell/dialogs.hpp"
 #include "ui/shell/dialogs/world_dialogs.hpp"
-#include "ui/shell/file_watch.hpp"
 #include "ui/shell/frame.hpp"
-#include "ui/shell/recent_files.hpp"
 #include "ui/shell/trace_export.hpp"
-#include "ui/shell/world_library.hpp"
 
 namespace replan::ui {
 

@@ -1,0 +1,54 @@
+// The canvas: a pane of the world with its plan, pan and zoom, and the tools' hands on it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <imgui.h>
+
+#include "core/scene/view.hpp"
+#include "core/session/session.hpp"
+#include "ui/canvas/editing.hpp"
+#include "ui/gl/imgui_renderer.hpp"
+#include "ui/look.hpp"
+
+namespace replan::ui {
+
+/// What the window remembers of itself; no part of the document.
+struct ViewState {
+  View view;
+  Tool tool = Tool::paint;
+  int brush = 1;  ///< side of the brush in cells, 1 to 64
+  Editing editing;
+  bool dark = true;
+  bool panels = true;  ///< side panel and tool strip shown
+  int tab = 1;         ///< chosen side tab
+  bool legend = true;
+  std::optional<Cell> menu;  ///< the cell whose menu is asked for
+  bool live = true;  ///< a window; else a picture, which shows no wall times and waits for what is worked out
+};
+
+/// Draws a run into the current ImGui window's rectangle and turns input on it into commands.
+class Canvas {
+ public:
+  explicit Canvas(ImGuiRenderer& renderer);
+  ~Canvas();
+
+  /// Draws pane `pane` of the session at `min`..`max` (screen coordinates). With `interactive` the mouse
+  /// pans, zooms, hovers, pins and uses the tool; commands that come of it are appended to `commands`.
+  void draw(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
+            ImVec2 max, bool interactive, std::vector<Command>& commands);
+
+  /// Makes the next draw show the whole world.
+  void fit();
+  /// True while a zoom is on its way or something is being worked out: further frames are due without input.
+  [[nodiscard]] bool animating() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace replan::ui
