@@ -25,30 +25,14 @@ struct SignEntry {
   const char* label;
 };
 constexpr std::array<SignEntry, static_cast<std::size_t>(Sign::count)> kSigns = {{
-    {Sign::repair, Mark::outline, &Theme::warning, "last repair"},
-    {Sign::surprise, Mark::square, &Theme::surprise, "surprise"},
-    {Sign::to_come, Mark::outline, &Theme::surprise, "to come"},
-    {Sign::mover, Mark::square, &Theme::mover, "moving"},
-    {Sign::lp, Mark::arrow, &Theme::dim, "lp"},
-    {Sign::rp, Mark::long_arrow, &Theme::accent, "rp"},
-    {Sign::queue, Mark::corners, &Theme::accent, "open list"},
-    {Sign::over, Mark::up, &Theme::accent, "over"},
-    {Sign::under, Mark::down, &Theme::warning, "under"},
-    {Sign::unknown, Mark::square, &Theme::faint, "not known"},
-    {Sign::gone, Mark::square, &Theme::faint, "gone"},
-    {Sign::sight_free, Mark::line, &Theme::good, "sight"},
-    {Sign::sight_stopped, Mark::line, &Theme::bad, "no sight"},
-    {Sign::path, Mark::line, &Theme::path, "path"},
-    {Sign::trail, Mark::line, &Theme::robot, "trail"},
-    {Sign::sensor, Mark::dashed, &Theme::robot, "sensor"},
-    {Sign::robot, Mark::dot, &Theme::robot, "robot"},
-    {Sign::nearest, Mark::dashed, &Theme::goal, "nearest to it"},
+#define REPLAN_SIGN(ID, MARK, COLOUR, LABEL) {Sign::ID, Mark::MARK, &Theme::COLOUR, LABEL},
+#include "core/scene/signs.def"
+#undef REPLAN_SIGN
 }};
 
-std::string value_text(Overlay field, double value) {
+std::string value_text(double value) {
   char text[32];
-  const bool whole = field == Overlay::order || field == Overlay::times || value == std::floor(value);
-  if (whole) return grouped(static_cast<std::int64_t>(value));
+  if (value == std::floor(value)) return grouped(static_cast<std::int64_t>(value));
   std::snprintf(text, sizeof text, "%.1f", value);
   return text;
 }
@@ -95,8 +79,8 @@ void draw_legend(const Look& look, ImDrawList& list, const Scene& scene, ImVec2 
   std::string low, high;
   float used = look.px(20);
   if (scene.range) {
-    low = value_text(*scene.field, scene.range->low);
-    high = value_text(*scene.field, scene.range->high);
+    low = value_text(scene.range->low);
+    high = value_text(scene.range->high);
     field = {overlays()[static_cast<std::size_t>(*scene.field)].label, &viridis(), low, high};
     used += look.px(120 + 28) + text_width(look.fonts.ui, field.label) +
             text_width(look.fonts.mono, low + high + "   ");

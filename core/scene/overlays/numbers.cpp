@@ -1,7 +1,6 @@
-// Numbers inside cells: g in the middle from a readable zoom on, all values in the corners from a larger one.
 #include <cstdio>
 
-#include "core/scene/context.hpp"
+#include "core/scene/overlay.hpp"
 
 namespace replan {
 namespace {
@@ -35,25 +34,43 @@ void add_corners(SceneContext& context, Cell cell, NodeId node, double strength)
   }
 }
 
+/// Values of free cells: g in the middle from a readable zoom on, all in the corners from a larger one.
+class Numbers final : public CellMark {
+ public:
+  Numbers(SceneContext& context, double corners, double middle)
+      : context_(context), corners_(corners), middle_(middle), beside_arrow_(context.has(Overlay::lp)) {}
+
+  void add(Cell cell, NodeId node) override {
+    if (context_.state.known_blocked(node)) return;
+    if (corners_ > 0) add_corners(context_, cell, node, corners_);
+    if (middle_ <= 0 || context_.state.g(node).is_infinite()) return;
+    const double rise = beside_arrow_ ? context_.world(14) : 0;
+    context_.add(Label{{cell.x + 0.5, cell.y + 0.5 - rise},
+                       Anchor::middle,
+                       faded(context_.palette.text, middle_),
+                       number(context_.state.g(node))});
+  }
+
+ private:
+  SceneContext& context_;
+  double corners_, middle_;  // how strong they are
+  bool beside_arrow_;
+};
+
+std::unique_ptr<CellMark> numbers(SceneContext& context) {
+  const double corners = context.grown(68, 76), middle = context.grown(40, 46) * (1 - corners);
+  if (middle <= 0 && corners <= 0) return nullptr;
+  return std::make_unique<Numbers>(context, corners, middle);
+}
+
 }  // namespace
 
-void build_numbers(SceneContext& context) {
-  const double corners = context.grown(68, 76), middle = context.grown(40, 46) * (1 - corners);
-  if (!context.has(Overlay::numbers) || (middle <= 0 && corners <= 0)) return;
-  const bool beside_arrow = context.has(Overlay::lp);
-  for (int y = context.top; y < context.bottom; ++y)
-    for (int x = context.left; x < context.right; ++x) {
-      const Cell cell{x, y};
-      const NodeId node = context.lattice.node(cell);
-      if (context.state.known_blocked(node)) continue;
-      if (corners > 0) add_corners(context, cell, node, corners);
-      if (middle <= 0 || context.state.g(node).is_infinite()) continue;
-      const double rise = beside_arrow ? context.world(14) : 0;
-      context.add(Label{{x + 0.5, y + 0.5 - rise},
-                        Anchor::middle,
-                        faded(context.palette.text, middle),
-                        number(context.state.g(node))});
-    }
+OverlayKind overlay_numbers() {
+  return {.info = {.label = "numbers",
+                   .help = "g, rhs, key and dist inside the cells, from a readable zoom on.",
+                   .key = '7'},
+          .layer = Layer::numbers,
+          .each = numbers};
 }
 
 }  // namespace replan
