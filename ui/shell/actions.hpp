@@ -18,9 +18,9 @@
 
 namespace replan::ui {
 
-enum class ActionId : std::uint8_t {
-#define REPLAN_ACTION(ID, MENU, GROUP, LABEL, ICON, CHORD, HELD, TEACH, EFFECT) ID,
-#define REPLAN_OVERLAY(OVERLAY, CHORD) overlay_##OVERLAY,
+enum class ActionId : std::uint16_t {
+#define REPLAN_ACTION(ID, ...) ID,
+#define REPLAN_OVERLAY(ID) overlay_##ID,
 #include "ui/shell/actions.def"
 #undef REPLAN_OVERLAY
 #undef REPLAN_ACTION
@@ -78,6 +78,23 @@ struct ActionContext {
   void go_to_breach();
   void find_difference();
   void show_open_list(bool touched);
+  // What actions ask before they can be done.
+  [[nodiscard]] bool is_busy() const;
+  [[nodiscard]] bool has_own_settings() const;
+  /// Whether a film of the window, or of the canvas, is being recorded, and whether one can be begun or ended.
+  [[nodiscard]] bool records(bool window) const;
+  [[nodiscard]] bool may_record(bool window) const;
+};
+
+/// What an action depends on; what is left out is never so, but for `available`.
+struct ActionRules {
+  using Condition = bool (*)(const ActionContext& context);
+  Condition available = nullptr;  ///< it would do something now (undo: there is something to take back)
+  const char* why_not = "";       ///< half a sentence ("nothing is selected"); empty if it explains itself
+  Condition checked = nullptr;    ///< it is a switch that is on, or the chosen one of several
+  Condition hidden = nullptr;     ///< the menu leaves it out
+  std::string (*words)(const ActionContext& context) =
+      nullptr;  ///< what the menu calls it now; empty: its label
 };
 
 struct Action {
@@ -88,12 +105,24 @@ struct Action {
   std::string label;
   const char* icon;
   Chord chord;
-  std::string keys;  ///< chord_text(chord)
-  bool held;         ///< repeats while the key is held
+  bool held;  ///< repeats while the key is held
   std::string teach;
   void (*effect)(ActionContext& context);
+  ActionRules rules = {};
+  std::string keys = {};  ///< chord_text(chord)
 
   [[nodiscard]] Hint hint() const { return {label.c_str(), keys.c_str(), teach.c_str()}; }
+  [[nodiscard]] bool available(const ActionContext& context) const {
+    return rules.available == nullptr || rules.available(context);
+  }
+  [[nodiscard]] bool checked(const ActionContext& context) const {
+    return rules.checked != nullptr && rules.checked(context);
+  }
+  [[nodiscard]] bool hidden(const ActionContext& context) const {
+    return rules.hidden != nullptr && rules.hidden(context);
+  }
+  /// What a menu calls it now.
+  [[nodiscard]] std::string words(const ActionContext& context) const;
 };
 
 /// All actions in the order of the table.
@@ -103,12 +132,6 @@ const Action& action(ActionId id);
 const Action* find_action(std::string_view name);
 ActionId overlay_action(Overlay overlay);
 
-/// Whether the action would do something now (undo: is there anything to take back?).
-bool available(const Action& action, const ActionContext& context);
-/// Why it would do nothing now, as half a sentence ("nothing is selected"); empty if that explains itself.
-const char* why_not(ActionId id);
-/// Whether it is a switch that is on, or the chosen one of several.
-bool checked(const Action& action, const ActionContext& context);
 /// Actions whose chord was pressed this frame; none while text is typed.
 std::vector<ActionId> pressed_actions(const ImGuiIO& io);
 /// Whether a key of a repeating action is down: frames are needed although no event comes.

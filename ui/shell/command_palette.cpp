@@ -48,17 +48,17 @@ void add_actions(Frame& frame, std::vector<PaletteEntry>& entries) {
   for (const Action& each : actions()) {
     if (each.id == ActionId::palette) continue;
     const bool overlay = each.menu == Menu::overlays;
-    const bool enabled = available(each, context);
+    const bool enabled = each.available(context);
     entries.push_back({.id = each.name,
                        .label = overlay ? "Overlay: " + each.label : each.label,
                        .place = menu_name(each.menu),
                        .keys = each.keys,
                        .teach = each.teach,
-                       .icon = checked(each, context) ? icon::check
-                               : overlay              ? icon::eye
-                                                      : each.icon,
+                       .icon = each.checked(context) ? icon::check
+                               : overlay             ? icon::eye
+                                                     : each.icon,
                        .enabled = enabled,
-                       .reason = enabled ? "" : why_not(each.id),
+                       .reason = enabled ? "" : each.rules.why_not,
                        .effect = [id = each.id](Frame& f) { perform(f, id); }});
   }
 }

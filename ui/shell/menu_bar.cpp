@@ -11,13 +11,8 @@ namespace {
 
 void menu_item(Frame& frame, const Action& each) {
   const ActionContext context = context_of(frame);
-  const std::string label =
-      each.id == ActionId::undo && !frame.session.undo_text().empty()   ? "Undo: " + frame.session.undo_text()
-      : each.id == ActionId::redo && !frame.session.redo_text().empty() ? "Redo: " + frame.session.redo_text()
-      : each.menu == Menu::record && checked(each, context)             ? "Stop recording"
-                                                                        : each.label;
-  if (ImGui::MenuItemEx(label.c_str(), each.icon, each.keys.c_str(), checked(each, context),
-                        available(each, context)))
+  if (ImGui::MenuItemEx(each.words(context).c_str(), each.icon, each.keys.c_str(), each.checked(context),
+                        each.available(context)))
     perform(frame, each.id);
   hint(frame.look, {"", "", each.teach.c_str()});
 }
@@ -38,16 +33,11 @@ void recent_items(Frame& frame) {
   ImGui::EndMenu();
 }
 
-bool is_lockstep(ActionId id) {
-  return id == ActionId::lockstep_expansions || id == ActionId::lockstep_moves ||
-         id == ActionId::lockstep_race;
-}
-
-/// The entries of a menu, with a line between groups. What panes keep step by shows where there are several.
+/// The entries of a menu, with a line between groups.
 void menu_items(Frame& frame, Menu menu) {
   int group = -1;
   for (const Action& each : actions()) {
-    if (each.menu != menu || (is_lockstep(each.id) && frame.session.runs().size() < 2)) continue;
+    if (each.menu != menu || each.hidden(context_of(frame))) continue;
     if (group >= 0 && each.group != group) ImGui::Separator();
     group = each.group;
     menu_item(frame, each);

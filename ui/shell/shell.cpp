@@ -31,7 +31,7 @@ ActionContext context_of(Frame& frame) {
 
 void perform(Frame& frame, ActionId id) {
   ActionContext context = context_of(frame);
-  if (available(action(id), context)) action(id).effect(context);
+  if (action(id).available(context)) action(id).effect(context);
 }
 
 void Shell::draw(const Look& look, Session& session, double) {

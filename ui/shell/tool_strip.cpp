@@ -14,7 +14,7 @@ void tool(Frame& frame, ActionId id, ImU32 colour = 0) {
   if (tool_button(frame.look, each.name,
                   {.icon = each.icon,
                    .hint = each.hint(),
-                   .selected = checked(each, context_of(frame)),
+                   .selected = each.checked(context_of(frame)),
                    .colour = colour}))
     perform(frame, id);
 }

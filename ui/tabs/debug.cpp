@@ -88,7 +88,7 @@ void title_with_steps(Frame& frame) {
   ImGui::SetCursorScreenPos({right - look.px(52), origin.y - look.px(5)});
   for (const ActionId id : {ActionId::breakpoint_back, ActionId::breakpoint_forward}) {
     const Action& each = action(id);
-    const bool usable = available(each, context_of(frame));
+    const bool usable = each.available(context_of(frame));
     if (small_button(look, each.name, {.icon = each.icon, .hint = each.hint(), .enabled = usable}))
       perform(frame, id);
     ImGui::SameLine(0, look.px.xs);

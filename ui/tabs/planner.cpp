@@ -294,7 +294,7 @@ void draw_planner_panel(Frame& frame) {
   section_title(look, "Settings");
   const ImVec2 below = ImGui::GetCursorScreenPos();
   const Action& reset = action(ActionId::reset_settings);
-  if (available(reset, context_of(frame))) {
+  if (reset.available(context_of(frame))) {
     ImGui::SetCursorScreenPos({right - look.px(24), origin.y - look.px(6)});
     if (small_button(look, reset.name, {.icon = reset.icon, .hint = reset.hint()})) perform(frame, reset.id);
     ImGui::SetCursorScreenPos(below);
