@@ -123,7 +123,13 @@ Result<void> Program::open() {
   if (!window) return Error{window.error()};
   window_ = std::move(*window);
   shell_ = std::make_unique<ui::Shell>(window_->stage().renderer());
-  shell_->view() = remembered_.view;
+  ui::ViewState& looks = shell_->view();
+  looks.dark = remembered_.dark;
+  looks.panels = remembered_.panels;
+  looks.legend = remembered_.legend;
+  looks.brush = remembered_.brush;
+  looks.editing.round = remembered_.round_brush;
+  looks.tab = remembered_.tab;
   shell_->panels().side_width = remembered_.side_width;
   shell_->panels().unit = remembered_.unit;
   shell_->panels().caption = remembered_.caption;
@@ -259,7 +265,13 @@ Result<void> Program::close() {
   }
   shell_->leave();
   remembered_.window = window_->state();
-  remembered_.view = shell_->view();
+  const ui::ViewState& looks = shell_->view();
+  remembered_.dark = looks.dark;
+  remembered_.panels = looks.panels;
+  remembered_.legend = looks.legend;
+  remembered_.brush = looks.brush;
+  remembered_.round_brush = looks.editing.round;
+  remembered_.tab = looks.tab;
   remembered_.side_width = shell_->panels().side_width;
   remembered_.unit = shell_->panels().unit;
   remembered_.caption = shell_->panels().caption;

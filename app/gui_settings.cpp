@@ -49,12 +49,12 @@ Remembered read_settings(const std::string& path) {
   result.window.width = whole(json, "width", 640, 16384, result.window.width);
   result.window.height = whole(json, "height", 480, 16384, result.window.height);
   result.window.maximized = flag(json, "maximized", false);
-  result.view.dark = flag(json, "dark", true);
-  result.view.panels = flag(json, "panels", true);
-  result.view.legend = flag(json, "legend", true);
-  result.view.brush = whole(json, "brush", 1, 64, 1);
-  result.view.editing.round = whole(json, "round_brush", 0, 1, 0) != 0;
-  result.view.tab = whole(json, "tab", ui::kPlannerTab, ui::kLogTab, ui::kCellTab);
+  result.dark = flag(json, "dark", true);
+  result.panels = flag(json, "panels", true);
+  result.legend = flag(json, "legend", true);
+  result.brush = whole(json, "brush", 1, 64, 1);
+  result.round_brush = whole(json, "round_brush", 0, 1, 0) != 0;
+  result.tab = whole(json, "tab", ui::kPlannerTab, ui::kLogTab, ui::kCellTab);
   result.side_width = static_cast<float>(number(json, "side_width", 340, 640, result.side_width));
   result.caption = flag(json, "caption", true);
   result.unit = static_cast<StepUnit>(whole(json, "step_unit", 0, 4, static_cast<int>(result.unit)));
@@ -70,12 +70,12 @@ Result<void> write_settings(const Remembered& settings, const std::string& path)
   const Json json = {{"width", settings.window.width},
                      {"height", settings.window.height},
                      {"maximized", settings.window.maximized},
-                     {"dark", settings.view.dark},
-                     {"panels", settings.view.panels},
-                     {"legend", settings.view.legend},
-                     {"brush", settings.view.brush},
-                     {"round_brush", settings.view.editing.round ? 1 : 0},
-                     {"tab", settings.view.tab},
+                     {"dark", settings.dark},
+                     {"panels", settings.panels},
+                     {"legend", settings.legend},
+                     {"brush", settings.brush},
+                     {"round_brush", settings.round_brush ? 1 : 0},
+                     {"tab", settings.tab},
                      {"side_width", settings.side_width},
                      {"caption", settings.caption},
                      {"step_unit", static_cast<int>(settings.unit)},

@@ -68,7 +68,7 @@ void Studio::draw_window(Session& session) {
   ui::Stage& stage = offscreen_->stage();
   if (!shell_) {
     shell_ = std::make_unique<ui::Shell>(stage.renderer());
-    shell_->view() = state_;
+    shell_->view() = std::move(state_);  // which is drawn by it from now on
     shell_->panels().panes = settings_.panes;
   }
   shell_->draw(stage.look(), session, settings_.seconds);

@@ -105,7 +105,7 @@ TEST_F(ClipboardTest, DeleteTakesWhatIsSelected) {
   view_.editing.mover = 0;
   perform(ActionId::delete_selected);
   EXPECT_TRUE(session_->scenario().movers.empty());
-  EXPECT_FALSE(view_.editing.holds_something());
+  EXPECT_FALSE(holds_something(view_));
   view_.editing.region = CellRect{{4, 0}, {4, 1}};
   perform(ActionId::delete_selected);
   EXPECT_FALSE(session_->world().at({4, 1}));

@@ -69,7 +69,7 @@ TEST_F(DialogsTest, OpenStaysWithAFileThatCannotBeRead) {
   EXPECT_EQ(session_->scenario().name, "First");
   press(key::kEscape);
   press('V');  // keys are the window's again
-  EXPECT_EQ(shell_->view().tool, Tool::select);
+  EXPECT_EQ(shell_->view().tools.chosen_id(), "select");
 }
 
 TEST_F(DialogsTest, SaveAsAsksBeforeItReplaces) {

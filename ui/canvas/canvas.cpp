@@ -15,7 +15,7 @@ namespace {
 
 /// In a world of another size, what was selected is no longer where it was.
 void forget_places(ViewState& state) {
-  while (state.editing.escape()) {
+  while (let_go(state)) {
   }
   state.view.pinned.reset();
 }
@@ -182,8 +182,8 @@ void Canvas::Parts::point(const Session& session, const Run& run, ViewState& sta
                         .left_down = ImGui::IsMouseDown(ImGuiMouseButton_Left),
                         .right_down = ImGui::IsMouseDown(ImGuiMouseButton_Right),
                         .reach = std::max(0.5, radius)};
-  if (hand.holds() || (!hand.busy() && Hand::could_hold(run, pointer)))
-    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (inside) ImGui::SetMouseCursor(state.tools.kind().cursor);
+  if (hand.holds() || hand.could_hold(run, state, pointer)) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   hand.update(session, run, state, pointer, commands);
 }
 
@@ -246,7 +246,7 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
     const bool over_title = parts.title(look, session, pane, commands);
     const bool hovered = ImGui::IsItemHovered() && !over_title;
     ImGui::PopID();
-    if (hovered && state.tool == Tool::select && ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
+    if (hovered && state.tools.kind().leads && ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
         pane != session.lead())
       commands.emplace_back(Lead{pane});
     parts.navigate(run, state, min, hovered);
@@ -267,8 +267,8 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
     const Projection screen(parts.scene, min);
     const bool idle = !parts.hand.holds() && !parts.panning;
     const auto hovered = idle ? parts.hovered : std::nullopt;
-    draw_tool_overlay(look, list, screen, state, session.scenario().map,
-                      {parts.hand.preview(state, hovered), parts.hand.adds(), parts.hand.busy(), hovered});
+    draw_editing(CellPen(look, list, screen, session.scenario().map), state,
+                 parts.hand.preview(state, hovered), hovered);
   }
   const bool leads = interactive && session.runs().size() > 1 && pane == session.lead();
   if (leads) list.AddRectFilled(min, {max.x, min.y + look.px(2)}, look.theme.accent);

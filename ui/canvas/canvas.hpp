@@ -1,34 +1,17 @@
 // The canvas: a pane of the world with its plan, pan and zoom, and the tools' hands on it.
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include <imgui.h>
 
-#include "core/scene/view.hpp"
 #include "core/session/session.hpp"
-#include "ui/canvas/editing.hpp"
+#include "ui/canvas/view_state.hpp"
 #include "ui/gl/imgui_renderer.hpp"
 #include "ui/look.hpp"
 
 namespace replan::ui {
-
-/// What the window remembers of itself; no part of the document.
-struct ViewState {
-  View view;
-  Tool tool = Tool::paint;
-  int brush = 1;  ///< side of the brush in cells, 1 to 64
-  Editing editing;
-  bool dark = true;
-  bool panels = true;  ///< side panel and tool strip shown
-  int tab = 1;         ///< chosen side tab
-  bool legend = true;
-  std::optional<Cell> menu;  ///< the cell whose menu is asked for
-  bool live = true;  ///< a window; else a picture, which shows no wall times and waits for what is worked out
-};
 
 /// Draws a run into the current ImGui window's rectangle and turns input on it into commands.
 class Canvas {

@@ -1,71 +1,31 @@
 #include "ui/shell/actions.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include "ui/icons.hpp"
-#include "ui/keys.hpp"
+#include "ui/tools/mover.hpp"
 
 namespace replan::ui {
 namespace {
 
 constexpr int kLargestBrush = 64;
 
-constexpr Chord plain(int key) {
-  return {key, false, false, false};
-}
-constexpr Chord shift(int key) {
-  return {key, false, true, false};
-}
-constexpr Chord ctrl(int key) {
-  return {key, true, false, false};
-}
-/// F1 and so on.
-constexpr Chord fn(int number) {
-  return plain(key::kF1 + number - 1);
-}
-constexpr Chord ctrl_shift(int key) {
-  return {key, true, true, false};
-}
-constexpr Chord alt(int key) {
-  return {key, false, false, true};
-}
-
-std::string key_name(int key) {
-  switch (key) {
-    case key::kSpace:
-      return "Space";
-    case key::kEscape:
-      return "Esc";
-    case key::kEnter:
-      return "Enter";
-    case key::kTab:
-      return "Tab";
-    case key::kRight:
-      return "→";
-    case key::kLeft:
-      return "←";
-    case key::kUp:
-      return "↑";
-    case key::kDown:
-      return "↓";
-    case key::kPageUp:
-      return "PgUp";
-    case key::kPageDown:
-      return "PgDn";
-    case key::kHome:
-      return "Home";
-    case key::kEnd:
-      return "End";
-    case key::kDelete:
-      return "Del";
-    case key::kMenu:
-      return "Menu";
-    default:
-      break;
-  }
-  if (key >= key::kF1 && key < key::kF1 + 12) return "F" + std::to_string(key - key::kF1 + 1);
-  return std::string(1, static_cast<char>(key));
+Action make_tool(ActionId id, const char* name, std::string_view tool, void (*effect)(ActionContext&),
+                 ActionRules::Condition checked) {
+  const auto kinds = tool_kinds();
+  const ToolKind& kind =
+      *std::find_if(kinds.begin(), kinds.end(), [tool](const ToolKind& each) { return each.id == tool; });
+  return {.id = id,
+          .name = name,
+          .menu = Menu::edit,
+          .group = kind.group <= ToolGroup::draw ? 1 : 2,
+          .label = kind.label,
+          .icon = kind.icon,
+          .chord = kind.chord,
+          .held = false,
+          .teach = kind.teach,
+          .effect = effect,
+          .rules = {.checked = checked}};
 }
 
 Action make_overlay(ActionId id, const char* name, Overlay overlay, void (*effect)(ActionContext&),
@@ -100,6 +60,10 @@ std::vector<Action> make_table() {
    TEACH,                                                                            \
    [](ActionContext& c) { static_cast<void>(EFFECT); },                              \
    ActionRules{__VA_ARGS__}},
+#define REPLAN_TOOL(ID)                                                            \
+  make_tool(                                                                       \
+      ActionId::tool_##ID, "tool_" #ID, #ID, [](ActionContext& c) { choose_tool(c.view, #ID); }, \
+      [](const ActionContext& c) { return c.view.tools.chosen_id() == #ID; }),
 #define REPLAN_OVERLAY(ID)                                     \
   make_overlay(                                                \
       ActionId::overlay_##ID, "overlay_" #ID, Overlay::ID,     \
@@ -107,6 +71,7 @@ std::vector<Action> make_table() {
       [](const ActionContext& c) { return c.view.view.overlays.has(Overlay::ID); }),
 #include "ui/shell/actions.def"
 #undef REPLAN_OVERLAY
+#undef REPLAN_TOOL
 #undef REPLAN_ACTION
 #undef REPLAN_SAY
 #undef REPLAN_WHEN
@@ -120,12 +85,6 @@ bool modifiers_match(const Chord& chord, const ImGuiIO& io) {
 }
 
 }  // namespace
-
-std::string chord_text(const Chord& chord) {
-  if (chord.key == 0) return "";
-  return std::string(chord.ctrl ? "Ctrl+" : "") + (chord.shift ? "Shift+" : "") + (chord.alt ? "Alt+" : "") +
-         key_name(chord.key);
-}
 
 std::span<const Action> actions() {
   static const std::vector<Action> kTable = make_table();
@@ -143,12 +102,19 @@ const Action* find_action(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
+ActionId tool_action(std::string_view tool) {
+  const Action* found = find_action("tool_" + std::string(tool));
+  return found == nullptr ? ActionId::count : found->id;
+}
+
 ActionId overlay_action(Overlay overlay) {
   static constexpr ActionId kActions[] = {
 #define REPLAN_ACTION(ID, ...)
+#define REPLAN_TOOL(ID)
 #define REPLAN_OVERLAY(ID) ActionId::overlay_##ID,
 #include "ui/shell/actions.def"
 #undef REPLAN_OVERLAY
+#undef REPLAN_TOOL
 #undef REPLAN_ACTION
   };
   return kActions[static_cast<std::size_t>(overlay)];

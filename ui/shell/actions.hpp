@@ -13,6 +13,7 @@
 #include "core/session/commands.hpp"
 #include "core/study/figures_table.hpp"
 #include "ui/canvas/canvas.hpp"
+#include "ui/chord.hpp"
 #include "ui/shell/frame.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -20,25 +21,16 @@ namespace replan::ui {
 
 enum class ActionId : std::uint16_t {
 #define REPLAN_ACTION(ID, ...) ID,
+#define REPLAN_TOOL(ID) tool_##ID,
 #define REPLAN_OVERLAY(ID) overlay_##ID,
 #include "ui/shell/actions.def"
 #undef REPLAN_OVERLAY
+#undef REPLAN_TOOL
 #undef REPLAN_ACTION
   count
 };
 
 enum class Menu : std::uint8_t { file, edit, world, planner, debug, view, record, help, overlays };
-
-/// A key with its modifiers; key 0: none.
-struct Chord {
-  int key = 0;
-  bool ctrl = false;
-  bool shift = false;
-  bool alt = false;
-  friend bool operator==(const Chord&, const Chord&) = default;
-};
-/// As printed in menus: "Ctrl+Shift+S"; empty for no key.
-std::string chord_text(const Chord& chord);
 
 /// What actions read and change. Effects on the session are queued; they happen after drawing.
 struct ActionContext {
@@ -52,9 +44,7 @@ struct ActionContext {
   void step(StepUnit unit, int count) { push(Step{unit, count}); }
   void toggle_play(int direction);
   void resize_brush(int by);
-  void choose_tool(Tool tool);
   void let_go();
-  void finish_drawing();
   void delete_selected();
   void show_history();
   // Through the clipboard, as text (core/world/ascii_map.hpp).
@@ -131,6 +121,7 @@ const Action& action(ActionId id);
 /// The action of that identifier ("keys"), or nullptr.
 const Action* find_action(std::string_view name);
 ActionId overlay_action(Overlay overlay);
+ActionId tool_action(std::string_view tool);
 
 /// Actions whose chord was pressed this frame; none while text is typed.
 std::vector<ActionId> pressed_actions(const ImGuiIO& io);

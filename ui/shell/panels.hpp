@@ -19,6 +19,8 @@ void draw_tool_strip(Frame& frame);
 /// Whether the tool, or what is selected, has something to choose.
 bool has_tool_options(const Frame& frame);
 void draw_tool_options(Frame& frame);
+/// Of what is selected, in the tool's choices.
+void draw_remove_button(Frame& frame);
 void draw_transport(Frame& frame);
 void draw_timeline(Frame& frame, ImVec2 min, ImVec2 max);
 void draw_status_bar(Frame& frame);
