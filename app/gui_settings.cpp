@@ -1,6 +1,6 @@
 #include "app/gui_settings.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 
@@ -30,6 +30,16 @@ bool flag(const Json& json, const char* key, bool fallback) {
   return found != json.end() && found->is_boolean() ? found->get<bool>() : fallback;
 }
 
+/// By its id; files of older versions hold its number among the tabs that there were.
+std::string tab(const Json& json) {
+  constexpr std::array kNumbered = {"planner", "cell", "open_list", "code", "figures", "debug", "log"};
+  const auto found = json.find("tab");
+  if (found == json.end()) return "";
+  if (found->is_string()) return found->get<std::string>();
+  const int number = whole(json, "tab", 0, static_cast<int>(kNumbered.size()) - 1, -1);
+  return number < 0 ? "" : kNumbered[static_cast<std::size_t>(number)];
+}
+
 }  // namespace
 
 std::string settings_path() {
@@ -54,7 +64,7 @@ Remembered read_settings(const std::string& path) {
   result.legend = flag(json, "legend", true);
   result.brush = whole(json, "brush", 1, 64, 1);
   result.round_brush = whole(json, "round_brush", 0, 1, 0) != 0;
-  result.tab = whole(json, "tab", ui::kPlannerTab, ui::kLogTab, ui::kCellTab);
+  result.tab = tab(json);
   result.side_width = static_cast<float>(number(json, "side_width", 340, 640, result.side_width));
   result.caption = flag(json, "caption", true);
   result.unit = static_cast<StepUnit>(whole(json, "step_unit", 0, 4, static_cast<int>(result.unit)));

@@ -18,7 +18,7 @@ struct Remembered {
   bool dark = true, panels = true, legend = true;
   int brush = 1;
   bool round_brush = false;
-  int tab = ui::kCellTab;
+  std::string tab;  ///< its id; empty: the one that shows at first
   float side_width = 372;
   bool caption = true;
   StepUnit unit = StepUnit::expansion;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "core/scene/view.hpp"
 #include "ui/canvas/editing.hpp"
@@ -17,7 +18,7 @@ struct ViewState {
   Editing editing;
   bool dark = true;
   bool panels = true;  ///< side panel and tool strip shown
-  int tab = 1;         ///< chosen side tab
+  std::string tab;     ///< the id of the chosen side tab; empty: the one that shows at first
   bool legend = true;
   std::optional<Cell> menu;  ///< the cell whose menu is asked for
   bool live = true;  ///< a window; else a picture, which shows no wall times and waits for what is worked out

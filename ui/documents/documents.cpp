@@ -10,6 +10,7 @@
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
 #include "ui/shell/shell.hpp"
+#include "ui/tabs/figures.hpp"
 
 namespace replan::ui {
 namespace {
@@ -315,7 +316,7 @@ void Shell::choose_figures_file() {
 void Shell::save_figures(const Session& session, const std::string& path) {
   for (const FiguresFormatInfo& format : figures_formats()) {
     if (file_extension(path) != format.extension) continue;
-    const auto done = write_file_atomically(path, figures_text(format.format, figures_now(panels_, session)));
+    const auto done = write_file_atomically(path, figures_text(format.format, panels_.tabs.get<FiguresTab>().now(session)));
     if (!done) return complain(done.error());
     saving_figures_ = false;
     dialogs_.close();

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "ui/icons.hpp"
+#include "ui/tabs/log.hpp"
+#include "ui/tabs/open_list.hpp"
 #include "ui/tools/mover.hpp"
 
 namespace replan::ui {
@@ -26,6 +28,20 @@ Action make_tool(ActionId id, const char* name, std::string_view tool, void (*ef
           .teach = kind.teach,
           .effect = effect,
           .rules = {.checked = checked}};
+}
+
+Action make_tab(ActionId id, const char* name, std::string_view tab, void (*effect)(ActionContext&)) {
+  const TabKind& kind = tab_kinds()[tab_number(tab)];
+  return {.id = id,
+          .name = name,
+          .menu = Menu::view,
+          .group = 4,
+          .label = kind.label,
+          .icon = kind.icon,
+          .chord = kind.chord,
+          .held = false,
+          .teach = kind.teach,
+          .effect = effect};
 }
 
 Action make_overlay(ActionId id, const char* name, Overlay overlay, void (*effect)(ActionContext&),
@@ -60,10 +76,12 @@ std::vector<Action> make_table() {
    TEACH,                                                                            \
    [](ActionContext& c) { static_cast<void>(EFFECT); },                              \
    ActionRules{__VA_ARGS__}},
-#define REPLAN_TOOL(ID)                                                            \
-  make_tool(                                                                       \
+#define REPLAN_TOOL(ID)                                                                          \
+  make_tool(                                                                                     \
       ActionId::tool_##ID, "tool_" #ID, #ID, [](ActionContext& c) { choose_tool(c.view, #ID); }, \
       [](const ActionContext& c) { return c.view.tools.chosen_id() == #ID; }),
+#define REPLAN_TAB(ID) \
+  make_tab(ActionId::show_##ID, "show_" #ID, #ID, [](ActionContext& c) { show_tab(c.view, c.panels, #ID); }),
 #define REPLAN_OVERLAY(ID)                                     \
   make_overlay(                                                \
       ActionId::overlay_##ID, "overlay_" #ID, Overlay::ID,     \
@@ -71,6 +89,7 @@ std::vector<Action> make_table() {
       [](const ActionContext& c) { return c.view.view.overlays.has(Overlay::ID); }),
 #include "ui/shell/actions.def"
 #undef REPLAN_OVERLAY
+#undef REPLAN_TAB
 #undef REPLAN_TOOL
 #undef REPLAN_ACTION
 #undef REPLAN_SAY
@@ -103,17 +122,22 @@ const Action* find_action(std::string_view name) {
 }
 
 ActionId tool_action(std::string_view tool) {
-  const Action* found = find_action("tool_" + std::string(tool));
-  return found == nullptr ? ActionId::count : found->id;
+  return find_action("tool_" + std::string(tool))->id;
+}
+
+ActionId tab_action(std::string_view tab) {
+  return find_action("show_" + std::string(tab))->id;
 }
 
 ActionId overlay_action(Overlay overlay) {
   static constexpr ActionId kActions[] = {
 #define REPLAN_ACTION(ID, ...)
 #define REPLAN_TOOL(ID)
+#define REPLAN_TAB(ID)
 #define REPLAN_OVERLAY(ID) ActionId::overlay_##ID,
 #include "ui/shell/actions.def"
 #undef REPLAN_OVERLAY
+#undef REPLAN_TAB
 #undef REPLAN_TOOL
 #undef REPLAN_ACTION
   };
@@ -150,11 +174,6 @@ void ActionContext::move_pin(int dx, int dy) {
 
 void ActionContext::toggle_overlay(Overlay overlay) {
   view.view.overlays.set(overlay, !view.view.overlays.has(overlay));
-}
-
-void ActionContext::show_tab(int tab) {
-  view.tab = tab;
-  view.panels = true;
 }
 
 bool ActionContext::is_busy() const {

@@ -22,9 +22,11 @@ namespace replan::ui {
 enum class ActionId : std::uint16_t {
 #define REPLAN_ACTION(ID, ...) ID,
 #define REPLAN_TOOL(ID) tool_##ID,
+#define REPLAN_TAB(ID) show_##ID,
 #define REPLAN_OVERLAY(ID) overlay_##ID,
 #include "ui/shell/actions.def"
 #undef REPLAN_OVERLAY
+#undef REPLAN_TAB
 #undef REPLAN_TOOL
 #undef REPLAN_ACTION
   count
@@ -46,7 +48,6 @@ struct ActionContext {
   void resize_brush(int by);
   void let_go();
   void delete_selected();
-  void show_history();
   // Through the clipboard, as text (core/world/ascii_map.hpp).
   void copy_world();
   void copy_state();
@@ -56,7 +57,6 @@ struct ActionContext {
   void paste();
   void move_pin(int dx, int dy);
   void toggle_overlay(Overlay overlay);
-  void show_tab(int tab);
   // The debugger's; those about a cell take the pinned one, else the one under the cursor.
   [[nodiscard]] std::optional<Cell> cell() const;
   void go_to_breakpoint(int direction);
@@ -67,7 +67,6 @@ struct ActionContext {
   void switch_checks(bool laws, bool oracle);
   void go_to_breach();
   void find_difference();
-  void show_open_list(bool touched);
   // What actions ask before they can be done.
   [[nodiscard]] bool is_busy() const;
   [[nodiscard]] bool has_own_settings() const;
@@ -122,6 +121,8 @@ const Action& action(ActionId id);
 const Action* find_action(std::string_view name);
 ActionId overlay_action(Overlay overlay);
 ActionId tool_action(std::string_view tool);
+/// That shows the tab.
+ActionId tab_action(std::string_view tab);
 
 /// Actions whose chord was pressed this frame; none while text is typed.
 std::vector<ActionId> pressed_actions(const ImGuiIO& io);

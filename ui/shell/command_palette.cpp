@@ -1,7 +1,6 @@
 #include "ui/shell/command_palette.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "core/base/file.hpp"
@@ -80,23 +79,16 @@ void add_planners(Frame& frame, std::vector<PaletteEntry>& entries) {
 }
 
 void add_tabs(std::vector<PaletteEntry>& entries) {
-  constexpr std::array<std::pair<const char*, int>, 7> kTabs = {{{"Planner", kPlannerTab},
-                                                                 {"Cell", kCellTab},
-                                                                 {"Open list", kOpenListTab},
-                                                                 {"Code", kCodeTab},
-                                                                 {"Figures", kFiguresTab},
-                                                                 {"Debug", kDebugTab},
-                                                                 {"Log", kLogTab}}};
-  for (const auto& [name, tab] : kTabs)
-    entries.push_back({.id = std::string("tab ") + name,
-                       .label = std::string("Tab: ") + name,
+  for (const TabKind& kind : tab_kinds())
+    entries.push_back({.id = std::string("tab ") + kind.name,
+                       .label = std::string("Tab: ") + kind.name,
                        .place = "Side panel",
                        .keys = {},
                        .teach = {},
                        .icon = icon::columns,
                        .reason = {},
-                       .effect = [tab = tab](Frame& f) {
-                         f.view.tab = tab;
+                       .effect = [id = kind.id](Frame& f) {
+                         f.view.tab = id;
                          f.view.panels = true;
                        }});
 }

@@ -70,11 +70,6 @@ void ActionContext::delete_selected() {
   editing.surprise.reset();
 }
 
-void ActionContext::show_history() {
-  show_tab(kLogTab);
-  panels.log = LogPart::edits;
-}
-
 void ActionContext::copy_world() {
   const Scenario& scenario = session.scenario();
   const MapFile world{session.world(), scenario.start, scenario.goal};

@@ -25,20 +25,6 @@ void draw_transport(Frame& frame);
 void draw_timeline(Frame& frame, ImVec2 min, ImVec2 max);
 void draw_status_bar(Frame& frame);
 void draw_side(Frame& frame);
-void draw_planner_panel(Frame& frame);
-void draw_cell_panel(Frame& frame);
-void draw_open_list_panel(Frame& frame);
-void draw_code_panel(Frame& frame);
-void draw_figures_panel(Frame& frame);
-/// How all panes stand at their cursors.
-std::vector<RunReport> figures_now(PanelState& panels, const Session& session);
-void draw_debug_panel(Frame& frame);
-// Its sections about the planners.
-void draw_checks(Frame& frame);
-void draw_difference(Frame& frame);
-void draw_log_panel(Frame& frame);
-/// What the Cell tab says of the cell's past.
-void draw_history(Frame& frame, Cell cell);
 /// The menu of the cell that ViewState::menu asks for, as a popup.
 void draw_cell_menu(Frame& frame);
 // Entries of menus: for the cell, and for one value of it, called `name`.
@@ -51,7 +37,8 @@ void draw_stop(Frame& frame, ImVec2 corner);
 
 /// All overlays with their switches, keys and explanations; for popups and menus.
 void draw_overlay_switches(Frame& frame);
-/// The pseudo-code block with the current line lit; `around` > 0: only so many lines about it.
-void draw_pseudo_code(Frame& frame, const PseudoBlock& block, int around);
+/// The pseudo-code block with the current line lit; `around` > 0: only so many lines about it. `scrolled` is the line
+/// that the window was scrolled to last, and follows the current one; nullptr: the window stays as it is.
+void draw_pseudo_code(Frame& frame, const PseudoBlock& block, int around, int* scrolled = nullptr);
 
 }  // namespace replan::ui

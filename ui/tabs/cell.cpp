@@ -1,5 +1,5 @@
 // The Cell tab: everything that the planner holds of one cell, who wrote it, and what the last replan made of
-// it. Why its rhs is what it is stands in cell_why.cpp, its past in cell_history.cpp.
+// it. Why its rhs is what it is stands in cell_why.cpp, its past in cell_past.cpp.
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -7,9 +7,11 @@
 #include "core/debug/open_order.hpp"
 #include "core/trace/search_state.hpp"
 #include "ui/icons.hpp"
+#include "ui/parts.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
 #include "ui/shell/term_hint.hpp"
+#include "ui/tabs/cell_past.hpp"
 #include "ui/tabs/cell_view.hpp"
 
 namespace replan::ui {
@@ -99,14 +101,14 @@ void value_hint(Frame& frame, const CellView& view, const Field& field) {
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) frame.commands.push_back(Seek{*written + 1});
 }
 
-/// The block at the top. A value leads to the event that wrote it, and has a menu.
-void values(Frame& frame, const CellView& view) {
+/// The block at the top. A value leads to the event that wrote it, and has a menu; `chosen` is the one whose menu is
+/// open.
+void values(Frame& frame, const CellView& view, int& chosen) {
   const Look& look = frame.look;
   const std::vector<Field> fields = fields_of(look.theme, view);
   std::vector<KeyValue> pairs;
   for (const Field& field : fields) pairs.push_back({field.name, field.value, field.colour, field.strong});
   const int at = key_values(look, pairs, 2, Align::left, true);
-  int& chosen = frame.panels.debugger.chosen_value;
   if (at >= 0) {
     value_hint(frame, view, fields[static_cast<std::size_t>(at)]);
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
@@ -185,9 +187,14 @@ void heading(Frame& frame, Cell cell) {
   ImGui::SetCursorScreenPos(below);
 }
 
-}  // namespace
+class CellTab final : public SideTab {
+  void draw(Frame& frame) override;
 
-void draw_cell_panel(Frame& frame) {
+  int chosen_value_ = 0;
+  CellPast past_;
+};
+
+void CellTab::draw(Frame& frame) {
   const Look& look = frame.look;
   const std::optional<Cell> cell = frame.cell();
   if (!cell) {
@@ -197,13 +204,27 @@ void draw_cell_panel(Frame& frame) {
   }
   const CellView view(frame.run(), *cell);
   heading(frame, *cell);
-  values(frame, view);
+  values(frame, view, chosen_value_);
   touched_line(frame, view);
   section_rule(look);
   draw_why(frame, view);
   section_rule(look);
-  draw_history(frame, *cell);
+  past_.draw(frame, *cell);
   code_excerpt(frame);
+}
+
+}  // namespace
+
+TabKind cell_tab() {
+  return {
+      .name = "Cell",
+      .label = "Cell: why these values",
+      .icon = icon::crosshairs,
+      .chord = fn(3),
+      .teach =
+          "Why the pinned cell, or the one under the cursor, has the values that it has, and who wrote them.",
+      .make = make_part<SideTab, CellTab>,
+      .at_first = true};
 }
 
 }  // namespace replan::ui

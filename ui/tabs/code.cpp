@@ -4,6 +4,7 @@
 #include <imgui_internal.h>
 
 #include "ui/icons.hpp"
+#include "ui/parts.hpp"
 #include "ui/shell/conditions.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
@@ -76,9 +77,15 @@ void sections(Frame& frame, const PlannerPage& page) {
   }
 }
 
+class CodeTab final : public SideTab {
+  void draw(Frame& frame) override;
+
+  int scrolled_ = 0;  // the line that the page was scrolled to
+};
+
 }  // namespace
 
-void draw_pseudo_code(Frame& frame, const PseudoBlock& block, int around) {
+void draw_pseudo_code(Frame& frame, const PseudoBlock& block, int around, int* scrolled) {
   const int current = current_line(frame.run());
   std::size_t first = 0, last = block.lines.size();
   if (around > 0) {
@@ -96,17 +103,17 @@ void draw_pseudo_code(Frame& frame, const PseudoBlock& block, int around) {
     if (line.number != 0) number = line.number;
     const bool lit = number == current && number != 0;
     pseudo_line(frame, line, lit);
-    if (around == 0 && lit && line.number != 0 && frame.panels.code_line != current) {
+    if (scrolled != nullptr && lit && line.number != 0 && *scrolled != current) {
       const ImRect seen = ImGui::GetCurrentWindow()->InnerClipRect;
       if (ImGui::GetItemRectMin().y < seen.Min.y || ImGui::GetItemRectMax().y > seen.Max.y)
         ImGui::SetScrollHereY(0.4f);
-      frame.panels.code_line = current;
+      *scrolled = current;
     }
   }
   ImGui::PopID();
 }
 
-void draw_code_panel(Frame& frame) {
+void CodeTab::draw(Frame& frame) {
   const Look& look = frame.look;
   const Result<PlannerPage>& page = page_of(frame.panels, frame.run().choice().id);
   if (!page) {
@@ -123,10 +130,22 @@ void draw_code_panel(Frame& frame) {
     if (!first) section_rule(look);
     first = false;
     section_title(look, block.title);
-    draw_pseudo_code(frame, block, 0);
+    draw_pseudo_code(frame, block, 0, &scrolled_);
   }
   sections(frame, *page);
   ImGui::EndChild();
+}
+
+TabKind code_tab() {
+  return {.name = "Code",
+          .label = "Pseudo-code, idea and limits",
+          .icon = icon::code,
+          .chord = fn(5),
+          .teach =
+              "The planner's pseudo-code with the line that runs, and its idea, limits and source. A click "
+              "beside a line "
+              "sets a breakpoint.",
+          .make = make_part<SideTab, CodeTab>};
 }
 
 }  // namespace replan::ui

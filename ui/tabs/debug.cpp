@@ -1,11 +1,12 @@
-// The Debug tab: where the playhead stops by itself, and what is followed over the run. What the planners are
-// held to is in debug_checks.cpp.
+#include "ui/tabs/debug.hpp"
+
 #include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
 #include "ui/icons.hpp"
+#include "ui/parts.hpp"
 #include "ui/shell/conditions.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
@@ -143,11 +144,10 @@ void breakpoint_row(Frame& frame, std::size_t index, std::int64_t hits) {
   ImGui::SetCursorScreenPos({origin.x, origin.y + look.px(26)});
 }
 
-void breakpoints_section(Frame& frame) {
+void breakpoints_section(Frame& frame, std::string& draft) {
   const Look& look = frame.look;
   title_with_steps(frame);
   const Breakpoints& breakpoints = frame.session.breakpoints();
-  std::string& draft = frame.panels.debugger.breakpoint;
   if (breakpoints.list().empty()) {
     paragraph(look.fonts.ui, look.theme.dim,
               "The playhead stops where a condition comes true. Click beside a line in the Code tab, or take "
@@ -193,11 +193,10 @@ void watch_row(Frame& frame, std::size_t index) {
   ImGui::Dummy({0, look.px.xs});
 }
 
-void watches_section(Frame& frame) {
+void watches_section(Frame& frame, std::string& draft) {
   const Look& look = frame.look;
   section_title(look, "Watches");
   const auto list = frame.session.watches().list();
-  std::string& draft = frame.panels.debugger.watch;
   if (list.empty()) {
     paragraph(
         look.fonts.ui, look.theme.dim,
@@ -217,14 +216,31 @@ void watches_section(Frame& frame) {
 
 }  // namespace
 
-void draw_debug_panel(Frame& frame) {
-  breakpoints_section(frame);
+void DebugTab::draw(Frame& frame) {
+  breakpoints_section(frame, breakpoint);
   section_rule(frame.look);
-  watches_section(frame);
+  watches_section(frame, watch);
   section_rule(frame.look);
   draw_checks(frame);
   section_rule(frame.look);
-  draw_difference(frame);
+  draw_difference(frame, comparison_);
+}
+
+FindDifference DebugTab::find_difference(const Session& session) const {
+  const auto [one, other] = comparison_.panes;
+  const auto panes = static_cast<int>(session.runs().size());
+  const bool sound = one != other && one < panes && other < panes;
+  return {{sound ? static_cast<std::size_t>(one) : 0, sound ? static_cast<std::size_t>(other) : 1},
+          static_cast<Compare>(comparison_.what)};
+}
+
+TabKind debug_tab() {
+  return {.name = "Debug",
+          .label = "Breakpoints, watches and checks",
+          .icon = icon::bug,
+          .chord = fn(7),
+          .teach = "Where to stop, what to follow, and what the planners are held to.",
+          .make = make_part<SideTab, DebugTab>};
 }
 
 }  // namespace replan::ui

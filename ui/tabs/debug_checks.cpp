@@ -10,6 +10,7 @@
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
 #include "ui/shell/term_hint.hpp"
+#include "ui/tabs/debug.hpp"
 
 namespace replan::ui {
 namespace {
@@ -130,32 +131,31 @@ void draw_checks(Frame& frame) {
 
 namespace {
 
-void difference_choices(Frame& frame) {
+void difference_choices(Frame& frame, Comparison& comparison) {
   const Look& look = frame.look;
-  DebuggerState& state = frame.panels.debugger;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < frame.session.runs().size(); ++i)
     names.push_back(std::to_string(i + 1) + "  " + std::string(frame.session.runs()[i]->info().name));
   std::vector<const char*> items;
   for (const std::string& name : names) items.push_back(name.c_str());
   const float half = (ImGui::GetContentRegionAvail().x - look.px.s) * 0.5f;
-  for (int& pane : state.compared) pane = std::clamp(pane, 0, static_cast<int>(items.size()) - 1);
-  if (state.compared[0] == state.compared[1]) state.compared = {0, 1};
-  combo(look, "##first", items, state.compared[0], half);
+  for (int& pane : comparison.panes) pane = std::clamp(pane, 0, static_cast<int>(items.size()) - 1);
+  if (comparison.panes[0] == comparison.panes[1]) comparison.panes = {0, 1};
+  combo(look, "##first", items, comparison.panes[0], half);
   ImGui::SameLine(0, look.px.s);
-  combo(look, "##second", items, state.compared[1], half);
+  combo(look, "##second", items, comparison.panes[1], half);
   static constexpr std::array<const char*, 4> kWhat = {"every event", "expansions", "costs of plans",
                                                        "the robot's way"};
-  combo(look, "##what", kWhat, state.compare, half);
+  combo(look, "##what", kWhat, comparison.what, half);
   hint(look,
        {"What is compared", "",
         "Every event that both planners write; which vertex is taken and the g that it gets; what each plan "
         "costs; or where the robot goes."});
   ImGui::SameLine(0, look.px.s);
-  if (state.compared[0] != state.compared[1] && button(look, "Find", ButtonKind::primary, icon::search)) {
+  if (comparison.panes[0] != comparison.panes[1] && button(look, "Find", ButtonKind::primary, icon::search)) {
     frame.commands.push_back(FindDifference{
-        {static_cast<std::size_t>(state.compared[0]), static_cast<std::size_t>(state.compared[1])},
-        static_cast<Compare>(state.compare)});
+        {static_cast<std::size_t>(comparison.panes[0]), static_cast<std::size_t>(comparison.panes[1])},
+        static_cast<Compare>(comparison.what)});
   }
 }
 
@@ -182,7 +182,7 @@ void parted_cells(Frame& frame, const Difference& difference) {
 
 }  // namespace
 
-void draw_difference(Frame& frame) {
+void draw_difference(Frame& frame, Comparison& comparison) {
   const Look& look = frame.look;
   const Checks& checks = frame.session.checks();
   section_title(look, "First difference");
@@ -193,7 +193,7 @@ void draw_difference(Frame& frame) {
       frame.commands.push_back(SetPanes{2});
     return;
   }
-  difference_choices(frame);
+  difference_choices(frame, comparison);
   if (checks.comparing()) {
     frame.panels.animated = true;
     progress(look, -1, "Running both until they part…");

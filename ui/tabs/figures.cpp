@@ -1,10 +1,11 @@
-// The Figures tab: what the plans that stand are worth and what they cost, a column per pane, with ratios to
-// the first and the best of each row marked.
+#include "ui/tabs/figures.hpp"
+
 #include <algorithm>
 #include <vector>
 
 #include "core/trace/search_state.hpp"
 #include "ui/icons.hpp"
+#include "ui/parts.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
 
@@ -19,17 +20,6 @@ bool map_changed_since(const Run& run, const replan::Mark& mark) {
     if (kind == EventKind::pop || kind == EventKind::move) return false;
   }
   return false;
-}
-
-/// The figures of the plan that stands; computed once for each plan.
-const PathFigures& figures_of(PanelState& panels, const Run& run, std::size_t pane,
-                              const replan::Mark& mark) {
-  if (panels.figures.size() <= pane) panels.figures.resize(pane + 1);
-  FigureCache& cache = panels.figures[pane];
-  if (cache.plan == mark.plan || map_changed_since(run, mark)) return cache.figures;
-  cache = {mark.plan,
-           path_figures(run.lattice(), run.timeline().state().known_map().plain(), *mark.plan->path)};
-  return cache.figures;
 }
 
 /// As the window prints it: thousands apart.
@@ -139,7 +129,17 @@ void export_menu(Frame& frame) {
 
 }  // namespace
 
-std::vector<RunReport> figures_now(PanelState& panels, const Session& session) {
+/// The figures of the plan that stands; computed once for each plan.
+const PathFigures& FiguresTab::figures_of(const Run& run, std::size_t pane, const replan::Mark& mark) {
+  if (kept_.size() <= pane) kept_.resize(pane + 1);
+  Kept& cache = kept_[pane];
+  if (cache.plan == mark.plan || map_changed_since(run, mark)) return cache.figures;
+  cache = {mark.plan,
+           path_figures(run.lattice(), run.timeline().state().known_map().plain(), *mark.plan->path)};
+  return cache.figures;
+}
+
+std::vector<RunReport> FiguresTab::now(const Session& session) {
   std::vector<RunReport> reports;
   for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
     const Run& run = *session.runs()[pane];
@@ -149,20 +149,20 @@ std::vector<RunReport> figures_now(PanelState& panels, const Session& session) {
       reports.back().planner = run.choice().id;
       reports.back().status = status_name(PlanStatus::searching);
     } else {
-      reports.push_back(report_at(*mark, figures_of(panels, run, pane, *mark), run.choice()));
+      reports.push_back(report_at(*mark, figures_of(run, pane, *mark), run.choice()));
     }
   }
   return reports;
 }
 
 void ActionContext::copy_figures(FiguresFormat format) {
-  ImGui::SetClipboardText(figures_text(format, figures_now(panels, session)).c_str());
+  ImGui::SetClipboardText(figures_text(format, panels.tabs.get<FiguresTab>().now(session)).c_str());
   panels.said =
       std::string("Copied the figures as ") + figures_formats()[static_cast<std::size_t>(format)].name;
   panels.said_bad = false;
 }
 
-void draw_figures_panel(Frame& frame) {
+void FiguresTab::draw(Frame& frame) {
   const Look& look = frame.look;
   std::vector<bool> standing;
   for (const auto& run : frame.session.runs())
@@ -172,7 +172,7 @@ void draw_figures_panel(Frame& frame) {
                 "Step or play on until the first plan is found; its figures show here.");
     return;
   }
-  const FiguresTable table = figures_table(figures_now(frame.panels, frame.session));
+  const FiguresTable table = figures_table(now(frame.session));
   const FiguresLayout layout = figures_layout(look, standing.size());
   section_title(look, figure_group_title(FigureGroup::path));
   export_menu(frame);
@@ -189,6 +189,18 @@ void draw_figures_panel(Frame& frame) {
     draw_row(look, layout, row, standing);
   }
   ImGui::PopStyleVar();
+}
+
+TabKind figures_tab() {
+  return {
+      .name = "Figures",
+      .label = "Figures of the panes",
+      .icon = icon::bar_chart,
+      .chord = fn(6),
+      .teach =
+          "What each planner did and how good its path is, side by side, with ratios and the best marked.",
+      .make = make_part<SideTab, FiguresTab>,
+      .per_pane = false};
 }
 
 }  // namespace replan::ui

@@ -1,17 +1,18 @@
-// The Log tab: what happened in the run; what was done in this session and went wrong; and all edits.
+#include "ui/tabs/log.hpp"
+
 #include <array>
 #include <string>
 
 #include "ui/icons.hpp"
+#include "ui/parts.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
 
 namespace replan::ui {
-
 namespace {
 
 /// One edit with its number; returns whether it was clicked.
-bool history_row(const Look& look, int number, std::string_view label, bool made, bool current) {
+bool edit_row(const Look& look, int number, std::string_view label, bool made, bool current) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, look.px.row);
   ImGui::PushID(number);
@@ -36,7 +37,7 @@ bool history_row(const Look& look, int number, std::string_view label, bool made
 }
 
 /// All edits, the latest at the bottom; those that were taken back are dim. A click goes there.
-void draw_history(Frame& frame) {
+void draw_edits(Frame& frame) {
   const Look& look = frame.look;
   const std::vector<std::string> labels = frame.session.history();
   if (labels.empty()) {
@@ -50,36 +51,10 @@ void draw_history(Frame& frame) {
   while (clipper.Step())
     for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
       const auto at = static_cast<std::size_t>(row);
-      if (history_row(look, row, at == 0 ? "as opened" : std::string_view(labels[at - 1]), at <= position,
-                      at == position))
+      if (edit_row(look, row, at == 0 ? "as opened" : std::string_view(labels[at - 1]), at <= position,
+                   at == position))
         frame.commands.push_back(GoToHistory{at});
     }
-}
-
-void draw_lines(Frame& frame) {
-  const Look& look = frame.look;
-  const auto log = frame.session.log();
-  for (const std::string& notice : frame.panels.notices) {
-    text(look.fonts.ui, look.theme.warning, icon::warning);
-    ImGui::SameLine(0, look.px.s);
-    paragraph(look.fonts.ui, look.theme.dim, notice);
-  }
-  if (!frame.panels.notices.empty()) section_rule(look);
-  if (log.empty()) {
-    empty_state(look, icon::list, "Nothing yet", "Edits, opened files and errors are listed here.");
-    return;
-  }
-  // Long ago is of little use, and every line is measured for wrapping.
-  constexpr std::size_t kShown = 500;
-  const std::size_t first = log.size() > kShown ? log.size() - kShown : 0;
-  if (first > 0)
-    paragraph(look.fonts.small, look.theme.faint, std::to_string(first) + " older lines are not shown");
-  for (std::size_t i = first; i < log.size(); ++i)
-    paragraph(look.fonts.ui, i + 1 == log.size() ? look.theme.text : look.theme.dim, log[i]);
-  if (frame.panels.log_lines != log.size()) {
-    ImGui::SetScrollHereY(1.0f);
-    frame.panels.log_lines = log.size();
-  }
 }
 
 /// As a heading: without a full stop.
@@ -110,25 +85,6 @@ void story_row(Frame& frame, std::size_t row, const Marker& marker, std::span<co
   hint(look, {words.c_str(), "", "Click to go there."});
 }
 
-/// The leading run's plans, surprises and what became of the robot; its moves are too many to list.
-void draw_story(Frame& frame) {
-  const Look& look = frame.look;
-  RunStory& story = frame.panels.story;
-  story.follow(frame.run());
-  if (story.markers().empty()) {
-    empty_state(look, icon::list, "Nothing has happened yet",
-                "Plans, surprises and what becomes of the robot are listed here as the run goes on.");
-    return;
-  }
-  constexpr std::array<Column, 3> kColumns = {
-      {{"event", 1}, {"step", 0.6f}, {"what happened", 3.2f, Align::left}}};
-  table_header(look, kColumns);
-  const auto [first, last] = begin_rows(look, "story", story.markers().size(), 0, frame.panels.story_rows);
-  for (std::size_t row = first; row < last; ++row)
-    story_row(frame, row, frame.run().markers()[story.markers()[row]], kColumns);
-  end_rows();
-}
-
 }  // namespace
 
 void RunStory::follow(const Run& run) {
@@ -138,20 +94,79 @@ void RunStory::follow(const Run& run) {
     if (run.markers()[read_].kind != EventKind::move) markers_.push_back(read_);
 }
 
-void draw_log_panel(Frame& frame) {
+void LogTab::draw_lines(Frame& frame) {
+  const Look& look = frame.look;
+  const auto log = frame.session.log();
+  for (const std::string& notice : frame.panels.notices) {
+    text(look.fonts.ui, look.theme.warning, icon::warning);
+    ImGui::SameLine(0, look.px.s);
+    paragraph(look.fonts.ui, look.theme.dim, notice);
+  }
+  if (!frame.panels.notices.empty()) section_rule(look);
+  if (log.empty()) {
+    empty_state(look, icon::list, "Nothing yet", "Edits, opened files and errors are listed here.");
+    return;
+  }
+  // Long ago is of little use, and every line is measured for wrapping.
+  constexpr std::size_t kShown = 500;
+  const std::size_t first = log.size() > kShown ? log.size() - kShown : 0;
+  if (first > 0)
+    paragraph(look.fonts.small, look.theme.faint, std::to_string(first) + " older lines are not shown");
+  for (std::size_t i = first; i < log.size(); ++i)
+    paragraph(look.fonts.ui, i + 1 == log.size() ? look.theme.text : look.theme.dim, log[i]);
+  if (lines_ != log.size()) {
+    ImGui::SetScrollHereY(1.0f);
+    lines_ = log.size();
+  }
+}
+
+/// The leading run's plans, surprises and what became of the robot; its moves are too many to list.
+void LogTab::draw_story(Frame& frame) {
+  const Look& look = frame.look;
+  story_.follow(frame.run());
+  if (story_.markers().empty()) {
+    empty_state(look, icon::list, "Nothing has happened yet",
+                "Plans, surprises and what becomes of the robot are listed here as the run goes on.");
+    return;
+  }
+  constexpr std::array<Column, 3> kColumns = {
+      {{"event", 1}, {"step", 0.6f}, {"what happened", 3.2f, Align::left}}};
+  table_header(look, kColumns);
+  const auto [first, last] = begin_rows(look, "story", story_.markers().size(), 0, story_rows_);
+  for (std::size_t row = first; row < last; ++row)
+    story_row(frame, row, frame.run().markers()[story_.markers()[row]], kColumns);
+  end_rows();
+}
+
+void LogTab::draw(Frame& frame) {
   const Look& look = frame.look;
   static constexpr std::array<const char*, 3> kParts = {"Run", "Session", "Edits"};
-  int part = static_cast<int>(frame.panels.log);
-  if (segments(look, "part", kParts, part)) frame.panels.log = static_cast<LogPart>(part);
+  int part = static_cast<int>(part_);
+  if (segments(look, "part", kParts, part)) part_ = static_cast<Part>(part);
   ImGui::Dummy({0, look.px.xs});
-  switch (frame.panels.log) {
-    case LogPart::run:
+  switch (part_) {
+    case Part::run:
       return draw_story(frame);
-    case LogPart::session:
+    case Part::session:
       return draw_lines(frame);
-    case LogPart::edits:
-      return draw_history(frame);
+    case Part::edits:
+      return draw_edits(frame);
   }
+}
+
+void show_edits(ViewState& view, PanelState& panels) {
+  show_tab(view, panels, "log");
+  panels.tabs.get<LogTab>().show_edits();
+}
+
+TabKind log_tab() {
+  return {.name = "Log",
+          .label = "Log",
+          .icon = icon::history,
+          .chord = fn(8),
+          .teach = "What has happened in the run so far: plans, surprises, replans, arrival.",
+          .make = make_part<SideTab, LogTab>,
+          .per_pane = false};
 }
 
 }  // namespace replan::ui

@@ -1,4 +1,5 @@
-// The Open list tab: what the planner will take next, in its order, and what the last replan touched.
+#include "ui/tabs/open_list.hpp"
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -6,6 +7,7 @@
 #include <vector>
 
 #include "ui/icons.hpp"
+#include "ui/parts.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
 #include "ui/shell/term_hint.hpp"
@@ -14,21 +16,6 @@ namespace replan::ui {
 namespace {
 
 constexpr std::size_t kMostIds = std::size_t{1} << 30;  // ImGui's ids are made of ints
-
-/// While it plays, a list that takes long to sort anew is sorted now and then, so that frames keep coming.
-void follow(Frame& frame) {
-  DebuggerState& state = frame.panels.debugger;
-  const Run& run = frame.run();
-  const bool plays = frame.session.playback().direction != 0 || run.busy();
-  const bool far = state.order.far(run.log_view(), run.log_id());
-  constexpr double kShort = 0.004, kShare = 10;
-  if (far && plays && state.order_seconds > kShort && ImGui::GetTime() < state.order_due) return;
-  const auto begin = std::chrono::steady_clock::now();
-  state.order.follow(run.log_view(), run.log_id());
-  if (!far) return;
-  state.order_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  state.order_due = ImGui::GetTime() + kShare * state.order_seconds;
-}
 
 struct StateWord {
   const char* word;
@@ -103,30 +90,6 @@ void open_row(Frame& frame, std::size_t rank, const OpenEntry& entry, const Open
   point_at(frame, cell);
 }
 
-void open_list(Frame& frame) {
-  const Look& look = frame.look;
-  follow(frame);
-  const OpenOrder& order = frame.panels.debugger.order;
-  const Run& run = frame.run();
-  if (order.size() == 0) {
-    empty_state(look, icon::list, "The open list is empty",
-                run.timeline().cursor() == 0 ? "Press " + action(ActionId::step_forward).keys +
-                                                   " for the first expansion; vertices that wait show here."
-                                             : "No vertex waits: there is nothing left to expand.");
-    return;
-  }
-  const std::string count =
-      count_text(static_cast<std::int64_t>(order.size()), "vertex waits", "vertices wait");
-  const bool late = order.position() != run.timeline().cursor();
-  paragraph(look.fonts.ui, look.theme.dim,
-            late ? count + " at event " + grouped(order.position()) : count + "; the first is taken next");
-  const OpenListLayout layout = open_list_layout(look, run, order);
-  table_head(look, layout.columns);
-  const RowsInSight sight = begin_rows(look, "open list", order.size(), 0, frame.panels.debugger.order_rows);
-  for (std::size_t rank = sight.first; rank < sight.last; ++rank) open_row(frame, rank, order[rank], layout);
-  end_rows();
-}
-
 void touched_row(Frame& frame, std::size_t row, const Touched& each, std::span<const Column> columns) {
   const Look& look = frame.look;
   const Cell cell = frame.run().lattice().position(each.node);
@@ -145,7 +108,46 @@ void touched_row(Frame& frame, std::size_t row, const Touched& each, std::span<c
   point_at(frame, cell);
 }
 
-void touched_list(Frame& frame) {
+}  // namespace
+
+/// While it plays, a list that takes long to sort anew is sorted now and then, so that frames keep coming.
+void OpenListTab::follow(const Frame& frame) {
+  const Run& run = frame.run();
+  const bool plays = frame.session.playback().direction != 0 || run.busy();
+  const bool far = order_.far(run.log_view(), run.log_id());
+  constexpr double kShort = 0.004, kShare = 10;
+  if (far && plays && order_seconds_ > kShort && ImGui::GetTime() < order_due_) return;
+  const auto begin = std::chrono::steady_clock::now();
+  order_.follow(run.log_view(), run.log_id());
+  if (!far) return;
+  order_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  order_due_ = ImGui::GetTime() + kShare * order_seconds_;
+}
+
+void OpenListTab::draw_open_list(Frame& frame) {
+  const Look& look = frame.look;
+  follow(frame);
+  const Run& run = frame.run();
+  if (order_.size() == 0) {
+    empty_state(look, icon::list, "The open list is empty",
+                run.timeline().cursor() == 0 ? "Press " + action(ActionId::step_forward).keys +
+                                                   " for the first expansion; vertices that wait show here."
+                                             : "No vertex waits: there is nothing left to expand.");
+    return;
+  }
+  const std::string count =
+      count_text(static_cast<std::int64_t>(order_.size()), "vertex waits", "vertices wait");
+  const bool late = order_.position() != run.timeline().cursor();
+  paragraph(look.fonts.ui, look.theme.dim,
+            late ? count + " at event " + grouped(order_.position()) : count + "; the first is taken next");
+  const OpenListLayout layout = open_list_layout(look, run, order_);
+  table_head(look, layout.columns);
+  const RowsInSight sight = begin_rows(look, "open list", order_.size(), 0, order_rows_);
+  for (std::size_t rank = sight.first; rank < sight.last; ++rank) open_row(frame, rank, order_[rank], layout);
+  end_rows();
+}
+
+void OpenListTab::draw_touched(Frame& frame) {
   const Look& look = frame.look;
   const Run& run = frame.run();
   const TouchedList* touched = touched_by_last_replan(frame.panels, run);
@@ -177,24 +179,35 @@ void touched_list(Frame& frame) {
   if (run.info().values == SearchValues::lookahead)
     columns.insert(columns.end(), {Column{"rhs"}, Column{"→ rhs"}});
   table_head(look, columns);
-  const RowsInSight sight =
-      begin_rows(look, "touched", touched->list().size(), 0, frame.panels.debugger.touched_rows);
+  const RowsInSight sight = begin_rows(look, "touched", touched->list().size(), 0, touched_rows_);
   for (std::size_t row = sight.first; row < sight.last; ++row)
     touched_row(frame, row, touched->list()[row], columns);
   end_rows();
 }
 
-}  // namespace
-
-void draw_open_list_panel(Frame& frame) {
+void OpenListTab::draw(Frame& frame) {
   static constexpr std::array<const char*, 2> kParts = {"Open list U", "Last repair"};
-  int part = frame.panels.debugger.repair ? 1 : 0;
-  if (segments(frame.look, "part", kParts, part)) frame.panels.debugger.repair = part == 1;
+  int part = repair_ ? 1 : 0;
+  if (segments(frame.look, "part", kParts, part)) repair_ = part == 1;
   ImGui::Dummy({0, frame.look.px.xs});
-  if (frame.panels.debugger.repair)
-    touched_list(frame);
+  if (repair_)
+    draw_touched(frame);
   else
-    open_list(frame);
+    draw_open_list(frame);
+}
+
+void show_touched(ViewState& view, PanelState& panels) {
+  show_tab(view, panels, "open_list");
+  panels.tabs.get<OpenListTab>().show_repair();
+}
+
+TabKind open_list_tab() {
+  return {.name = "Open list",
+          .label = "Open list",
+          .icon = icon::list,
+          .chord = fn(4),
+          .teach = "The vertices that wait, in the order in which the planner will take them.",
+          .make = make_part<SideTab, OpenListTab>};
 }
 
 }  // namespace replan::ui

@@ -4,6 +4,7 @@
 
 #include "core/plan/stage.hpp"
 #include "ui/icons.hpp"
+#include "ui/parts.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
 
@@ -281,9 +282,11 @@ void robot_settings(Frame& frame) {
   if (changed) frame.commands.push_back(SetRobot{robot});
 }
 
-}  // namespace
+class PlannerTab final : public SideTab {
+  void draw(Frame& frame) override;
+};
 
-void draw_planner_panel(Frame& frame) {
+void PlannerTab::draw(Frame& frame) {
   const Look& look = frame.look;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px.s, look.px(10)));
   section_title(look, "Planner");
@@ -307,6 +310,17 @@ void draw_planner_panel(Frame& frame) {
   section_title(look, "Once a path is found");
   path_stages(frame);
   ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+TabKind planner_tab() {
+  return {.name = "Planner",
+          .label = "Planner and settings",
+          .icon = icon::sliders,
+          .chord = fn(2),
+          .teach = "Which planner runs in which pane, and its settings.",
+          .make = make_part<SideTab, PlannerTab>};
 }
 
 }  // namespace replan::ui

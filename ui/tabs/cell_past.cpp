@@ -1,4 +1,5 @@
-// What happened to a cell's values over the whole run: part of the Cell tab.
+#include "ui/tabs/cell_past.hpp"
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -69,9 +70,8 @@ void change_row(Frame& frame, std::size_t row, const ValueChange& change, std::s
         ahead ? "Not yet, at the playhead. Click to go there." : "Click to go to where it was written."});
 }
 
-void title(Frame& frame, const CellHistory& history) {
-  const Look& look = frame.look;
-  DebuggerState& state = frame.panels.debugger;
+void title(const Look& look, CellPast& past) {
+  const CellHistory& history = past.history;
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float right = origin.x + ImGui::GetContentRegionAvail().x;
   section_title(look, "History");
@@ -85,36 +85,34 @@ void title(Frame& frame, const CellHistory& history) {
   if (small_button(
           look, "every value",
           {.icon = icon::filter,
-           .hint = {state.every_value ? "Costs alone" : "Every value", "",
+           .hint = {past.every_value ? "Costs alone" : "Every value", "",
                     "Whether parents, keys, expansions and the world are listed too, or g, rhs, dist and "
                     "the robot's map alone."},
-           .selected = state.every_value}))
-    state.every_value = !state.every_value;
+           .selected = past.every_value}))
+    past.every_value = !past.every_value;
   ImGui::SetCursorScreenPos(below);
 }
 
 /// Keeps the latest change before the cursor in sight while the cursor moves.
-void keep_in_sight(Frame& frame, const CellHistory& history, std::size_t rows) {
-  DebuggerState& state = frame.panels.debugger;
+void keep_in_sight(Frame& frame, CellPast& past, std::size_t rows) {
+  const CellHistory& history = past.history;
   const std::size_t cursor = frame.run().timeline().cursor();
-  if (state.history_cursor == cursor) return;
-  state.history_cursor = cursor;
+  if (past.shown_cursor == cursor) return;
+  past.shown_cursor = cursor;
   const std::size_t ahead = std::min(history.after(cursor), history.size() - 1);
   reveal_row(frame.look, ahead, history.size(), frame.look.px.row * static_cast<float>(rows),
-             state.history_rows);
+             past.rows);
 }
 
 }  // namespace
 
-void draw_history(Frame& frame, Cell cell) {
+void CellPast::draw(Frame& frame, Cell cell) {
   const Look& look = frame.look;
-  DebuggerState& state = frame.panels.debugger;
   const Run& run = frame.run();
-  CellHistory& history = state.history;
-  history.follow(run.timeline(), run.log_id(), run.lattice().node(cell), kinds_shown(state.every_value),
+  history.follow(run.timeline(), run.log_id(), run.lattice().node(cell), kinds_shown(every_value),
                  kReadPerFrame);
   if (!history.complete()) frame.panels.animated = true;
-  title(frame, history);
+  title(look, *this);
   if (history.size() == 0) {
     paragraph(look.fonts.ui, look.theme.dim,
               history.complete() ? "Nothing has been written here in this run." : "Looking through the log…");
@@ -123,10 +121,10 @@ void draw_history(Frame& frame, Cell cell) {
   static constexpr std::array<Column, 4> kColumns = {
       {{"event", 1.1f, Align::left}, {"what", 1.0f}, {"before", 1.1f}, {"after", 1.1f}}};
   table_head(look, kColumns);
-  const std::size_t rows = std::min(history.size(), kRowsShown);
-  keep_in_sight(frame, history, rows);
+  const std::size_t shown = std::min(history.size(), kRowsShown);
+  keep_in_sight(frame, *this, shown);
   const RowsInSight sight =
-      begin_rows(look, "history", history.size(), look.px.row * static_cast<float>(rows), state.history_rows);
+      begin_rows(look, "history", history.size(), look.px.row * static_cast<float>(shown), rows);
   for (std::size_t row = sight.first; row < sight.last; ++row) change_row(frame, row, history[row], kColumns);
   end_rows();
 }
