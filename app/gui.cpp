@@ -143,10 +143,11 @@ Result<void> Program::open() {
   window_->on_drop([this](const std::vector<std::filesystem::path>& paths) {
     std::vector<std::string> names;
     for (const std::filesystem::path& path : paths) names.push_back(path.string());
-    shell_->drop(session_, names);
+    shell_->documents().drop(session_, names);
   });
-  window_->on_close([this] { return shell_->may_close(session_); });
-  shell_->settle_in(session_, {state_folder(), library_folder(), {false, [] { Window::wake(); }}});
+  window_->on_close([this] { return shell_->documents().may_close(session_); });
+  shell_->documents().settle_in(session_,
+                                {state_folder(), library_folder(), {false, [] { Window::wake(); }}});
   return {};
 }
 
@@ -235,14 +236,15 @@ void Program::follow() {
     dark_ = shell_->view().dark;
     window_->stage().set_theme(dark_ ? ui::dark() : ui::light());
   }
-  if (std::string words = ui::Shell::words(session_, shell_->names_on_show()); words != words_) {
+  if (std::string words = ui::uncommon_words(session_, shell_->documents().names_on_show());
+      words != words_) {
     words_ = std::move(words);
     window_->stage().set_language(words_, false);
   }
-  std::string title = shell_->title(session_) + " – Replan";
+  std::string title = ui::document_title(session_) + " – Replan";
   if (title != title_) window_->set_title(title);
   title_ = std::move(title);
-  if (shell_->quitting()) window_->close();
+  if (shell_->documents().quitting()) window_->close();
 }
 
 void Program::report_first_frame() {
@@ -263,7 +265,7 @@ Result<void> Program::close() {
     if (const auto outcome = recording_.end(); outcome && outcome->bad)
       std::fprintf(stderr, "replan: %s\n", outcome->sentence.c_str());
   }
-  shell_->leave();
+  shell_->documents().leave();
   remembered_.window = window_->state();
   const ui::ViewState& looks = shell_->view();
   remembered_.dark = looks.dark;

@@ -5,6 +5,7 @@
 
 #include "core/world/library.hpp"
 #include "ui/canvas/pane_grid.hpp"
+#include "ui/documents/files.hpp"
 
 namespace replan::app {
 namespace {
@@ -21,7 +22,7 @@ Result<std::unique_ptr<Studio>> Studio::open(const StudioSettings& settings, con
   if (!offscreen) return Error{offscreen.error()};
   studio->offscreen_ = std::move(*offscreen);
   studio->offscreen_->stage().set_theme(studio->state_.dark ? ui::dark() : ui::light());
-  if (std::string words = ui::Shell::words(session); !words.empty())
+  if (std::string words = ui::uncommon_words(session); !words.empty())
     studio->offscreen_->stage().set_language(std::move(words), false);
   return studio;
 }
@@ -54,7 +55,7 @@ void Studio::draw(Session& session) {
 /// background is waited for.
 void Studio::do_actions(Session& session) {
   if (settings_.actions.empty()) return;
-  shell_->settle_in(session, {{}, library_folder(), {}});
+  shell_->documents().settle_in(session, {{}, library_folder(), {}});
   for (const ui::ActionId action : settings_.actions) {
     shell_->perform_next(action);
     draw(session);

@@ -82,6 +82,17 @@ std::string document_name(const Session& session) {
   return session.scenario().name.empty() ? "untitled" : session.scenario().name;
 }
 
+std::string document_title(const Session& session) {
+  return document_name(session) + (session.modified() ? " — edited" : "");
+}
+
+std::string uncommon_words(const Session& session, const std::string& also) {
+  const std::string words = session.scenario().name + session.scenario().caption + session.file() + also;
+  // Bytes from 0xE3 on begin characters of East Asia and beyond; all below are in the fonts at any time.
+  const auto is_wide = [](char c) { return static_cast<unsigned char>(c) >= 0xE3; };
+  return std::any_of(words.begin(), words.end(), is_wide) ? words : "";
+}
+
 Dropped sort_out(const std::vector<std::string>& paths) {
   const auto worth = [](const std::string& path) {
     std::error_code failed;

@@ -25,6 +25,10 @@ bool saves_in_place(const std::string& path);
 Result<void> save_document(const Session& session, const ViewState& view, const std::string& path);
 /// The file's name, else the world's own.
 std::string document_name(const Session& session);
+/// What the window is about: "maze.json", with a mark if there are unsaved edits.
+std::string document_title(const Session& session);
+/// The session's own words if they need characters that the fonts do not hold at first: for Stage::set_language().
+std::string uncommon_words(const Session& session, const std::string& also = {});
 /// What is to be done with things that were dropped onto the window.
 struct Dropped {
   std::string path;      ///< to be opened; empty: nothing

@@ -1,12 +1,12 @@
-// How the shell sees to it that nothing is lost and nothing freezes: files are read off the drawing thread,
+// That nothing is lost and nothing freezes: files are read off the drawing thread,
 // unsaved work is put aside, and the files behind the document are watched.
 #include <ctime>
 #include <filesystem>
 
 #include "core/base/file.hpp"
+#include "ui/documents/documents.hpp"
 #include "ui/documents/files.hpp"
 #include "ui/shell/format.hpp"
-#include "ui/shell/shell.hpp"
 
 namespace replan::ui {
 namespace {
@@ -32,7 +32,7 @@ std::string map_file_of(const std::string& path, const Scenario& scenario) {
 
 }  // namespace
 
-void Shell::settle_in(const Session& session, Surroundings surroundings) {
+void Documents::settle_in(const Session& session, Surroundings surroundings) {
   surroundings_ = std::move(surroundings);
   const WorkPlace& work = surroundings_.work;
   loader_ = std::make_unique<Background<Loaded>>(work);
@@ -47,25 +47,21 @@ void Shell::settle_in(const Session& session, Surroundings surroundings) {
   offer_orphans();
 }
 
-void Shell::leave() {
-  autosave_->remove();
-}
-
-void Shell::offer_orphans() {
-  dialogs_.close();
+void Documents::offer_orphans() {
+  window_.dialogs.close();
   std::vector<AutosaveNote> notes;
   for (const Orphan& orphan : orphans_) notes.push_back(orphan.note);
-  if (!notes.empty()) dialogs_.offer(std::move(notes));
+  if (!notes.empty()) window_.dialogs.offer(std::move(notes));
 }
 
-void Shell::remember(const std::string& path) {
+void Documents::remember(const std::string& path) {
   if (!path.empty())
-    if (const Result<void> done = recent_.add(path); !done) panels_.notices.push_back(done.error());
-  panels_.recent.assign(recent_.paths().begin(), recent_.paths().end());
+    if (const Result<void> done = recent_.add(path); !done) window_.panels.notices.push_back(done.error());
+  window_.panels.recent.assign(recent_.paths().begin(), recent_.paths().end());
 }
 
 /// Begins to read a document; take_loaded() takes it over.
-void Shell::load(Session& session, Loading what) {
+void Documents::load(Session& session, Loading what) {
   const std::string path = what.path;
   loader_->start(
       [what = std::move(what), current = without_world(session.scenario())](const std::stop_token& stop) {
@@ -85,11 +81,11 @@ void Shell::load(Session& session, Loading what) {
             ReplaceScenario{*std::move(scenario), what.from == Loading::From::file ? what.path : ""};
         return loaded;
       });
-  dialogs_.wait_for(file_name(path));
+  window_.dialogs.wait_for(file_name(path));
   if (surroundings_.work.in_step) take_loaded(session);
 }
 
-void Shell::take_loaded(Session& session) {
+void Documents::take_loaded(Session& session) {
   std::optional<Loaded> loaded = loader_->take();
   if (!loaded) return;
   const Loading& what = loaded->what;
@@ -99,22 +95,9 @@ void Shell::take_loaded(Session& session) {
     complain(loaded->document.error());
     return;
   }
-  dialogs_.close();
-  if (what.from == Loading::From::autosave) {
-    const AutosaveNote note = orphans_[what.orphan].note;
-    replace(session, std::move(loaded->document.value()));
-    autosave_->adopt(std::move(orphans_[what.orphan]), session);
-    orphans_.clear();
-    unsaved_since_ = note.edited_at;
-    // Who has written the file since then, if not the program that ended?
-    const FileStamp now = stamp_of(note.file);
-    disk_differs_ = now.there && now.modified / 1'000'000'000 > note.edited_at;
-    if (!note.file.empty()) watch_.watch({stamped(note.file)});
-    tell(
-        "Recovered: " + count_text(static_cast<std::int64_t>(note.edits), "edit", "edits") + " not saved yet",
-        false);
-    return;
-  }
+  window_.dialogs.close();
+  if (what.from == Loading::From::autosave)
+    return take_recovered(session, what, std::move(loaded->document.value()));
   const std::vector<std::string> notes = loaded->document->scenario.map_found.notes;
   replace(session, std::move(loaded->document.value()));
   note(notes);
@@ -124,8 +107,22 @@ void Shell::take_loaded(Session& session) {
   remember(what.path);
 }
 
-/// Once a frame.
-void Shell::keep(Session& session) {
+void Documents::take_recovered(Session& session, const Loading& what, ReplaceScenario document) {
+  const AutosaveNote note = orphans_[what.orphan].note;
+  replace(session, std::move(document));
+  autosave_->adopt(std::move(orphans_[what.orphan]), session);
+  orphans_.clear();
+  unsaved_since_ = note.edited_at;
+  // Who has written the file since then, if not the program that ended?
+  const FileStamp now = stamp_of(note.file);
+  disk_differs_ = now.there && now.modified / 1'000'000'000 > note.edited_at;
+  if (!note.file.empty()) watch_.watch({stamped(note.file)});
+  window_.message.tell(
+      "Recovered: " + count_text(static_cast<std::int64_t>(note.edits), "edit", "edits") + " not saved yet",
+      false);
+}
+
+void Documents::keep(Session& session) {
   const bool in_stroke = ImGui::IsAnyMouseDown();
   const double now = std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
   autosave_->tick(session, now, in_stroke);
@@ -134,10 +131,10 @@ void Shell::keep(Session& session) {
     unsaved_since_ = 0;
   else if (unsaved_since_ == 0)
     unsaved_since_ = static_cast<std::int64_t>(std::time(nullptr));
-  if (!in_stroke && !dialogs_.open()) look_at_disk(session);
+  if (!in_stroke && !window_.dialogs.open()) look_at_disk(session);
 }
 
-void Shell::look_at_disk(const Session& session) {
+void Documents::look_at_disk(const Session& session) {
   if (Clock::now() - looked_at_disk_ < kWatchInterval) return;
   looked_at_disk_ = Clock::now();
   const std::optional<std::string> changed = watch_.changed();
@@ -159,7 +156,7 @@ void Shell::look_at_disk(const Session& session) {
     question.primary = {"Save as…", Decision::Kind::save_elsewhere};
     question.danger = reload;
   }
-  dialogs_.ask(std::move(question));
+  window_.dialogs.ask(std::move(question));
 }
 
 }  // namespace replan::ui

@@ -28,7 +28,7 @@ void Shell::export_trace(const Session& session, const Decision& decision) {
 void Shell::go_to_pasted(Session& session) {
   const std::shared_ptr<const CaseMoment> moment = std::exchange(panels_.pasted, nullptr);
   if (!moment) return;
-  replace(session, {moment->scenario, ""});
+  documents_.replace(session, {moment->scenario, ""});
   if (const Result<void> led = session.apply(Lead{moment->pane}); !led) return tell(led.error(), true);
   awaited_ = Awaited{session.run().log_id(), moment->event, moment->state, false};
 }

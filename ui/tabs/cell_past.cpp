@@ -100,8 +100,7 @@ void keep_in_sight(Frame& frame, CellPast& past, std::size_t rows) {
   if (past.shown_cursor == cursor) return;
   past.shown_cursor = cursor;
   const std::size_t ahead = std::min(history.after(cursor), history.size() - 1);
-  reveal_row(frame.look, ahead, history.size(), frame.look.px.row * static_cast<float>(rows),
-             past.rows);
+  reveal_row(frame.look, ahead, history.size(), frame.look.px.row * static_cast<float>(rows), past.rows);
 }
 
 }  // namespace

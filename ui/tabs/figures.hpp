@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/plan/figures.hpp"
+#include "core/study/figures_table.hpp"
 #include "ui/shell/frame.hpp"
 
 namespace replan::ui {
