@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/icons.hpp"
+#include "ui/shell/panels.hpp"
 #include "ui/tabs/log.hpp"
 #include "ui/tabs/open_list.hpp"
 #include "ui/tools/mover.hpp"

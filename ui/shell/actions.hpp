@@ -82,8 +82,10 @@ struct ActionRules {
   const char* why_not = "";       ///< half a sentence ("nothing is selected"); empty if it explains itself
   Condition checked = nullptr;    ///< it is a switch that is on, or the chosen one of several
   Condition hidden = nullptr;     ///< the menu leaves it out
-  std::string (*words)(const ActionContext& context) =
-      nullptr;  ///< what the menu calls it now; empty: its label
+  /// What the menu calls it now; empty: its label.
+  std::string (*words)(const ActionContext& context) = nullptr;
+  void (*below)(Frame& frame) = nullptr;  ///< what the menu has below it
+  bool unlisted = false;                  ///< the palette leaves it out
 };
 
 struct Action {

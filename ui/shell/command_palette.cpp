@@ -45,7 +45,7 @@ const char* menu_name(Menu menu) {
 void add_actions(Frame& frame, std::vector<PaletteEntry>& entries) {
   const ActionContext context = context_of(frame);
   for (const Action& each : actions()) {
-    if (each.id == ActionId::palette) continue;
+    if (each.rules.unlisted) continue;
     const bool overlay = each.menu == Menu::overlays;
     const bool enabled = each.available(context);
     entries.push_back({.id = each.name,

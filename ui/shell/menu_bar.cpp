@@ -17,22 +17,6 @@ void menu_item(Frame& frame, const Action& each) {
   hint(frame.look, {"", "", each.teach.c_str()});
 }
 
-void recent_items(Frame& frame) {
-  if (!ImGui::BeginMenuEx("Open recent", icon::history, !frame.panels.recent.empty())) return;
-  for (const std::string& path : frame.panels.recent) {
-    ImGui::PushID(path.c_str());
-    if (ImGui::MenuItemEx(file_name(path).c_str(), icon::file)) {
-      frame.wish = Wish::recent;
-      frame.panels.wished = path;
-    }
-    ImGui::PopID();
-    hint(frame.look, {"", "", path.c_str()});
-  }
-  ImGui::Separator();
-  if (ImGui::MenuItemEx("Forget these", icon::trash)) frame.wish = Wish::forget_recent;
-  ImGui::EndMenu();
-}
-
 /// The entries of a menu, with a line between groups.
 void menu_items(Frame& frame, Menu menu) {
   int group = -1;
@@ -41,7 +25,7 @@ void menu_items(Frame& frame, Menu menu) {
     if (group >= 0 && each.group != group) ImGui::Separator();
     group = each.group;
     menu_item(frame, each);
-    if (each.id == ActionId::worlds) recent_items(frame);
+    if (each.rules.below != nullptr) each.rules.below(frame);
   }
 }
 
@@ -129,6 +113,22 @@ void file_name_at_right(Frame& frame) {
 }
 
 }  // namespace
+
+void draw_recent_files(Frame& frame) {
+  if (!ImGui::BeginMenuEx("Open recent", icon::history, !frame.panels.recent.empty())) return;
+  for (const std::string& path : frame.panels.recent) {
+    ImGui::PushID(path.c_str());
+    if (ImGui::MenuItemEx(file_name(path).c_str(), icon::file)) {
+      frame.wish = Wish::recent;
+      frame.panels.wished = path;
+    }
+    ImGui::PopID();
+    hint(frame.look, {"", "", path.c_str()});
+  }
+  ImGui::Separator();
+  if (ImGui::MenuItemEx("Forget these", icon::trash)) frame.wish = Wish::forget_recent;
+  ImGui::EndMenu();
+}
 
 void draw_menu_bar(Frame& frame) {
   const Look& look = frame.look;

@@ -13,6 +13,8 @@ void perform(Frame& frame, ActionId id);
 
 // Each in the current ImGui window or child.
 void draw_menu_bar(Frame& frame);
+/// As a menu of its own.
+void draw_recent_files(Frame& frame);
 /// A red dot and the length of the film while one is recorded; a click stops it.
 void draw_recording(Frame& frame);
 void draw_tool_strip(Frame& frame);

@@ -118,12 +118,15 @@ void export_menu(Frame& frame) {
                     "These figures as CSV, JSON, Markdown or LaTeX: to the clipboard or to a file."}}))
     ImGui::OpenPopup("export");
   if (!ImGui::BeginPopup("export")) return;
-  for (const ActionId id : {ActionId::copy_markdown, ActionId::copy_latex, ActionId::copy_csv,
-                            ActionId::copy_json, ActionId::save_figures}) {
-    if (id == ActionId::save_figures) ImGui::Separator();
+  const auto entry = [&frame, &look](ActionId id) {
     if (ImGui::MenuItem(action(id).label.c_str())) perform(frame, id);
     hint(look, {"", "", action(id).teach.c_str()});
-  }
+  };
+  for (const ActionId id :
+       {ActionId::copy_markdown, ActionId::copy_latex, ActionId::copy_csv, ActionId::copy_json})
+    entry(id);
+  ImGui::Separator();
+  entry(ActionId::save_figures);
   ImGui::EndPopup();
 }
 
