@@ -3,9 +3,17 @@
 
 #include <cassert>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 namespace replan::ui {
+
+/// A kind with its name in the list.
+template <class Kind>
+Kind named(Kind kind, std::string_view id) {
+  kind.id = id;
+  return kind;
+}
 
 /// For lists of what there is: makes the part as one of its kind.
 template <class Base, class Part>

@@ -12,15 +12,6 @@ namespace replan::ui {
 #undef REPLAN_ACTION
 #undef REPLAN_TAB
 
-namespace {
-
-TabKind named(TabKind kind, std::string_view id) {
-  kind.id = id;
-  return kind;
-}
-
-}  // namespace
-
 std::span<const TabKind> tab_kinds() {
   static const std::vector<TabKind> kKinds = {
 #define REPLAN_TAB(ID) named(ID##_tab(), #ID),

@@ -3,16 +3,6 @@
 #include "ui/tools/held.hpp"
 
 namespace replan::ui {
-namespace {
-
-class GoalTool final : public Tool {
-  std::unique_ptr<Drag> press(ToolContext& context) override {
-    context.press.moved = true;  // a click puts it there
-    return hold_goal();
-  }
-};
-
-}  // namespace
 
 ToolKind goal_tool() {
   return {.label = "Move the goal",
@@ -20,7 +10,7 @@ ToolKind goal_tool() {
           .chord = plain('G'),
           .teach = "Click where the robot shall go. The plan begins afresh.",
           .group = ToolGroup::ends,
-          .make = make_part<Tool, GoalTool>,
+          .make = make_part<Tool, HoldingTool<hold_goal>>,
           .colour = &Theme::goal};
 }
 

@@ -23,6 +23,14 @@ class HeldDrag : public Drag {
 
 std::unique_ptr<Drag> hold_start();
 std::unique_ptr<Drag> hold_goal();
+/// A tool that takes hold of one of them wherever it is pressed: a click puts it there.
+template <std::unique_ptr<Drag> (*hold)()>
+class HoldingTool final : public Tool {
+  std::unique_ptr<Drag> press(ToolContext& context) override {
+    context.press.moved = true;
+    return hold();
+  }
+};
 /// What of start, goal and robot is nearest to the cursor, if one is within its reach; else nullptr.
 std::unique_ptr<Drag> grab(const Run& run, const Pointer& pointer);
 

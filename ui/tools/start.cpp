@@ -3,16 +3,6 @@
 #include "ui/tools/held.hpp"
 
 namespace replan::ui {
-namespace {
-
-class StartTool final : public Tool {
-  std::unique_ptr<Drag> press(ToolContext& context) override {
-    context.press.moved = true;  // a click puts it there
-    return hold_start();
-  }
-};
-
-}  // namespace
 
 ToolKind start_tool() {
   return {.label = "Move the start",
@@ -20,7 +10,7 @@ ToolKind start_tool() {
           .chord = plain('O'),
           .teach = "Click where the robot shall set out. The plan begins afresh.",
           .group = ToolGroup::ends,
-          .make = make_part<Tool, StartTool>,
+          .make = make_part<Tool, HoldingTool<hold_start>>,
           .colour = &Theme::start};
 }
 

@@ -12,15 +12,6 @@ namespace replan::ui {
 #undef REPLAN_ACTION
 #undef REPLAN_TOOL
 
-namespace {
-
-ToolKind named(ToolKind kind, std::string_view id) {
-  kind.id = id;
-  return kind;
-}
-
-}  // namespace
-
 std::span<const ToolKind> tool_kinds() {
   static const std::vector<ToolKind> kKinds = {
 #define REPLAN_TOOL(ID) named(ID##_tool(), #ID),
