@@ -20,7 +20,7 @@
 #include "core/base/folders.hpp"
 #include "core/plan/pages.hpp"
 #include "core/world/library.hpp"
-#include "ui/shell/documents.hpp"
+#include "ui/documents/files.hpp"
 #include "ui/shell/shell.hpp"
 
 namespace replan::app {
@@ -123,7 +123,13 @@ Result<void> Program::open() {
   if (!window) return Error{window.error()};
   window_ = std::move(*window);
   shell_ = std::make_unique<ui::Shell>(window_->stage().renderer());
-  shell_->view() = remembered_.view;
+  ui::ViewState& looks = shell_->view();
+  looks.dark = remembered_.dark;
+  looks.panels = remembered_.panels;
+  looks.legend = remembered_.legend;
+  looks.brush = remembered_.brush;
+  looks.editing.round = remembered_.round_brush;
+  looks.tab = remembered_.tab;
   shell_->panels().side_width = remembered_.side_width;
   shell_->panels().unit = remembered_.unit;
   shell_->panels().caption = remembered_.caption;
@@ -137,10 +143,11 @@ Result<void> Program::open() {
   window_->on_drop([this](const std::vector<std::filesystem::path>& paths) {
     std::vector<std::string> names;
     for (const std::filesystem::path& path : paths) names.push_back(path.string());
-    shell_->drop(session_, names);
+    shell_->documents().drop(session_, names);
   });
-  window_->on_close([this] { return shell_->may_close(session_); });
-  shell_->settle_in(session_, {state_folder(), library_folder(), {false, [] { Window::wake(); }}});
+  window_->on_close([this] { return shell_->documents().may_close(session_); });
+  shell_->documents().settle_in(session_,
+                                {state_folder(), library_folder(), {false, [] { Window::wake(); }}});
   return {};
 }
 
@@ -229,14 +236,15 @@ void Program::follow() {
     dark_ = shell_->view().dark;
     window_->stage().set_theme(dark_ ? ui::dark() : ui::light());
   }
-  if (std::string words = ui::Shell::words(session_, shell_->names_on_show()); words != words_) {
+  if (std::string words = ui::uncommon_words(session_, shell_->documents().names_on_show());
+      words != words_) {
     words_ = std::move(words);
     window_->stage().set_language(words_, false);
   }
-  std::string title = shell_->title(session_) + " – Replan";
+  std::string title = ui::document_title(session_) + " – Replan";
   if (title != title_) window_->set_title(title);
   title_ = std::move(title);
-  if (shell_->quitting()) window_->close();
+  if (shell_->documents().quitting()) window_->close();
 }
 
 void Program::report_first_frame() {
@@ -257,9 +265,15 @@ Result<void> Program::close() {
     if (const auto outcome = recording_.end(); outcome && outcome->bad)
       std::fprintf(stderr, "replan: %s\n", outcome->sentence.c_str());
   }
-  shell_->leave();
+  shell_->documents().leave();
   remembered_.window = window_->state();
-  remembered_.view = shell_->view();
+  const ui::ViewState& looks = shell_->view();
+  remembered_.dark = looks.dark;
+  remembered_.panels = looks.panels;
+  remembered_.legend = looks.legend;
+  remembered_.brush = looks.brush;
+  remembered_.round_brush = looks.editing.round;
+  remembered_.tab = looks.tab;
   remembered_.side_width = shell_->panels().side_width;
   remembered_.unit = shell_->panels().unit;
   remembered_.caption = shell_->panels().caption;

@@ -1,6 +1,6 @@
 #include "app/gui_settings.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 
@@ -30,6 +30,16 @@ bool flag(const Json& json, const char* key, bool fallback) {
   return found != json.end() && found->is_boolean() ? found->get<bool>() : fallback;
 }
 
+/// By its id; files of older versions hold its number among the tabs that there were.
+std::string tab(const Json& json) {
+  constexpr std::array kNumbered = {"planner", "cell", "open_list", "code", "figures", "debug", "log"};
+  const auto found = json.find("tab");
+  if (found == json.end()) return "";
+  if (found->is_string()) return found->get<std::string>();
+  const int number = whole(json, "tab", 0, static_cast<int>(kNumbered.size()) - 1, -1);
+  return number < 0 ? "" : kNumbered[static_cast<std::size_t>(number)];
+}
+
 }  // namespace
 
 std::string settings_path() {
@@ -49,12 +59,12 @@ Remembered read_settings(const std::string& path) {
   result.window.width = whole(json, "width", 640, 16384, result.window.width);
   result.window.height = whole(json, "height", 480, 16384, result.window.height);
   result.window.maximized = flag(json, "maximized", false);
-  result.view.dark = flag(json, "dark", true);
-  result.view.panels = flag(json, "panels", true);
-  result.view.legend = flag(json, "legend", true);
-  result.view.brush = whole(json, "brush", 1, 64, 1);
-  result.view.editing.round = whole(json, "round_brush", 0, 1, 0) != 0;
-  result.view.tab = whole(json, "tab", ui::kPlannerTab, ui::kLogTab, ui::kCellTab);
+  result.dark = flag(json, "dark", true);
+  result.panels = flag(json, "panels", true);
+  result.legend = flag(json, "legend", true);
+  result.brush = whole(json, "brush", 1, 64, 1);
+  result.round_brush = whole(json, "round_brush", 0, 1, 0) != 0;
+  result.tab = tab(json);
   result.side_width = static_cast<float>(number(json, "side_width", 340, 640, result.side_width));
   result.caption = flag(json, "caption", true);
   result.unit = static_cast<StepUnit>(whole(json, "step_unit", 0, 4, static_cast<int>(result.unit)));
@@ -70,12 +80,12 @@ Result<void> write_settings(const Remembered& settings, const std::string& path)
   const Json json = {{"width", settings.window.width},
                      {"height", settings.window.height},
                      {"maximized", settings.window.maximized},
-                     {"dark", settings.view.dark},
-                     {"panels", settings.view.panels},
-                     {"legend", settings.view.legend},
-                     {"brush", settings.view.brush},
-                     {"round_brush", settings.view.editing.round ? 1 : 0},
-                     {"tab", settings.view.tab},
+                     {"dark", settings.dark},
+                     {"panels", settings.panels},
+                     {"legend", settings.legend},
+                     {"brush", settings.brush},
+                     {"round_brush", settings.round_brush ? 1 : 0},
+                     {"tab", settings.tab},
                      {"side_width", settings.side_width},
                      {"caption", settings.caption},
                      {"step_unit", static_cast<int>(settings.unit)},

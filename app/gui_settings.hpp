@@ -15,7 +15,10 @@ std::string settings_path();
 /// never a reason not to start.
 struct Remembered {
   WindowSettings window;
-  ui::ViewState view;
+  bool dark = true, panels = true, legend = true;
+  int brush = 1;
+  bool round_brush = false;
+  std::string tab;  ///< its id; empty: the one that shows at first
   float side_width = 372;
   bool caption = true;
   StepUnit unit = StepUnit::expansion;

@@ -4,7 +4,7 @@
 #include "app/studio.hpp"
 #include "core/base/file.hpp"
 #include "core/scene/svg.hpp"
-#include "ui/canvas_draw.hpp"
+#include "ui/canvas/draw.hpp"
 #include "ui/shell/actions.hpp"
 
 namespace replan::app {
@@ -70,7 +70,7 @@ StudioSettings studio_settings(const RenderRequest& request) {
           {}};
 }
 
-Result<void> render_film(const RenderRequest& request, Session& session, const ui::ViewState& state) {
+Result<void> render_film(const RenderRequest& request, Session& session, ui::ViewState state) {
   const auto finish_runs = [&] {
     for (const auto& run : session.runs()) run->finish(Target::end());
   };
@@ -79,7 +79,7 @@ Result<void> render_film(const RenderRequest& request, Session& session, const u
   if (Result<void> sound = check(session); !sound) return sound;
   const Result<std::vector<FilmFrame>> frames = plan_film(session.run(), request.film);
   if (!frames) return Error{frames.error()};
-  auto studio = Studio::open(studio_settings(request), session, state);
+  auto studio = Studio::open(studio_settings(request), session, std::move(state));
   if (!studio) return Error{studio.error()};
   auto film = Film::open({request.output, request.width, request.height, request.film.fps});
   if (!film) return Error{film.error()};
@@ -137,13 +137,13 @@ Result<void> render(const RenderRequest& request) {
   if (request.width < 16 || request.height < 16 || request.width > kMaxSide || request.height > kMaxSide)
     return Error{"a picture's sides must lie between 16 and " + std::to_string(kMaxSide) + " pixels"};
   if (!(request.scale >= 0.5 && request.scale <= 4)) return Error{"the scale must lie between 0.5 and 4"};
-  const Result<ui::ViewState> state = requested_view(request);
+  Result<ui::ViewState> state = requested_view(request);
   if (!state) return Error{state.error()};
   auto actions = requested_actions(request);
   if (!actions) return Error{actions.error()};
   const std::string extension = file_extension(request.output);
   Session session(request.scenario);
-  if (is_film(request.output)) return render_film(request, session, *state);
+  if (is_film(request.output)) return render_film(request, session, std::move(*state));
   if (extension != ".png" && extension != ".svg")
     return Error{request.output +
                  ": a picture's name ends in .png or .svg, a film's in .gif, .webp or .mp4, a folder for "
@@ -153,7 +153,7 @@ Result<void> render(const RenderRequest& request) {
     return write_drawing(request.output, session.run(), *state, {request.width, request.height});
   StudioSettings settings = studio_settings(request);
   settings.actions = std::move(*actions);
-  auto studio = Studio::open(settings, session, *state);
+  auto studio = Studio::open(settings, session, std::move(*state));
   if (!studio) return Error{studio.error()};
   return ui::write_png(request.output, (*studio)->shoot(session));
 }

@@ -14,7 +14,7 @@
 #include "core/session/film_plan.hpp"
 #include "core/session/session.hpp"
 #include "core/world/scenario.hpp"
-#include "ui/canvas.hpp"
+#include "ui/canvas/canvas.hpp"
 
 namespace replan::app {
 

@@ -4,7 +4,8 @@
 #include <utility>
 
 #include "core/world/library.hpp"
-#include "ui/pane_grid.hpp"
+#include "ui/canvas/pane_grid.hpp"
+#include "ui/documents/files.hpp"
 
 namespace replan::app {
 namespace {
@@ -21,7 +22,7 @@ Result<std::unique_ptr<Studio>> Studio::open(const StudioSettings& settings, con
   if (!offscreen) return Error{offscreen.error()};
   studio->offscreen_ = std::move(*offscreen);
   studio->offscreen_->stage().set_theme(studio->state_.dark ? ui::dark() : ui::light());
-  if (std::string words = ui::Shell::words(session); !words.empty())
+  if (std::string words = ui::uncommon_words(session); !words.empty())
     studio->offscreen_->stage().set_language(std::move(words), false);
   return studio;
 }
@@ -54,7 +55,7 @@ void Studio::draw(Session& session) {
 /// background is waited for.
 void Studio::do_actions(Session& session) {
   if (settings_.actions.empty()) return;
-  shell_->settle_in(session, {{}, library_folder(), {}});
+  shell_->documents().settle_in(session, {{}, library_folder(), {}});
   for (const ui::ActionId action : settings_.actions) {
     shell_->perform_next(action);
     draw(session);
@@ -68,7 +69,7 @@ void Studio::draw_window(Session& session) {
   ui::Stage& stage = offscreen_->stage();
   if (!shell_) {
     shell_ = std::make_unique<ui::Shell>(stage.renderer());
-    shell_->view() = state_;
+    shell_->view() = std::move(state_);  // which is drawn by it from now on
     shell_->panels().panes = settings_.panes;
   }
   shell_->draw(stage.look(), session, settings_.seconds);

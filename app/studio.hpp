@@ -6,7 +6,7 @@
 
 #include "app/platform/offscreen.hpp"
 #include "core/session/session.hpp"
-#include "ui/canvas.hpp"
+#include "ui/canvas/canvas.hpp"
 #include "ui/shell/shell.hpp"
 
 namespace replan::app {

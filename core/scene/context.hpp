@@ -48,25 +48,9 @@ struct SceneContext {
   void add(Shape shape) { scene.shapes.push_back(std::move(shape)); }
 };
 
-/// Cells this small (design pixels) are tinted in the raster instead of outlined; between the two, both by
-/// half.
-inline constexpr double kOutlineFrom = 4, kOutlineTo = 7;
-
-/// How strongly the replan before the last, the one before that ... still shows.
-inline constexpr std::size_t kRepairsShown = 4;
-inline double repair_strength(std::size_t age) {
-  constexpr double kStrength[kRepairsShown] = {1, 0.45, 0.25, 0.12};
-  return kStrength[age];
-}
-
-// The layers, from the lowest up.
+// What is always there, from the lowest up; the layers of marks (overlay.hpp) lie between the rim and the routes.
 void build_raster(SceneContext& context);
-void build_grid(SceneContext& context);
-void build_hatches(SceneContext& context);
-void build_arrows(SceneContext& context);
-void build_outlines(SceneContext& context);
-void build_numbers(SceneContext& context);
-void build_script(SceneContext& context);
+void build_rim(SceneContext& context);
 void build_routes(SceneContext& context);
 void build_things(SceneContext& context);
 

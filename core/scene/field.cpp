@@ -2,25 +2,12 @@
 
 #include <algorithm>
 
+#include "core/scene/overlay.hpp"
+
 namespace replan {
 
 FieldReader FieldReader::of(Overlay field) {
-  constexpr std::uint64_t kAll = ~std::uint64_t{0}, kLow = 0xFFFFFFFFu;
-  constexpr double kCost = 1.0 / static_cast<double>(Cost::kScale);
-  switch (field) {
-    case Overlay::rhs:
-      return {EventKind::rhs, 0, kAll, 0, -1, kCost};
-    case Overlay::dist:
-      return {EventKind::dist, 0, kAll, 0, 0, kCost};
-    case Overlay::key:
-      return {EventKind::queue, 0, kAll, 1, -1, kCost};
-    case Overlay::order:
-      return {EventKind::visit, 0, kLow, 0, 0, 1};
-    case Overlay::times:
-      return {EventKind::visit, 32, kLow, 0, 0, 1};
-    default:
-      return {EventKind::g, 0, kAll, 0, -1, kCost};
-  }
+  return overlay_kind(field).field.value_or(FieldReader{});
 }
 
 void RangeTracker::scan(const FieldReader& reader, const SearchState& state, std::size_t stretch) {

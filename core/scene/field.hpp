@@ -13,12 +13,12 @@ namespace replan {
 
 /// Reads a field's value out of the 64-bit word that a state holds for a node.
 struct FieldReader {
-  EventKind kind;
-  unsigned shift;
-  std::uint64_t mask;
-  std::int64_t offset;  ///< taken away from the shifted word
-  std::int64_t none;    ///< values up to this one stand for "no value"; so do infinite costs
-  double unit;          ///< what a step of the word is worth
+  EventKind kind = EventKind::g;
+  unsigned shift = 0;
+  std::uint64_t mask = ~std::uint64_t{0};
+  std::int64_t offset = 0;  ///< taken away from the shifted word
+  std::int64_t none = -1;   ///< values up to this one stand for "no value"; so do infinite costs
+  double unit = 1.0 / static_cast<double>(Cost::kScale);  ///< what a step of the word is worth
 
   static FieldReader of(Overlay field);
   static constexpr std::int64_t kNone = std::numeric_limits<std::int64_t>::min();

@@ -96,7 +96,7 @@ class CellColours {
   bool shows_unknown_;
   Colour unknown_ = 0, unknown_surprise_ = 0, unseen_mover_ = 0, gone_ = 0;
   std::array<Colour, 256> ramp_{};
-  FieldReader reader_ = FieldReader::of(Overlay::g);
+  FieldReader reader_;  // of the field that shows, if one does
   double low_ = 0, steps_ = 0;
   std::size_t page_number_ = SIZE_MAX;
   const std::uint64_t* page_ = nullptr;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/scene/context.hpp"
+#include "core/scene/overlay.hpp"
 
 namespace replan {
 namespace {
@@ -94,13 +94,12 @@ Scene build_scene(const Run& run, const View& view, Viewport viewport, const Pal
   SceneContext context{run, view, palette, memory.of(run), scene};
   clip(context);
   build_raster(context);
-  build_grid(context);
-  build_hatches(context);
-  build_arrows(context);
-  build_outlines(context);
-  build_numbers(context);
-  build_script(context);
+  build_rim(context);
+  for (const Layer layer :
+       {Layer::lines, Layer::hatches, Layer::arrows, Layer::frames, Layer::numbers, Layer::script})
+    build_layer(context, layer);
   build_routes(context);
+  build_layer(context, Layer::routes);
   build_things(context);
   return scene;
 }

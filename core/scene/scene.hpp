@@ -86,26 +86,11 @@ struct FieldRange {
   friend bool operator==(const FieldRange&, const FieldRange&) = default;
 };
 
-/// What can stand in a legend; those in sight.
+/// What can stand in a legend (signs.def).
 enum class Sign : std::uint8_t {
-  surprise,
-  unknown,
-  gone,
-  queue,
-  repair,
-  over,
-  under,
-  lp,
-  rp,
-  path,
-  trail,
-  sensor,
-  sight_free,
-  sight_stopped,
-  robot,
-  to_come,
-  mover,
-  nearest,
+#define REPLAN_SIGN(ID, MARK, COLOUR, LABEL) ID,
+#include "core/scene/signs.def"
+#undef REPLAN_SIGN
   count
 };
 

@@ -12,5 +12,7 @@ namespace replan {
 bool is_to_come(const Run& run, std::size_t surprise);
 /// The corners of a moving obstacle's way, as the middle of the box passes through them.
 std::vector<Point> way_points(const MovingObstacle& mover);
+/// Shows all this: who works on it must see it.
+void show_script(OverlaySet& overlays);
 
 }  // namespace replan

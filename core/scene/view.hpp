@@ -12,43 +12,36 @@
 
 namespace replan {
 
-/// What can be laid over the world. Fields colour whole cells, one at a time; marks are drawn on top, any
-/// number.
+/// What can be laid over the world (overlays.def). Fields colour whole cells, one at a time; marks are drawn on
+/// top, any number.
 enum class Overlay : std::uint8_t {
-  // Fields
-  g,
-  rhs,
-  dist,
-  key,
-  order,
-  times,
-  // Marks
-  consistency,
-  queue,
-  repair,
-  numbers,
-  lp,
-  rp,
-  path,
-  trail,
-  sensor,
-  unknown,
-  sight,
-  script,
-  grid,
+#define REPLAN_FIELD(ID) ID,
+#define REPLAN_MARK(ID) ID,
+#include "core/scene/overlays.def"
+#undef REPLAN_MARK
+#undef REPLAN_FIELD
   count
 };
-inline constexpr int kFieldOverlays = 6;
+/// They stand first.
+inline constexpr int kFieldOverlays = 0
+#define REPLAN_FIELD(ID) +1
+#define REPLAN_MARK(ID)
+#include "core/scene/overlays.def"
+#undef REPLAN_MARK
+#undef REPLAN_FIELD
+    ;
 
 struct OverlayInfo {
-  Overlay overlay;
-  std::string_view id;     ///< as in `--overlay` and scenario files
-  std::string_view label;  ///< as in the window
-  std::string_view help;   ///< a sentence that teaches
+  std::string_view label;            ///< as in the window
+  std::string_view help;             ///< a sentence that teaches
+  char key = 0;                      ///< switches it in the window; 0: none
+  bool at_first = false;             ///< whether the window shows it until it is switched
+  Overlay overlay = Overlay::count;  ///< as listed
+  std::string_view id = {};          ///< likewise; as in `--overlay` and scenario files
   [[nodiscard]] bool is_field() const { return static_cast<int>(overlay) < kFieldOverlays; }
 };
 
-/// All overlays in the order of the enumeration.
+/// All overlays in the order of overlays.def.
 std::span<const OverlayInfo> overlays();
 
 /// A set of overlays, with at most one field.
@@ -64,11 +57,12 @@ class OverlaySet {
 
  private:
   std::uint32_t bits_ = 0;
+  static_assert(static_cast<int>(Overlay::count) <= 32);
 };
 
 /// Reads ids as written by a user; the error for an unknown one suggests the nearest.
 Result<OverlaySet> parse_overlays(std::span<const std::string> ids);
-/// What the window shows at first: g, lp, rp, path, trail, sensor, repair, unknown, script, grid.
+/// What the window shows at first.
 OverlaySet default_overlays();
 
 /// Which part of the world a view shows. Zero zoom: fit the whole world.

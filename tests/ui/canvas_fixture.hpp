@@ -5,7 +5,7 @@
 
 #include "app/platform/offscreen.hpp"
 #include "core/scene/scene.hpp"
-#include "ui/canvas.hpp"
+#include "ui/canvas/canvas.hpp"
 
 namespace replan::ui {
 

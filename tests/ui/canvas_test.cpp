@@ -42,18 +42,18 @@ TEST_F(CanvasTest, AGrabbedStartMovesWithAnyTool) {
 }
 
 TEST_F(CanvasTest, RectangleAndSurpriseComeWhenLetGo) {
-  state_.tool = Tool::rectangle;
+  choose_tool(state_, "rectangle");
   drag({5, 1}, {7, 2});
   EXPECT_EQ(cells_of<PaintCells>().size(), 6u);
   commands_.clear();
-  state_.tool = Tool::surprise;
+  choose_tool(state_, "surprise");
   drag({12, 8}, {10, 7});
   EXPECT_EQ(cells_of<DropSurprise>().size(), 6u);
   EXPECT_EQ(commands_.size(), 1u);
 }
 
 TEST_F(CanvasTest, AClickPinsAndAnotherUnpins) {
-  state_.tool = Tool::select;
+  choose_tool(state_, "select");
   drag({9, 3}, {9, 3});
   EXPECT_EQ(state_.view.pinned, (Cell{9, 3}));
   EXPECT_EQ(state_.view.hovered, (Cell{9, 3}));

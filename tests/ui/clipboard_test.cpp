@@ -30,7 +30,7 @@ class ClipboardTest : public testing::Test {
   }
   void perform(ActionId id) {
     ActionContext context{*session_, view_, panels_, commands_, wish_};
-    ASSERT_TRUE(available(action(id), context)) << action(id).name;
+    ASSERT_TRUE(action(id).available(context)) << action(id).name;
     action(id).effect(context);
     for (const Command& command : commands_) ASSERT_TRUE(session_->apply(command).ok());
     commands_.clear();
@@ -65,7 +65,7 @@ TEST_F(ClipboardTest, TheWorldGoesOutAndComesBack) {
 
 TEST_F(ClipboardTest, ARegionIsCutAndPastedWhereThePinIs) {
   ActionContext context{*session_, view_, panels_, commands_, wish_};
-  EXPECT_FALSE(available(action(ActionId::copy), context));
+  EXPECT_FALSE(action(ActionId::copy).available(context));
   view_.editing.region = CellRect{{3, 0}, {5, 1}};
   perform(ActionId::copy);
   EXPECT_EQ(clipboard(), ".@.\n.@.\n");
@@ -105,7 +105,7 @@ TEST_F(ClipboardTest, DeleteTakesWhatIsSelected) {
   view_.editing.mover = 0;
   perform(ActionId::delete_selected);
   EXPECT_TRUE(session_->scenario().movers.empty());
-  EXPECT_FALSE(view_.editing.holds_something());
+  EXPECT_FALSE(holds_something(view_));
   view_.editing.region = CellRect{{4, 0}, {4, 1}};
   perform(ActionId::delete_selected);
   EXPECT_FALSE(session_->world().at({4, 1}));

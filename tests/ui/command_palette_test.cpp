@@ -63,12 +63,12 @@ TEST_F(PaletteTest, CarriesOutTheBestHitOnEnter) {
 
 TEST_F(PaletteTest, KeysAreOffWhileTyping) {
   const bool dark = shell_->view().dark, panels = shell_->view().panels;
-  const Tool tool = shell_->view().tool;
+  const std::string_view tool = shell_->view().tools.chosen_id();
   press('P', true);
   for (const int key : std::initializer_list<int>{'T', 'E', 'V', '1', key::kTab}) press(key);
   EXPECT_EQ(shell_->view().dark, dark);
   EXPECT_EQ(shell_->view().panels, panels);
-  EXPECT_EQ(shell_->view().tool, tool);
+  EXPECT_EQ(shell_->view().tools.chosen_id(), tool);
   press(key::kEscape);
   press('T');
   EXPECT_NE(shell_->view().dark, dark) << "and on again afterwards";
@@ -121,7 +121,7 @@ TEST_F(PaletteTest, HoldsEveryActionPlannerAndTermOnce) {
     for (const PaletteEntry& entry : palette_entries(frame, nullptr)) ++ids[entry.id];
     for (const auto& [id, count] : ids) EXPECT_EQ(count, 1) << id;
     for (const Action& each : actions())
-      EXPECT_TRUE(each.id == ActionId::palette || ids.contains(each.name)) << each.name;
+      EXPECT_TRUE(each.rules.unlisted || ids.contains(each.name)) << each.name;
     for (const PlannerInfo& info : planners()) EXPECT_TRUE(ids.contains("planner " + std::string(info.id)));
     for (const GlossaryTerm& term : glossary()) EXPECT_TRUE(ids.contains("term " + std::string(term.id)));
   });

@@ -10,6 +10,9 @@
 #include "ui/shell/conditions.hpp"
 #include "ui/shell/panels.hpp"
 #include "ui/shell/timeline_marks.hpp"
+#include "ui/tabs/cell_past.hpp"
+#include "ui/tabs/debug.hpp"
+#include "ui/tabs/open_list.hpp"
 
 namespace replan::ui::debugger_test {
 namespace {
@@ -42,6 +45,10 @@ class PanelTest : public testing::Test {
     ASSERT_TRUE(offscreen.ok()) << offscreen.error();
     offscreen_ = std::move(*offscreen);
     frames(2);
+  }
+  /// What draws a tab of the side panel.
+  std::function<void(Frame&)> tab(std::string_view id) {
+    return [number = tab_number(id)](Frame& frame) { frame.panels.tabs[number].draw(frame); };
   }
   void frames(int count) {
     for (int i = 0; i < count; ++i)
@@ -95,12 +102,13 @@ class PanelTest : public testing::Test {
   std::function<void(Frame&)> panel_;
   ViewState view_;
   PanelState panels_;
+  CellPast past_;
   std::vector<Command> commands_;
 };
 
 TEST_F(PanelTest, HistoryLeadsToTheEventsThatWroteTheCell) {
   const Cell cell{8, 4};
-  open(scenario_with_surprise("dstar-lite"), [&](Frame& frame) { draw_history(frame, cell); });
+  open(scenario_with_surprise("dstar-lite"), [&](Frame& frame) { past_.draw(frame, cell); });
   const NodeId node = run().lattice().node(cell);
   const std::vector<Seek> sought = sweep<Seek>(60, 20);
   ASSERT_GE(sought.size(), 3u);
@@ -112,25 +120,25 @@ TEST_F(PanelTest, HistoryLeadsToTheEventsThatWroteTheCell) {
     positions.insert(seek.position);
   }
   EXPECT_GE(positions.size(), 3u);
-  EXPECT_TRUE(panels_.debugger.history.complete());
+  EXPECT_TRUE(past_.history.complete());
 }
 
 TEST_F(PanelTest, HistoryKeepsThePlayheadInSight) {
   const Cell cell{8, 4};
-  open(scenario_with_surprise("dstar-lite"), [&](Frame& frame) { draw_history(frame, cell); });
-  panels_.debugger.every_value = true;
+  open(scenario_with_surprise("dstar-lite"), [&](Frame& frame) { past_.draw(frame, cell); });
+  past_.every_value = true;
   frames(2);
-  const CellHistory& history = panels_.debugger.history;
+  const CellHistory& history = past_.history;
   ASSERT_GT(history.size(), 12u);
-  const auto first = panels_.debugger.history_rows.first;
+  const auto first = past_.rows.first;
   EXPECT_EQ(first, 0);  // at the end of the log the newest stands first
   ASSERT_TRUE(session_->apply(Seek{history[history.size() - 1].event + 1}).ok());
   frames(2);
-  EXPECT_GT(panels_.debugger.history_rows.first, first);
+  EXPECT_GT(past_.rows.first, first);
 }
 
 TEST_F(PanelTest, AGutterSetsBreakpointsOnLinesThatAreReached) {
-  open(scenario_with_surprise("dstar-lite"), [](Frame& frame) { draw_code_panel(frame); });
+  open(scenario_with_surprise("dstar-lite"), tab("code"));
   const auto page = read_page("dstar-lite");
   ASSERT_TRUE(page.ok()) << page.error();
   const std::vector<AddBreakpoint> set = sweep<AddBreakpoint>(44, 10);
@@ -147,13 +155,13 @@ TEST_F(PanelTest, AGutterSetsBreakpointsOnLinesThatAreReached) {
 }
 
 TEST_F(PanelTest, OpenListRowsPinTheirCellsInOrder) {
-  open(scenario_with_surprise("dstar-lite"), [](Frame& frame) { draw_open_list_panel(frame); });
+  open(scenario_with_surprise("dstar-lite"), tab("open_list"));
   const Timeline& log = run().timeline();
   std::size_t middle = log.size() / 3;
   while (log.event(middle).kind != EventKind::pop) ++middle;
   ASSERT_TRUE(session_->apply(Seek{middle}).ok());
   frames(2);
-  const OpenOrder& order = panels_.debugger.order;
+  const OpenOrder& order = panels_.tabs.get<OpenListTab>().order();
   ASSERT_GT(order.size(), 3u);
   EXPECT_EQ(order[0].node, log.event(middle).node);
   std::vector<Cell> pinned;
@@ -166,12 +174,12 @@ TEST_F(PanelTest, OpenListRowsPinTheirCellsInOrder) {
   for (std::size_t i = 0; i < pinned.size(); ++i)
     EXPECT_EQ(pinned[i], run().lattice().position(order[i].node)) << i;
   // The row under the mouse shows its cell on the canvas.
-  EXPECT_EQ(view_.view.hovered, panels_.debugger.pointed);
+  EXPECT_EQ(view_.view.hovered, panels_.pointed);
 }
 
 TEST_F(PanelTest, WhatTheReplanTouchedIsListed) {
-  open(scenario_with_surprise("dstar-lite"), [](Frame& frame) { draw_open_list_panel(frame); });
-  panels_.debugger.repair = true;
+  open(scenario_with_surprise("dstar-lite"), tab("open_list"));
+  panels_.tabs.get<OpenListTab>().show_repair();
   frames(2);
   const TouchedList* touched = touched_by_last_replan(panels_, run());
   ASSERT_NE(touched, nullptr);
@@ -182,7 +190,7 @@ TEST_F(PanelTest, WhatTheReplanTouchedIsListed) {
 }
 
 TEST_F(PanelTest, AValueLeadsToWhoWroteIt) {
-  open(scenario_with_surprise("dstar-lite"), [](Frame& frame) { draw_cell_panel(frame); });
+  open(scenario_with_surprise("dstar-lite"), tab("cell"));
   view_.view.pinned = Cell{8, 4};
   frames(2);
   const NodeId node = run().lattice().node(*view_.view.pinned);
@@ -195,8 +203,8 @@ TEST_F(PanelTest, AValueLeadsToWhoWroteIt) {
 }
 
 TEST_F(PanelTest, AConditionIsTypedAndAddedIfItIsSound) {
-  open(scenario_with_surprise("dstar-lite"), [](Frame& frame) { draw_debug_panel(frame); });
-  std::string& draft = panels_.debugger.breakpoint;
+  open(scenario_with_surprise("dstar-lite"), tab("debug"));
+  std::string& draft = panels_.tabs.get<DebugTab>().breakpoint;
   for (float y = 60; y < 240 && draft.empty(); y += 8) {
     click(60, y);
     draft.clear();  // an example was taken over
@@ -206,7 +214,7 @@ TEST_F(PanelTest, AConditionIsTypedAndAddedIfItIsSound) {
   commands_.clear();
   press(key::kEnter);
   EXPECT_TRUE(commands_.empty()) << "half a condition was added";
-  panels_.debugger.breakpoint = "g(3, 4) > 5";
+  panels_.tabs.get<DebugTab>().breakpoint = "g(3, 4) > 5";
   EXPECT_EQ(language_error(*session_, "g(3, 4) > 5", false), "");
   EXPECT_NE(language_error(*session_, "g(3, 4) >", false), "");
   EXPECT_NE(language_error(*session_, "g(3, 4) > 5", true), "") << "a condition is no quantity";

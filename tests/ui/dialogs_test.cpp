@@ -24,7 +24,7 @@ class DialogsTest : public ShellTest {
  protected:
   void SetUp() override { open("first.json", world("First")); }
 
-  void settle_in() { shell_->settle_in(*session_, {folder_.file("state"), folder_.file("library"), {}}); }
+  void settle_in() { shell_->documents().settle_in(*session_, {folder_.file("state"), folder_.file("library"), {}}); }
   void edit() {
     session_->settle();
     ASSERT_TRUE(session_->apply(PaintCells{{{{5, 0}, true}}}).ok());
@@ -69,7 +69,7 @@ TEST_F(DialogsTest, OpenStaysWithAFileThatCannotBeRead) {
   EXPECT_EQ(session_->scenario().name, "First");
   press(key::kEscape);
   press('V');  // keys are the window's again
-  EXPECT_EQ(shell_->view().tool, Tool::select);
+  EXPECT_EQ(shell_->view().tools.chosen_id(), "select");
 }
 
 TEST_F(DialogsTest, SaveAsAsksBeforeItReplaces) {
@@ -101,18 +101,18 @@ TEST_F(DialogsTest, SaveAsGivesANameItsExtension) {
 
 TEST_F(DialogsTest, DroppedFilesAreOpenedAfterUnsavedEditsAreDealtWith) {
   const std::string other = folder_.with("other.map", kMap);
-  shell_->drop(*session_, {other});
+  shell_->documents().drop(*session_, {other});
   EXPECT_EQ(session_->file(), other);
-  shell_->drop(*session_, {folder_.with("film.mp4", "")});
+  shell_->documents().drop(*session_, {folder_.with("film.mp4", "")});
   EXPECT_EQ(session_->file(), other);
-  shell_->drop(*session_, {path_});
+  shell_->documents().drop(*session_, {path_});
   edit();
-  shell_->drop(*session_, {other});
+  shell_->documents().drop(*session_, {other});
   frames(4);
   EXPECT_EQ(session_->file(), path_);
   press(key::kEscape);
   EXPECT_TRUE(session_->modified());
-  shell_->drop(*session_, {other});
+  shell_->documents().drop(*session_, {other});
   frames(4);
   press(key::kEnter);  // save, then open
   EXPECT_EQ(session_->file(), other);
@@ -122,7 +122,7 @@ TEST_F(DialogsTest, DroppedFilesAreOpenedAfterUnsavedEditsAreDealtWith) {
 TEST_F(DialogsTest, ADroppedFolderIsLookedInto) {
   std::filesystem::create_directory(folder_.file("sub"));
   const std::string inside = folder_.with("sub/only.map", kMap);
-  shell_->drop(*session_, {folder_.file("sub")});
+  shell_->documents().drop(*session_, {folder_.file("sub")});
   frames(4);
   press(key::kDown);
   press(key::kEnter);
@@ -182,17 +182,17 @@ TEST_F(DialogsTest, WorkFromBeforeACrashIsTakenUp) {
   EXPECT_EQ(session_->file(), path_);
   EXPECT_EQ(session_->unsaved_edits(), 7u);
   EXPECT_TRUE(std::filesystem::exists(folder_.file("state/autosave/x.json")));
-  shell_->leave();
+  shell_->documents().leave();
   EXPECT_FALSE(std::filesystem::exists(folder_.file("state/autosave/x.json")));
 }
 
 TEST_F(DialogsTest, RecentFilesAreKeptAndMissingOnesDropped) {
   settle_in();
   const std::string other = folder_.with("other.map", kMap);
-  shell_->drop(*session_, {other});
+  shell_->documents().drop(*session_, {other});
   EXPECT_EQ(shell_->panels().recent, (std::vector<std::string>{other, path_}));
   std::filesystem::remove(path_);
-  shell_->open(*session_, path_);
+  shell_->documents().open(*session_, path_);
   EXPECT_EQ(session_->file(), other);
   EXPECT_EQ(shell_->panels().recent, (std::vector<std::string>{other}));
   EXPECT_EQ(shell_->panels().notices.size(), 1u) << "nothing was said";

@@ -1,6 +1,4 @@
 // Documents without their dialogs: folders, previews, recent files, watched files, and what is dropped.
-#include "ui/shell/documents.hpp"
-
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -10,11 +8,12 @@
 #include "core/base/file.hpp"
 #include "core/world/map_file.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "ui/shell/file_list.hpp"
-#include "ui/shell/file_watch.hpp"
-#include "ui/shell/preview.hpp"
-#include "ui/shell/recent_files.hpp"
-#include "ui/shell/world_library.hpp"
+#include "ui/documents/file_list.hpp"
+#include "ui/documents/file_watch.hpp"
+#include "ui/documents/files.hpp"
+#include "ui/documents/preview.hpp"
+#include "ui/documents/recent_files.hpp"
+#include "ui/documents/world_library.hpp"
 
 namespace replan::ui::documents_test {
 namespace {

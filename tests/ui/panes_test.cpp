@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/ui/shell_fixture.hpp"
-#include "ui/pane_grid.hpp"
+#include "ui/canvas/pane_grid.hpp"
 
 namespace replan::ui::panes_test {
 namespace {
@@ -60,7 +60,7 @@ TEST_F(PanesTest, AClickOnATitleMakesItsPaneLeadAndASecondOneOffersPlanners) {
 }
 
 TEST_F(PanesTest, SelectingInAPaneMakesItLead) {
-  shell_->view().tool = Tool::select;
+  choose_tool(shell_->view(), "select");
   const ImVec2 low = grid(4).min(1), high = grid(4).max(1);
   click({(low.x + high.x) / 2, (low.y + high.y) / 2});
   EXPECT_EQ(session_->lead(), 1u);

@@ -2,8 +2,9 @@
 #include <algorithm>
 
 #include "tests/ui/canvas_fixture.hpp"
-#include "ui/canvas_overlay.hpp"
-#include "ui/canvas_tools.hpp"
+#include "ui/tools/measure.hpp"
+#include "ui/tools/mover.hpp"
+#include "ui/tools/surprise.hpp"
 
 namespace replan::ui::tools_test {
 namespace {
@@ -17,6 +18,9 @@ class ToolsTest : public CanvasTest {
     commands_.clear();
     session_->settle();
     frame();
+  }
+  [[nodiscard]] const std::optional<Measure>& measure() const {
+    return state_.tools.get<MeasureTool>().measure();
   }
   template <class C>
   const C* only() const {
@@ -33,7 +37,7 @@ TEST_F(ToolsTest, ARoundBrushLeavesTheCornersOut) {
 }
 
 TEST_F(ToolsTest, ALineComesWhenLetGo) {
-  state_.tool = Tool::line;
+  choose_tool(state_, "line");
   move_to({5, 1});
   button(0, true);
   move_to({12, 3});
@@ -49,10 +53,10 @@ TEST_F(ToolsTest, ALineComesWhenLetGo) {
 }
 
 TEST_F(ToolsTest, AFillStopsAtObstaclesAndSparesWhatStandsThere) {
-  state_.tool = Tool::line;
+  choose_tool(state_, "line");
   drag({10, 0}, {10, 9});
   apply_all();
-  state_.tool = Tool::fill;
+  choose_tool(state_, "fill");
   click({4, 8});
   EXPECT_EQ(cells_of<PaintCells>().size(), 99u);  // 10 x 10 but for the start
   commands_.clear();
@@ -81,12 +85,12 @@ TEST_F(ToolsTest, TheStrokeSaysWhatItDoes) {
 }
 
 TEST_F(ToolsTest, AMeasureStaysAndChangesNothing) {
-  state_.tool = Tool::measure;
+  choose_tool(state_, "measure");
   drag({5, 5}, {8, 1});
-  ASSERT_TRUE(state_.editing.measure.has_value());
-  EXPECT_EQ(*state_.editing.measure, (Measure{{5, 5}, {8, 1}}));
+  ASSERT_TRUE(measure().has_value());
+  EXPECT_EQ(*measure(), (Measure{{5, 5}, {8, 1}}));
   EXPECT_TRUE(commands_.empty());
-  const MeasureFigures figures = measured(*state_.editing.measure);
+  const MeasureFigures figures = measured(*measure());
   EXPECT_DOUBLE_EQ(figures.straight, 5);
   EXPECT_NEAR(figures.octile, 1 + 3 * 1.41421356, 1e-6);
   EXPECT_NEAR(figures.degrees, 53.13, 0.01);  // up and to the right
@@ -95,19 +99,19 @@ TEST_F(ToolsTest, AMeasureStaysAndChangesNothing) {
   drag({2, 5}, {4, 5});  // on the start: measured, not moved
   EXPECT_TRUE(commands_.empty());
   click({9, 9});
-  EXPECT_FALSE(state_.editing.measure.has_value());
+  EXPECT_FALSE(measure().has_value());
 }
 
 TEST_F(ToolsTest, AWayIsDrawnCornerByCorner) {
-  state_.tool = Tool::mover;
+  choose_tool(state_, "mover");
   state_.brush = 3;
-  state_.editing.mover_speed = 5;
-  state_.editing.mover_end = WayEnd::loop;
+  state_.tools.get<MoverTool>().next().speed = 5;
+  state_.tools.get<MoverTool>().next().at_end = WayEnd::loop;
   click({5, 2});
   click({12, 2});
   click({12, 7});
   EXPECT_TRUE(commands_.empty());
-  EXPECT_EQ(state_.editing.way.size(), 3u);
+  EXPECT_EQ(state_.tools.get<MoverTool>().way().size(), 3u);
   click({12, 7});  // the second click of a double click
   const auto* add = only<AddMover>();
   ASSERT_NE(add, nullptr);
@@ -120,7 +124,7 @@ TEST_F(ToolsTest, AWayIsDrawnCornerByCorner) {
 }
 
 TEST_F(ToolsTest, TheRightButtonEndsAWayAndEscapeGivesItUp) {
-  state_.tool = Tool::mover;
+  choose_tool(state_, "mover");
   click({5, 2});
   click({9, 2});
   click({15, 8}, 1);
@@ -129,16 +133,16 @@ TEST_F(ToolsTest, TheRightButtonEndsAWayAndEscapeGivesItUp) {
   apply_all();
   state_.editing.mover.reset();
   click({15, 8});
-  EXPECT_EQ(state_.editing.way.size(), 1u);
-  EXPECT_TRUE(state_.editing.escape());
-  EXPECT_FALSE(state_.editing.holds_something());
+  EXPECT_EQ(state_.tools.get<MoverTool>().way().size(), 1u);
+  EXPECT_TRUE(let_go(state_));
+  EXPECT_FALSE(holds_something(state_));
   EXPECT_TRUE(commands_.empty());
 }
 
 TEST_F(ToolsTest, AWayIsSelectedAndItsCornersAreDragged) {
   ASSERT_TRUE(session_->apply(AddMover{{.way = {{5, 2}, {12, 2}}}}).ok());
   session_->settle();
-  state_.tool = Tool::mover;
+  choose_tool(state_, "mover");
   click({8, 2});
   EXPECT_EQ(state_.editing.mover, 0u);
   EXPECT_TRUE(commands_.empty());
@@ -150,9 +154,9 @@ TEST_F(ToolsTest, AWayIsSelectedAndItsCornersAreDragged) {
 }
 
 TEST_F(ToolsTest, ASurpriseCanWait) {
-  state_.tool = Tool::surprise;
-  state_.editing.surprise_time = SurpriseTime::step;
-  state_.editing.surprise_step = 7;
+  choose_tool(state_, "surprise");
+  state_.tools.get<SurpriseTool>().options().time = SurpriseTime::step;
+  state_.tools.get<SurpriseTool>().options().step = 7;
   drag({10, 7}, {12, 8});
   const auto* later = only<ScheduleSurprise>();
   ASSERT_NE(later, nullptr);
@@ -165,8 +169,8 @@ TEST_F(ToolsTest, ASurpriseCanWait) {
   click({11, 7});  // on it: selected, not drawn anew
   EXPECT_EQ(state_.editing.surprise, 0u);
   EXPECT_TRUE(commands_.empty());
-  state_.editing.surprise_time = SurpriseTime::near;
-  state_.editing.surprise_within = 3;
+  state_.tools.get<SurpriseTool>().options().time = SurpriseTime::near;
+  state_.tools.get<SurpriseTool>().options().within = 3;
   drag({10, 1}, {12, 1});
   later = only<ScheduleSurprise>();
   ASSERT_NE(later, nullptr);
@@ -175,7 +179,7 @@ TEST_F(ToolsTest, ASurpriseCanWait) {
 }
 
 TEST_F(ToolsTest, ADragSelectsARegionAndAClickPins) {
-  state_.tool = Tool::select;
+  choose_tool(state_, "select");
   state_.editing.mover = 0;
   drag({9, 6}, {5, 3});
   EXPECT_FALSE(state_.editing.mover.has_value());
@@ -203,7 +207,7 @@ TEST_F(ToolsTest, WhatIsPaintedOverTheRobotIsThereAsItWouldBeByAScript) {
   ASSERT_TRUE(session_->apply(Step{StepUnit::move, 5}).ok());
   session_->update(0);
   frame();
-  state_.tool = Tool::line;
+  choose_tool(state_, "line");
   drag({7, 2}, {7, 8});  // over the robot at (7, 5)
   const auto cells = cells_of<PaintCells>();
   EXPECT_EQ(cells.size(), 7u);
@@ -213,7 +217,7 @@ TEST_F(ToolsTest, WhatIsPaintedOverTheRobotIsThereAsItWouldBeByAScript) {
 }
 
 TEST_F(ToolsTest, AnotherSizeOfTheWorldForgetsPlaces) {
-  state_.tool = Tool::select;
+  choose_tool(state_, "select");
   drag({5, 3}, {9, 6});
   click({12, 1});
   drag({5, 3}, {9, 6});

@@ -138,7 +138,7 @@ TEST_F(TracesTest, ANameWithoutAKnownEndingKeepsTheDialog) {
   EXPECT_FALSE(std::filesystem::exists(folder_.file("out.txt")));
   press(key::kEscape);
   press('B');
-  EXPECT_EQ(shell_->view().tool, Tool::paint) << "keys are the window's again";
+  EXPECT_EQ(shell_->view().tools.chosen_id(), "paint") << "keys are the window's again";
 }
 
 TEST_F(TracesTest, AnExportIsGivenUpWhenItsRunIsGone) {

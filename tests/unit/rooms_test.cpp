@@ -1,8 +1,14 @@
-// The rooms of core lie one above the other, in the order of the table in CONTRIBUTING.md.
+// The rooms of core lie one above the other, in the order of the table in CONTRIBUTING.md; and what is a list is asked,
+// not told apart.
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -72,6 +78,91 @@ TEST(Rooms, OfPlanningNeedNoOtherLibrary) {
       }
     }
   EXPECT_GT(includes, 100u);
+}
+
+/// What the lines of a list name: `keyword(name)`, and more behind it.
+std::vector<std::string> listed(const char* list, const std::vector<std::string>& keywords) {
+  std::vector<std::string> names;
+  std::ifstream text(kRoot / list);
+  for (std::string line; std::getline(text, line);)
+    for (const std::string& keyword : keywords)
+      if (line.starts_with(keyword + "(")) {
+        const std::size_t begin = keyword.size() + 1;
+        names.push_back(line.substr(begin, line.find_first_of(",)", begin) - begin));
+      }
+  EXPECT_GT(names.size(), 5u) << list;
+  return names;
+}
+
+/// How a line looks that knows one thing of a list: it has these words. Only a file in `room` may have such a line.
+struct Knowing {
+  std::vector<std::string> words;
+  std::string room;
+};
+
+std::vector<Knowing> ways_of_knowing_one() {
+  // A switch over actions, however it is written.
+  std::vector<Knowing> ways = {
+      {{"case ActionId::"}, ""}, {{"== ActionId::"}, ""}, {{"!= ActionId::"}, ""}, {{"case Overlay::"}, ""}};
+  for (const std::string& id : listed("core/scene/overlays.def", {"REPLAN_FIELD", "REPLAN_MARK"})) {
+    ways.push_back({{"Overlay::" + id}, "core/scene"});
+    ways.push_back({{"ActionId::overlay_" + id}, ""});
+  }
+  const auto by_name = [&](const std::string& id, const char* function, const std::string& room) {
+    for (const char* question : {function, "id == ", "id() == ", "tab == ", "id != ", "id() != ", "tab != "})
+      ways.push_back({{question, '"' + id + '"'}, room});
+  };
+  for (const std::string& id : listed("ui/tools/tools.def", {"REPLAN_TOOL"})) {
+    ways.push_back({{"ActionId::tool_" + id}, ""});
+    by_name(id, "choose_tool(", "ui/tools");
+  }
+  for (const std::string& id : listed("ui/tabs/tabs.def", {"REPLAN_TAB"}))
+    by_name(id, "show_tab(", "ui/tabs");
+  return ways;
+}
+
+/// Whether the line has the word, and the word does not go on behind it.
+bool has_word(const std::string& line, const std::string& word) {
+  const auto goes_on = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  for (std::size_t at = line.find(word); at != std::string::npos; at = line.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if (!goes_on(word.back()) || end == line.size() || !goes_on(line[end])) return true;
+  }
+  return false;
+}
+
+/// The lines of a file that must not know what they know.
+std::vector<std::string> lines_that_know(const fs::path& file, const std::string& path,
+                                         const std::vector<Knowing>& ways) {
+  std::ifstream stream(file);
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  std::vector<std::string> found;
+  for (const Knowing& way : ways) {
+    const bool may = !way.room.empty() && path.starts_with(way.room + "/");
+    if (may || text.find(way.words.back()) == std::string::npos) continue;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+      if (std::all_of(way.words.begin(), way.words.end(),
+                      [&](const std::string& word) { return has_word(line, word); }))
+        found.push_back(line);
+  }
+  return found;
+}
+
+/// Tools, tabs, overlays and actions are lists: who asks one of them what it is, and not which one it is, need not be
+/// changed for another one. (An action may be done by its name.)
+TEST(Rooms, NobodyTellsToolsTabsOverlaysOrActionsApart) {
+  const std::vector<Knowing> ways = ways_of_knowing_one();
+  std::size_t files = 0;
+  for (const char* folder : {"app", "core", "ui"})
+    for (const auto& file : fs::recursive_directory_iterator(kRoot / folder)) {
+      if (file.path().extension() != ".cpp" && file.path().extension() != ".hpp") continue;
+      ++files;
+      const std::string path = fs::relative(file.path(), kRoot).string();
+      for (const std::string& line : lines_that_know(file.path(), path, ways))
+        ADD_FAILURE() << path << " knows one thing of a list:\n" << line;
+    }
+  EXPECT_GT(files, 250u);
 }
 
 }  // namespace

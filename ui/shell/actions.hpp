@@ -12,33 +12,27 @@
 #include "core/scene/view.hpp"
 #include "core/session/commands.hpp"
 #include "core/study/figures_table.hpp"
-#include "ui/canvas.hpp"
+#include "ui/canvas/canvas.hpp"
+#include "ui/chord.hpp"
 #include "ui/shell/frame.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 
-enum class ActionId : std::uint8_t {
-#define REPLAN_ACTION(ID, MENU, GROUP, LABEL, ICON, CHORD, HELD, TEACH, EFFECT) ID,
-#define REPLAN_OVERLAY(OVERLAY, CHORD) overlay_##OVERLAY,
+enum class ActionId : std::uint16_t {
+#define REPLAN_ACTION(ID, ...) ID,
+#define REPLAN_TOOL(ID) tool_##ID,
+#define REPLAN_TAB(ID) show_##ID,
+#define REPLAN_OVERLAY(ID) overlay_##ID,
 #include "ui/shell/actions.def"
 #undef REPLAN_OVERLAY
+#undef REPLAN_TAB
+#undef REPLAN_TOOL
 #undef REPLAN_ACTION
   count
 };
 
 enum class Menu : std::uint8_t { file, edit, world, planner, debug, view, record, help, overlays };
-
-/// A key with its modifiers; key 0: none.
-struct Chord {
-  int key = 0;
-  bool ctrl = false;
-  bool shift = false;
-  bool alt = false;
-  friend bool operator==(const Chord&, const Chord&) = default;
-};
-/// As printed in menus: "Ctrl+Shift+S"; empty for no key.
-std::string chord_text(const Chord& chord);
 
 /// What actions read and change. Effects on the session are queued; they happen after drawing.
 struct ActionContext {
@@ -52,11 +46,8 @@ struct ActionContext {
   void step(StepUnit unit, int count) { push(Step{unit, count}); }
   void toggle_play(int direction);
   void resize_brush(int by);
-  void choose_tool(Tool tool);
   void let_go();
-  void finish_drawing();
   void delete_selected();
-  void show_history();
   // Through the clipboard, as text (core/world/ascii_map.hpp).
   void copy_world();
   void copy_state();
@@ -66,7 +57,6 @@ struct ActionContext {
   void paste();
   void move_pin(int dx, int dy);
   void toggle_overlay(Overlay overlay);
-  void show_tab(int tab);
   // The debugger's; those about a cell take the pinned one, else the one under the cursor.
   [[nodiscard]] std::optional<Cell> cell() const;
   void go_to_breakpoint(int direction);
@@ -77,7 +67,25 @@ struct ActionContext {
   void switch_checks(bool laws, bool oracle);
   void go_to_breach();
   void find_difference();
-  void show_open_list(bool touched);
+  // What actions ask before they can be done.
+  [[nodiscard]] bool is_busy() const;
+  [[nodiscard]] bool has_own_settings() const;
+  /// Whether a film of the window, or of the canvas, is being recorded, and whether one can be begun or ended.
+  [[nodiscard]] bool records(bool window) const;
+  [[nodiscard]] bool may_record(bool window) const;
+};
+
+/// What an action depends on; what is left out is never so, but for `available`.
+struct ActionRules {
+  using Condition = bool (*)(const ActionContext& context);
+  Condition available = nullptr;  ///< it would do something now (undo: there is something to take back)
+  const char* why_not = "";       ///< half a sentence ("nothing is selected"); empty if it explains itself
+  Condition checked = nullptr;    ///< it is a switch that is on, or the chosen one of several
+  Condition hidden = nullptr;     ///< the menu leaves it out
+  /// What the menu calls it now; empty: its label.
+  std::string (*words)(const ActionContext& context) = nullptr;
+  void (*below)(Frame& frame) = nullptr;  ///< what the menu has below it
+  bool unlisted = false;                  ///< the palette leaves it out
 };
 
 struct Action {
@@ -88,12 +96,24 @@ struct Action {
   std::string label;
   const char* icon;
   Chord chord;
-  std::string keys;  ///< chord_text(chord)
-  bool held;         ///< repeats while the key is held
+  bool held;  ///< repeats while the key is held
   std::string teach;
   void (*effect)(ActionContext& context);
+  ActionRules rules = {};
+  std::string keys = {};  ///< chord_text(chord)
 
   [[nodiscard]] Hint hint() const { return {label.c_str(), keys.c_str(), teach.c_str()}; }
+  [[nodiscard]] bool available(const ActionContext& context) const {
+    return rules.available == nullptr || rules.available(context);
+  }
+  [[nodiscard]] bool checked(const ActionContext& context) const {
+    return rules.checked != nullptr && rules.checked(context);
+  }
+  [[nodiscard]] bool hidden(const ActionContext& context) const {
+    return rules.hidden != nullptr && rules.hidden(context);
+  }
+  /// What a menu calls it now.
+  [[nodiscard]] std::string words(const ActionContext& context) const;
 };
 
 /// All actions in the order of the table.
@@ -102,13 +122,10 @@ const Action& action(ActionId id);
 /// The action of that identifier ("keys"), or nullptr.
 const Action* find_action(std::string_view name);
 ActionId overlay_action(Overlay overlay);
+ActionId tool_action(std::string_view tool);
+/// That shows the tab.
+ActionId tab_action(std::string_view tab);
 
-/// Whether the action would do something now (undo: is there anything to take back?).
-bool available(const Action& action, const ActionContext& context);
-/// Why it would do nothing now, as half a sentence ("nothing is selected"); empty if that explains itself.
-const char* why_not(ActionId id);
-/// Whether it is a switch that is on, or the chosen one of several.
-bool checked(const Action& action, const ActionContext& context);
 /// Actions whose chord was pressed this frame; none while text is typed.
 std::vector<ActionId> pressed_actions(const ImGuiIO& io);
 /// Whether a key of a repeating action is down: frames are needed although no event comes.

@@ -79,12 +79,12 @@ void draw_cell_menu(Frame& frame) {
   if (!cell) return;
   if (!frame.session.scenario().map.contains(*cell)) return cell.reset();
   constexpr const char* kName = "cell menu";
-  DebuggerState& state = frame.panels.debugger;
-  if (!state.menu_open) ImGui::OpenPopup(kName);
+  bool& open = frame.panels.menu_open;
+  if (!open) ImGui::OpenPopup(kName);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.m, look.px(10)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px.s, look.px(7)));
-  state.menu_open = ImGui::BeginPopup(kName, ImGuiWindowFlags_NoMove);
-  if (state.menu_open) {
+  open = ImGui::BeginPopup(kName, ImGuiWindowFlags_NoMove);
+  if (open) {
     cell_menu_items(frame, *cell);
     ImGui::EndPopup();
   } else {

@@ -1,15 +1,14 @@
 #include "ui/shell/command_palette.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "core/base/file.hpp"
 #include "core/plan/glossary.hpp"
+#include "ui/documents/world_library.hpp"
 #include "ui/icons.hpp"
 #include "ui/keys.hpp"
 #include "ui/shell/panels.hpp"
-#include "ui/shell/world_library.hpp"
 
 namespace replan::ui {
 namespace {
@@ -46,19 +45,19 @@ const char* menu_name(Menu menu) {
 void add_actions(Frame& frame, std::vector<PaletteEntry>& entries) {
   const ActionContext context = context_of(frame);
   for (const Action& each : actions()) {
-    if (each.id == ActionId::palette) continue;
+    if (each.rules.unlisted) continue;
     const bool overlay = each.menu == Menu::overlays;
-    const bool enabled = available(each, context);
+    const bool enabled = each.available(context);
     entries.push_back({.id = each.name,
                        .label = overlay ? "Overlay: " + each.label : each.label,
                        .place = menu_name(each.menu),
                        .keys = each.keys,
                        .teach = each.teach,
-                       .icon = checked(each, context) ? icon::check
-                               : overlay              ? icon::eye
-                                                      : each.icon,
+                       .icon = each.checked(context) ? icon::check
+                               : overlay             ? icon::eye
+                                                     : each.icon,
                        .enabled = enabled,
-                       .reason = enabled ? "" : why_not(each.id),
+                       .reason = enabled ? "" : each.rules.why_not,
                        .effect = [id = each.id](Frame& f) { perform(f, id); }});
   }
 }
@@ -80,23 +79,16 @@ void add_planners(Frame& frame, std::vector<PaletteEntry>& entries) {
 }
 
 void add_tabs(std::vector<PaletteEntry>& entries) {
-  constexpr std::array<std::pair<const char*, int>, 7> kTabs = {{{"Planner", kPlannerTab},
-                                                                 {"Cell", kCellTab},
-                                                                 {"Open list", kOpenListTab},
-                                                                 {"Code", kCodeTab},
-                                                                 {"Figures", kFiguresTab},
-                                                                 {"Debug", kDebugTab},
-                                                                 {"Log", kLogTab}}};
-  for (const auto& [name, tab] : kTabs)
-    entries.push_back({.id = std::string("tab ") + name,
-                       .label = std::string("Tab: ") + name,
+  for (const TabKind& kind : tab_kinds())
+    entries.push_back({.id = std::string("tab ") + kind.name,
+                       .label = std::string("Tab: ") + kind.name,
                        .place = "Side panel",
                        .keys = {},
                        .teach = {},
                        .icon = icon::columns,
                        .reason = {},
-                       .effect = [tab = tab](Frame& f) {
-                         f.view.tab = tab;
+                       .effect = [id = kind.id](Frame& f) {
+                         f.view.tab = id;
                          f.view.panels = true;
                        }});
 }

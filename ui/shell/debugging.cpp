@@ -3,6 +3,7 @@
 
 #include "ui/shell/actions.hpp"
 #include "ui/shell/conditions.hpp"
+#include "ui/tabs/debug.hpp"
 
 namespace replan::ui {
 namespace {
@@ -38,7 +39,7 @@ std::optional<Cell> ActionContext::cell() const {
 
 void ActionContext::go_to_breakpoint(int direction) {
   if (session.breakpoints().list().empty())
-    show_tab(kDebugTab);  // where one is set
+    action(ActionId::show_debug).effect(*this);  // where one is set
   else
     push(GoToBreakpoint{direction});
 }
@@ -71,22 +72,12 @@ void ActionContext::go_to_breach() {
   if (!first) return;
   if (first->pane != session.lead()) push(Lead{first->pane});
   push(Seek{first->position});
-  show_tab(kDebugTab);
+  action(ActionId::show_debug).effect(*this);
 }
 
 void ActionContext::find_difference() {
-  show_tab(kDebugTab);
-  const auto [one, other] = panels.debugger.compared;
-  const auto panes = static_cast<int>(session.runs().size());
-  const bool sound = one != other && one < panes && other < panes;
-  push(
-      FindDifference{{sound ? static_cast<std::size_t>(one) : 0, sound ? static_cast<std::size_t>(other) : 1},
-                     static_cast<Compare>(panels.debugger.compare)});
-}
-
-void ActionContext::show_open_list(bool touched) {
-  panels.debugger.repair = touched;
-  show_tab(kOpenListTab);
+  action(ActionId::show_debug).effect(*this);
+  push(panels.tabs.get<DebugTab>().find_difference(session));
 }
 
 }  // namespace replan::ui

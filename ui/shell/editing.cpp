@@ -4,8 +4,8 @@
 #include "core/base/words.hpp"
 #include "core/export/case_text.hpp"
 #include "core/world/ascii_map.hpp"
-#include "ui/canvas_tools.hpp"
 #include "ui/shell/actions.hpp"
+#include "ui/tools/select.hpp"
 
 namespace replan::ui {
 namespace {
@@ -50,22 +50,8 @@ void say(PanelState& panels, std::string sentence, bool bad = false) {
 
 }  // namespace
 
-void ActionContext::choose_tool(Tool tool) {
-  view.tool = tool;
-  view.editing.way.clear();
-  if (tool != Tool::select) view.editing.region.reset();
-  if (tool != Tool::measure) view.editing.measure.reset();
-  if (tool != Tool::mover) view.editing.mover.reset();
-  // Who works on what is to come must see it.
-  if (tool == Tool::surprise || tool == Tool::mover) view.view.overlays.set(Overlay::script, true);
-}
-
 void ActionContext::let_go() {
-  if (!view.editing.escape()) view.view.pinned.reset();
-}
-
-void ActionContext::finish_drawing() {
-  finish_way(session, view, commands);
+  if (!ui::let_go(view)) view.view.pinned.reset();
 }
 
 void ActionContext::delete_selected() {
@@ -82,11 +68,6 @@ void ActionContext::delete_selected() {
   }
   editing.mover.reset();
   editing.surprise.reset();
-}
-
-void ActionContext::show_history() {
-  show_tab(kLogTab);
-  panels.log = LogPart::edits;
 }
 
 void ActionContext::copy_world() {
@@ -150,8 +131,7 @@ void ActionContext::paste() {
   push(PaintCells{placed(cells, at, scenario.map, standing(session)), 0});
   const Cell end{std::min(at.x + cells.width, scenario.map.width) - 1,
                  std::min(at.y + cells.height, scenario.map.height) - 1};
-  view.tool = Tool::select;
-  select_region(view.editing, {at, end});
+  select_with_tool(view, {at, end});
   const bool whole = end.x - at.x + 1 == cells.width && end.y - at.y + 1 == cells.height;
   say(panels, "Pasted " + size_text(cells.width, cells.height) +
                   (whole ? "" : "; what reached over the edge of the world was left out") + noted);

@@ -8,7 +8,7 @@
 #include "core/base/words.hpp"
 #include "core/debug/event_words.hpp"
 #include "core/session/run.hpp"
-#include "ui/canvas_chips.hpp"
+#include "ui/canvas/chips.hpp"
 
 namespace replan::ui {
 

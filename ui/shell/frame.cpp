@@ -58,8 +58,8 @@ std::optional<ReplanSpan> last_replan(const Run& run) {
 const TouchedList* touched_by_last_replan(PanelState& panels, const Run& run) {
   const std::optional<ReplanSpan> span = last_replan(run);
   if (!span) return nullptr;
-  panels.debugger.touched.follow(run.log_view(), run.log_id(), span->begin, span->end);
-  return &panels.debugger.touched;
+  panels.touched.follow(run.log_view(), run.log_id(), span->begin, span->end);
+  return &panels.touched;
 }
 
 void show_cell(Frame& frame, Cell cell) {
@@ -78,7 +78,7 @@ void show_cell(Frame& frame, Cell cell) {
 void point_at(Frame& frame, Cell cell) {
   if (!ImGui::IsItemHovered()) return;
   frame.panels.animated = frame.view.view.hovered != cell;  // it was drawn without it
-  frame.view.view.hovered = frame.panels.debugger.pointed = cell;
+  frame.view.view.hovered = frame.panels.pointed = cell;
 }
 
 namespace {

@@ -9,27 +9,19 @@
 
 #include <imgui.h>
 
-#include "core/plan/figures.hpp"
+#include "core/debug/touched.hpp"
 #include "core/plan/pages.hpp"
 #include "core/session/session.hpp"
-#include "ui/canvas.hpp"
+#include "ui/canvas/canvas.hpp"
 #include "ui/look.hpp"
-#include "ui/shell/debugger_state.hpp"
 #include "ui/shell/recording.hpp"
+#include "ui/tabs/tab_box.hpp"
 
 namespace replan {
 struct CaseMoment;
 }
 
 namespace replan::ui {
-
-inline constexpr int kPlannerTab = 0;
-inline constexpr int kCellTab = 1;
-inline constexpr int kOpenListTab = 2;
-inline constexpr int kCodeTab = 3;
-inline constexpr int kFiguresTab = 4;
-inline constexpr int kDebugTab = 5;
-inline constexpr int kLogTab = 6;
 
 /// What an action asks of the shell itself; done after drawing.
 enum class Wish : std::uint8_t {
@@ -58,52 +50,26 @@ enum class Wish : std::uint8_t {
   save_figures
 };
 
-/// Path figures of one pane, kept until another plan stands.
-struct FigureCache {
-  std::shared_ptr<const Plan> plan;
-  PathFigures figures;
-};
-
-/// What the Log tab lists.
-enum class LogPart : std::uint8_t { run, session, edits };
-
-/// What happened in a run, but for the robot's moves.
-class RunStory {
- public:
-  /// Takes over what the run has come to since.
-  void follow(const Run& run);
-  /// Which of its markers.
-  [[nodiscard]] std::span<const std::size_t> markers() const { return markers_; }
-
- private:
-  std::uint64_t log_id_ = 0;
-  std::size_t read_ = 0;  // markers of the run
-  std::vector<std::size_t> markers_;
-};
-
-/// What the panels remember between frames; no part of the document.
+/// What the panels share between frames; no part of the document.
 struct PanelState {
   float side_width = 372;  ///< of the design; the user drags it
   std::size_t panes = 0;   ///< how many the canvas shows; 0: as many as there is room for
   StepUnit unit = StepUnit::expansion;
   std::map<std::string, double> drafts;  ///< settings while their slider is dragged
-  std::vector<FigureCache> figures;
   std::map<std::string, Result<PlannerPage>, std::less<>> pages;
-  std::size_t log_lines = 0;  ///< how many the Log showed: it follows its end
-  int code_line = 0;          ///< the line that the Code page scrolled to
-  bool animated = false;      ///< something on it moves by itself
-  double zoom = 0;            ///< device pixels per cell on the canvas, as fitted or chosen
-  DebuggerState debugger;     ///< of the Cell, Open list and Debug tabs
+  bool animated = false;  ///< something on it moves by itself
+  double zoom = 0;        ///< device pixels per cell on the canvas, as fitted or chosen
+  TabBox tabs;
+  TouchedList touched;          ///< by the last replan
+  bool menu_open = false;       ///< that of ViewState::menu
+  std::optional<Cell> pointed;  ///< the cell of the row under the mouse, which the canvas shows as hovered
   double exporting = -1;  ///< how much of a trace has been written, 0 to 1; below 0: none is being written
   std::shared_ptr<const CaseMoment> pasted;  ///< a moment as text, for its wish
   RecordingState recording;                  ///< told by the owner of the pixels
   PixelArea canvas;                          ///< where the canvas was drawn last
   double frame_ms = 0;                       ///< CPU time of a frame, smoothed; 0: not measured
   float tool_height = 0;                     ///< what the tool's choices took in the last frame, in pixels
-  LogPart log = LogPart::run;
-  RunStory story;
-  RowScroll story_rows;
-  std::string said;  ///< a sentence for the user, to be shown over the canvas
+  std::string said;                          ///< a sentence for the user, to be shown over the canvas
   bool said_bad = false;
   std::vector<std::string> recent;   ///< files that were opened last, the latest first
   std::string wished;                ///< the file that a wish is about

@@ -2,8 +2,8 @@
 #include <imgui_internal.h>
 
 #include "core/base/file.hpp"
+#include "ui/documents/files.hpp"
 #include "ui/icons.hpp"
-#include "ui/shell/documents.hpp"
 #include "ui/shell/panels.hpp"
 
 namespace replan::ui {
@@ -11,47 +11,21 @@ namespace {
 
 void menu_item(Frame& frame, const Action& each) {
   const ActionContext context = context_of(frame);
-  const std::string label =
-      each.id == ActionId::undo && !frame.session.undo_text().empty()   ? "Undo: " + frame.session.undo_text()
-      : each.id == ActionId::redo && !frame.session.redo_text().empty() ? "Redo: " + frame.session.redo_text()
-      : each.menu == Menu::record && checked(each, context)             ? "Stop recording"
-                                                                        : each.label;
-  if (ImGui::MenuItemEx(label.c_str(), each.icon, each.keys.c_str(), checked(each, context),
-                        available(each, context)))
+  if (ImGui::MenuItemEx(each.words(context).c_str(), each.icon, each.keys.c_str(), each.checked(context),
+                        each.available(context)))
     perform(frame, each.id);
   hint(frame.look, {"", "", each.teach.c_str()});
 }
 
-void recent_items(Frame& frame) {
-  if (!ImGui::BeginMenuEx("Open recent", icon::history, !frame.panels.recent.empty())) return;
-  for (const std::string& path : frame.panels.recent) {
-    ImGui::PushID(path.c_str());
-    if (ImGui::MenuItemEx(file_name(path).c_str(), icon::file)) {
-      frame.wish = Wish::recent;
-      frame.panels.wished = path;
-    }
-    ImGui::PopID();
-    hint(frame.look, {"", "", path.c_str()});
-  }
-  ImGui::Separator();
-  if (ImGui::MenuItemEx("Forget these", icon::trash)) frame.wish = Wish::forget_recent;
-  ImGui::EndMenu();
-}
-
-bool is_lockstep(ActionId id) {
-  return id == ActionId::lockstep_expansions || id == ActionId::lockstep_moves ||
-         id == ActionId::lockstep_race;
-}
-
-/// The entries of a menu, with a line between groups. What panes keep step by shows where there are several.
+/// The entries of a menu, with a line between groups.
 void menu_items(Frame& frame, Menu menu) {
   int group = -1;
   for (const Action& each : actions()) {
-    if (each.menu != menu || (is_lockstep(each.id) && frame.session.runs().size() < 2)) continue;
+    if (each.menu != menu || each.hidden(context_of(frame))) continue;
     if (group >= 0 && each.group != group) ImGui::Separator();
     group = each.group;
     menu_item(frame, each);
-    if (each.id == ActionId::worlds) recent_items(frame);
+    if (each.rules.below != nullptr) each.rules.below(frame);
   }
 }
 
@@ -139,6 +113,22 @@ void file_name_at_right(Frame& frame) {
 }
 
 }  // namespace
+
+void draw_recent_files(Frame& frame) {
+  if (!ImGui::BeginMenuEx("Open recent", icon::history, !frame.panels.recent.empty())) return;
+  for (const std::string& path : frame.panels.recent) {
+    ImGui::PushID(path.c_str());
+    if (ImGui::MenuItemEx(file_name(path).c_str(), icon::file)) {
+      frame.wish = Wish::recent;
+      frame.panels.wished = path;
+    }
+    ImGui::PopID();
+    hint(frame.look, {"", "", path.c_str()});
+  }
+  ImGui::Separator();
+  if (ImGui::MenuItemEx("Forget these", icon::trash)) frame.wish = Wish::forget_recent;
+  ImGui::EndMenu();
+}
 
 void draw_menu_bar(Frame& frame) {
   const Look& look = frame.look;

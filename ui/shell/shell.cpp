@@ -6,9 +6,9 @@
 #include <imgui_internal.h>
 
 #include "core/scene/scene.hpp"
+#include "ui/canvas/pane_grid.hpp"
 #include "ui/icons.hpp"
 #include "ui/keys.hpp"
-#include "ui/pane_grid.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
 
@@ -25,13 +25,18 @@ bool is_quiet(const Command& command) {
 
 }  // namespace
 
+Shell::Shell(ImGuiRenderer& renderer)
+    : renderer_(renderer),
+      documents_({view_, panels_, dialogs_, message_, [this](const ViewSetup& view) { show(view); }}),
+      dialogs_(renderer) {}
+
 ActionContext context_of(Frame& frame) {
   return {frame.session, frame.view, frame.panels, frame.commands, frame.wish};
 }
 
 void perform(Frame& frame, ActionId id) {
   ActionContext context = context_of(frame);
-  if (available(action(id), context)) action(id).effect(context);
+  if (action(id).available(context)) action(id).effect(context);
 }
 
 void Shell::draw(const Look& look, Session& session, double) {
@@ -44,10 +49,10 @@ void Shell::draw(const Look& look, Session& session, double) {
   for (const ActionId id : std::exchange(next_actions_, {})) perform(frame, id);
   pin_difference(frame);
   draw_parts(frame);
-  if (const std::string failure = session.failure(); !failure.empty() && message_.text.empty())
+  if (const std::string failure = session.failure(); !failure.empty() && message_.empty())
     tell(failure, true);
   drawn_ = session.revision();
-  take_loaded(session);
+  documents_.take_loaded(session);
   const Decision decision = dialogs_.draw(look);
   world_dialogs_.draw(look, session, commands);
   if (!panels_.said.empty()) tell(std::exchange(panels_.said, {}), panels_.said_bad);
@@ -57,7 +62,7 @@ void Shell::draw(const Look& look, Session& session, double) {
   if (const auto outcome = export_.go_on(session)) tell(outcome->words, outcome->bad);
   panels_.exporting = export_.busy() ? export_.share() : -1;
   await_moment(session);
-  keep(session);
+  documents_.keep(session);
 }
 
 bool Shell::wants_frames(const Session& session) const {
@@ -135,8 +140,8 @@ void Shell::draw_parts(Frame& frame) {
   });
   if (panels) draw_splitter(frame, split, look.px.menu, bottom);
   draw_stop(frame, {split - look.px.m, under - look.px(52)});
-  draw_message(look, {left, look.px.menu}, {split, under});
-  palette_.draw(frame, library_.get());
+  message_.draw(look, {left, look.px.menu}, {split, under});
+  palette_.draw(frame, documents_.library());
 }
 
 Canvas& Shell::canvas(std::size_t pane) {
@@ -177,7 +182,8 @@ void Shell::draw_caption(Frame& frame, ImVec2 min, ImVec2 size) {
   const Scenario& scenario = frame.session.scenario();
   area("caption", min, size, look.theme.panel, {look.px.m, look.px.xs}, [&] {
     const float right = ImGui::GetContentRegionAvail().x;
-    const float buttons = library_ ? look.px(24) * 2 + look.px.xs : look.px(24);
+    const bool library = documents_.library() != nullptr;
+    const float buttons = library ? look.px(24) * 2 + look.px.xs : look.px(24);
     const float y = min.y + (size.y - look.fonts.ui->FontSize) * 0.5f;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const std::string name = elide(look.fonts.title, scenario.name, right * 0.4f);
@@ -190,40 +196,15 @@ void Shell::draw_caption(Frame& frame, ImVec2 min, ImVec2 size) {
     hint(look, {scenario.name.c_str(), "", scenario.caption.c_str()});
     ImGui::SameLine(0, look.px.s);
     const Action& worlds = action(ActionId::worlds);
-    if (library_ && small_button(look, "worlds", {.icon = icon::map, .hint = worlds.hint()}))
+    if (library && small_button(look, "worlds", {.icon = icon::map, .hint = worlds.hint()}))
       perform(frame, ActionId::worlds);
-    if (library_) ImGui::SameLine(0, look.px.xs);
+    if (library) ImGui::SameLine(0, look.px.xs);
     if (small_button(
             look, "close",
             {.icon = icon::times, .hint = {"Hide the caption", "", "View > Caption shows it again."}}))
       panels_.caption = false;
     edge(look, Edge::bottom);
   });
-}
-
-void Shell::draw_message(const Look& look, ImVec2 min, ImVec2 max) {
-  if (message_.text.empty()) return;
-  if (std::chrono::steady_clock::now() > message_.until) {
-    message_ = {};
-    return;
-  }
-  const float width = std::min(look.px(520), max.x - min.x - look.px.l * 2);
-  const float words = std::min(text_width(look.fonts.ui, message_.text) + look.px(2), width - look.px(80));
-  ImGui::SetNextWindowPos({(min.x + max.x) * 0.5f, max.y - look.px(56)}, ImGuiCond_Always, {0.5f, 1});
-  ImGui::SetNextWindowBgAlpha(0.96f);
-  ImGui::Begin("message", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
-  text(look.fonts.ui, message_.bad ? look.theme.bad : look.theme.good,
-       message_.bad ? icon::warning : icon::check);
-  ImGui::SameLine(0, look.px(10));
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + words);
-  text(look.fonts.ui, look.theme.text, message_.text);
-  ImGui::PopTextWrapPos();
-  ImGui::SameLine(0, look.px.m);
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - look.px(5));
-  if (small_button(look, "close", {.icon = icon::times, .hint = {"Close"}})) message_ = {};
-  ImGui::End();
 }
 
 void Shell::draw_splitter(Frame& frame, float x, float top, float bottom) {

@@ -1,6 +1,5 @@
 // The side panel: tabs, and below them which planner of several they are about.
-#include <algorithm>
-#include <array>
+#include <vector>
 
 #include "ui/shell/panels.hpp"
 
@@ -34,25 +33,14 @@ void choose_pane(Frame& frame) {
   ImGui::SetCursorScreenPos({origin.x, origin.y + look.px.control + look.px.m});
 }
 
-struct SideTab {
-  const char* name;
-  ActionId action;  // that shows it
-};
-// By the numbers kPlannerTab and so on.
-constexpr std::array<SideTab, 7> kTabs = {{{"Planner", ActionId::show_planner},
-                                           {"Cell", ActionId::show_cell},
-                                           {"Open list", ActionId::show_open_list},
-                                           {"Code", ActionId::show_code},
-                                           {"Figures", ActionId::show_figures},
-                                           {"Debug", ActionId::show_debug},
-                                           {"Log", ActionId::show_log}}};
-
-void choose_tab(Frame& frame) {
-  std::array<Tab, kTabs.size()> all{};
-  std::transform(kTabs.begin(), kTabs.end(), all.begin(), [](const SideTab& tab) {
-    return Tab{tab.name, action(tab.action).hint()};
-  });
-  tabs(frame.look, "tabs", all, frame.view.tab);
+/// The number of the tab that shows; a click chooses another one.
+std::size_t choose_tab(Frame& frame) {
+  const auto kinds = tab_kinds();
+  std::vector<Tab> all;
+  for (const TabKind& kind : kinds) all.push_back({kind.name, action(tab_action(kind.id)).hint()});
+  auto chosen = static_cast<int>(tab_number(frame.view.tab));
+  if (tabs(frame.look, "tabs", all, chosen)) frame.view.tab = kinds[static_cast<std::size_t>(chosen)].id;
+  return static_cast<std::size_t>(chosen);
 }
 
 }  // namespace
@@ -60,42 +48,17 @@ void choose_tab(Frame& frame) {
 void draw_side(Frame& frame) {
   const Look& look = frame.look;
   // A row of the last frame that stood for a cell; the one under the mouse now says so again.
-  std::optional<Cell>& pointed = frame.panels.debugger.pointed;
+  std::optional<Cell>& pointed = frame.panels.pointed;
   if (pointed && frame.view.view.hovered == pointed) frame.view.view.hovered.reset();
   pointed.reset();
-  frame.view.tab = std::clamp(frame.view.tab, 0, static_cast<int>(kTabs.size()) - 1);
-  choose_tab(frame);
+  const std::size_t tab = choose_tab(frame);
   edge(look, Edge::left);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.l, look.px.m));
   // A child of its own per tab, so that each keeps its scroll position.
-  ImGui::BeginChild(kTabs[static_cast<std::size_t>(frame.view.tab)].name, {0, 0}, false,
-                    ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::BeginChild(tab_kinds()[tab].name, {0, 0}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGui::PopStyleVar();
-  const bool per_pane = frame.view.tab != kFiguresTab && frame.view.tab != kLogTab;
-  if (per_pane && frame.session.runs().size() > 1) choose_pane(frame);
-  switch (frame.view.tab) {
-    case kPlannerTab:
-      draw_planner_panel(frame);
-      break;
-    case kCellTab:
-      draw_cell_panel(frame);
-      break;
-    case kOpenListTab:
-      draw_open_list_panel(frame);
-      break;
-    case kDebugTab:
-      draw_debug_panel(frame);
-      break;
-    case kCodeTab:
-      draw_code_panel(frame);
-      break;
-    case kFiguresTab:
-      draw_figures_panel(frame);
-      break;
-    default:
-      draw_log_panel(frame);
-      break;
-  }
+  if (tab_kinds()[tab].per_pane && frame.session.runs().size() > 1) choose_pane(frame);
+  frame.panels.tabs[tab].draw(frame);
   ImGui::EndChild();
 }
 

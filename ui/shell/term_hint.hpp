@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/plan/glossary.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 

@@ -7,16 +7,17 @@
 namespace replan::ui {
 namespace {
 
-constexpr float kRoomyStrip = 640;  // what all tools take with space between them
+/// What the strip takes with space between its parts: each button's, and that between groups.
+constexpr float kRoomyButton = 38, kRoomyRest = 146;
 
-void tool(Frame& frame, ActionId id, ImU32 colour = 0) {
-  const Action& each = action(id);
+void tool(Frame& frame, const ToolKind& kind) {
+  const Action& each = action(tool_action(kind.id));
   if (tool_button(frame.look, each.name,
                   {.icon = each.icon,
                    .hint = each.hint(),
-                   .selected = checked(each, context_of(frame)),
-                   .colour = colour}))
-    perform(frame, id);
+                   .selected = each.checked(context_of(frame)),
+                   .colour = kind.colour != nullptr ? frame.look.theme.*kind.colour : 0}))
+    perform(frame, each.id);
 }
 
 /// Shows the brush as it is, opens a slider, and takes the wheel.
@@ -86,7 +87,8 @@ void draw_tool_strip(Frame& frame) {
   const Look& look = frame.look;
   edge(look, Edge::right);
   // In a low window the tools stand closer, so that all of them are there.
-  const bool tight = ImGui::GetContentRegionAvail().y < look.px(kRoomyStrip);
+  const float buttons = static_cast<float>(tool_kinds().size()) + 2;  // with the brush and the overlays
+  const bool tight = ImGui::GetContentRegionAvail().y < look.px(kRoomyButton * buttons + kRoomyRest);
   const auto part = [&] {
     if (tight)
       ImGui::Dummy({0, look.px(2)});
@@ -94,22 +96,15 @@ void draw_tool_strip(Frame& frame) {
       tool_separator(look);
   };
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, tight ? 0 : look.px.xs));
-  tool(frame, ActionId::tool_select);
-  part();
-  tool(frame, ActionId::tool_paint);
-  tool(frame, ActionId::tool_erase);
-  tool(frame, ActionId::tool_rectangle);
-  tool(frame, ActionId::tool_line);
-  tool(frame, ActionId::tool_fill);
-  brush_size(frame);
-  part();
-  tool(frame, ActionId::tool_start, look.theme.start);
-  tool(frame, ActionId::tool_goal, look.theme.goal);
-  part();
-  tool(frame, ActionId::tool_surprise, look.theme.surprise);
-  tool(frame, ActionId::tool_mover, look.theme.mover);
-  part();
-  tool(frame, ActionId::tool_measure);
+  ToolGroup group = tool_kinds().front().group;
+  for (const ToolKind& kind : tool_kinds()) {
+    if (kind.group != group) {
+      if (group == ToolGroup::draw) brush_size(frame);
+      part();
+    }
+    group = kind.group;
+    tool(frame, kind);
+  }
   part();
   overlays_button(frame);
   ImGui::PopStyleVar();

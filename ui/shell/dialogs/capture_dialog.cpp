@@ -4,7 +4,7 @@
 
 #include "ui/shell/dialogs.hpp"
 #include "ui/shell/dialogs/parts.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 

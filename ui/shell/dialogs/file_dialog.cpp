@@ -9,8 +9,8 @@
 #include <sys/stat.h>
 
 #include "core/base/file.hpp"
+#include "ui/documents/files.hpp"
 #include "ui/keys.hpp"
-#include "ui/shell/documents.hpp"
 
 namespace replan::ui {
 namespace {

@@ -11,7 +11,7 @@
 #include "ui/keys.hpp"
 #include "ui/shell/dialogs/file_dialog.hpp"
 #include "ui/shell/format.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 namespace {

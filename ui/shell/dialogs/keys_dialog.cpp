@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "ui/canvas_chips.hpp"
+#include "ui/canvas/chips.hpp"
 #include "ui/keys.hpp"
 #include "ui/shell/actions.hpp"
 #include "ui/shell/dialogs.hpp"

@@ -1,7 +1,7 @@
 // The size of an empty world.
 #include "ui/shell/dialogs.hpp"
 #include "ui/shell/dialogs/parts.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 

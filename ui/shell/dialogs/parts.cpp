@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ui/keys.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 

@@ -6,7 +6,7 @@
 #include "core/world/map_file.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/format.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 namespace {

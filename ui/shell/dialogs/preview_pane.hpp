@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/base/background.hpp"
+#include "ui/documents/file_list.hpp"
 #include "ui/shell/dialogs/thumbnail_view.hpp"
-#include "ui/shell/file_list.hpp"
 
 namespace replan::ui {
 

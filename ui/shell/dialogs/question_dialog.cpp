@@ -5,7 +5,7 @@
 #include "ui/shell/dialogs.hpp"
 #include "ui/shell/dialogs/parts.hpp"
 #include "ui/shell/format.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 

@@ -1,9 +1,9 @@
 // Thumbnails on the screen: the texture and what is drawn over it.
 #pragma once
 
+#include "ui/documents/preview.hpp"
 #include "ui/gl/imgui_renderer.hpp"
 #include "ui/look.hpp"
-#include "ui/shell/preview.hpp"
 
 namespace replan::ui {
 

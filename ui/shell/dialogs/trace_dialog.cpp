@@ -7,7 +7,7 @@
 #include "ui/shell/dialogs/parts.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/trace_export.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 namespace {

@@ -11,7 +11,7 @@
 #include "ui/icons.hpp"
 #include "ui/shell/dialogs/parts.hpp"
 #include "ui/shell/term_hint.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 namespace {

@@ -9,7 +9,7 @@
 #include "ui/icons.hpp"
 #include "ui/keys.hpp"
 #include "ui/shell/format.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 namespace {

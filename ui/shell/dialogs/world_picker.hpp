@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "ui/documents/world_library.hpp"
 #include "ui/shell/dialogs/file_dialog.hpp"
 #include "ui/shell/dialogs/thumbnail_view.hpp"
-#include "ui/shell/world_library.hpp"
 
 namespace replan::ui {
 

@@ -1,0 +1,146 @@
+#include "core/scene/script.hpp"
+
+#include <algorithm>
+
+#include "core/scene/overlay.hpp"
+
+namespace replan {
+namespace {
+
+/// More cells than this in sight are shown by the rectangle around them.
+constexpr std::size_t kMostOutlined = 20'000;
+
+/// The cells of a surprise, by row and column.
+class CellSet {
+ public:
+  explicit CellSet(const std::vector<CellChange>& cells) : cells_(cells) {}
+  [[nodiscard]] bool has(Cell cell) const {
+    const auto before = [](const CellChange& a, Cell b) {
+      return std::pair(a.cell.y, a.cell.x) < std::pair(b.y, b.x);
+    };
+    const auto found = std::lower_bound(cells_.begin(), cells_.end(), cell, before);
+    return found != cells_.end() && found->cell == cell;
+  }
+
+ private:
+  const std::vector<CellChange>& cells_;
+};
+
+/// One surprise that is to come.
+class ComingSurprise {
+ public:
+  ComingSurprise(SceneContext& context, const Surprise& surprise, bool selected)
+      : context_(context),
+        surprise_(surprise),
+        colour_(selected ? context.palette.accent : context.palette.surprise),
+        width_(context.pixels(selected ? 2.2 : 1.4)) {}
+
+  void add() {
+    if (surprise_.cells.empty()) return;
+    const auto visible = static_cast<std::size_t>(
+        std::count_if(surprise_.cells.begin(), surprise_.cells.end(),
+                      [this](const CellChange& each) { return context_.in_sight(each.cell); }));
+    if (visible > 0) context_.scene.show(Sign::to_come);
+    if (visible > kMostOutlined || context_.grown(3, 4) <= 0) {
+      add_bounds();
+    } else {
+      for (const CellChange& each : surprise_.cells)
+        if (context_.in_sight(each.cell)) add_cell(each);
+    }
+    add_trigger();
+  }
+
+ private:
+  void add_cell(const CellChange& change) {
+    const auto x = static_cast<double>(change.cell.x), y = static_cast<double>(change.cell.y);
+    const auto edge = [&](int dx, int dy, Point from, Point to) {
+      if (!cells_.has({change.cell.x + dx, change.cell.y + dy}))
+        context_.add(Line{from, to, colour_, width_});
+    };
+    edge(0, -1, {x, y}, {x + 1, y});
+    edge(0, 1, {x, y + 1}, {x + 1, y + 1});
+    edge(-1, 0, {x, y}, {x, y + 1});
+    edge(1, 0, {x + 1, y}, {x + 1, y + 1});
+    const double strength = context_.grown(5, 9);
+    if (!change.blocked || strength <= 0) return;  // what opens is outlined only
+    const Colour hatch = faded(colour_, strength * 0.55);
+    const float width = context_.pixels(1);
+    context_.add(Line{{x, y + 0.5}, {x + 0.5, y}, hatch, width});
+    context_.add(Line{{x + 0.5, y + 1}, {x + 1, y + 0.5}, hatch, width});
+  }
+
+  void add_bounds() {
+    Cell low = surprise_.cells.front().cell, high = low;
+    for (const CellChange& each : surprise_.cells) {
+      low = {std::min(low.x, each.cell.x), std::min(low.y, each.cell.y)};
+      high = {std::max(high.x, each.cell.x), std::max(high.y, each.cell.y)};
+    }
+    context_.add(Outline{static_cast<double>(low.x), static_cast<double>(low.y), high.x - low.x + 1.0,
+                         high.y - low.y + 1.0, OutlineShape::square, colour_, width_, 0});
+  }
+
+  /// What sets it off: the step beside it, or a ring around the place.
+  void add_trigger() {
+    const Trigger& at = surprise_.at;
+    if (at.near && at.within * context_.zoom > context_.pixels(4))
+      context_.add(Ring{SceneContext::centre(*at.near), at.within, faded(colour_, 0.7), context_.pixels(1),
+                        context_.pixels(4)});
+    const CellChange* first = &surprise_.cells.front();
+    if (!context_.in_sight(first->cell)) return;
+    const std::string words = at.move ? "step " + std::to_string(*at.move) : "when near";
+    // A ground of its own, or it could not be read over a field. The small digits are less than seven pixels
+    // wide.
+    const auto x = static_cast<double>(first->cell.x), y = static_cast<double>(first->cell.y);
+    const double width = context_.world(6.8 * static_cast<double>(words.size()) + 8),
+                 height = context_.world(15);
+    context_.add(Outline{x, y - height, width, height, OutlineShape::filled,
+                         faded(context_.palette.background, 0.8), 0, 0});
+    context_.add(Label{{x + context_.world(4), y - context_.world(3)}, Anchor::lower_left, colour_, words});
+  }
+
+  SceneContext& context_;
+  const Surprise& surprise_;
+  CellSet cells_{surprise_.cells};
+  Colour colour_;
+  float width_;
+};
+
+void add_way(SceneContext& context, const MovingObstacle& mover, bool selected) {
+  const Colour colour = selected ? context.palette.accent : context.palette.mover;
+  Polyline way{way_points(mover), colour, context.pixels(1.6), 0, context.pixels(5)};
+  const std::vector<Point> corners = way.points;
+  if (mover.at_end == WayEnd::loop && corners.size() > 2) way.points.push_back(corners.front());
+  context.scene.show(Sign::mover);
+  if (way.points.size() > 1) context.add(std::move(way));
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    context.add(Disc{corners[i], context.pixels(selected ? 4.5 : 3), colour, context.palette.outline,
+                     context.pixels(1)});
+  const Cell box = mover.way.front();
+  context.add(Outline{static_cast<double>(box.x), static_cast<double>(box.y),
+                      static_cast<double>(mover.width), static_cast<double>(mover.height),
+                      OutlineShape::square, colour, context.pixels(selected ? 2.4 : 1.6), 0});
+}
+
+void draw_script(SceneContext& context) {
+  const Scenario& scenario = context.run.scenario();
+  for (std::size_t i = 0; i < scenario.movers.size(); ++i)
+    add_way(context, scenario.movers[i], context.view.selected_mover == i);
+  for (std::size_t i = 0; i < scenario.surprises.size(); ++i)
+    if (is_to_come(context.run, i))
+      ComingSurprise(context, scenario.surprises[i], context.view.selected_surprise == i).add();
+}
+
+}  // namespace
+
+OverlayKind overlay_script() {
+  return {
+      .info = {.label = "what is to come",
+               .help =
+                   "Surprises that have not happened yet, with what sets them off, and the ways of moving "
+                   "obstacles.",
+               .at_first = true},
+      .layer = Layer::script,
+      .draw = draw_script};
+}
+
+}  // namespace replan

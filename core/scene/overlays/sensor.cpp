@@ -1,0 +1,11 @@
+#include "core/scene/overlay.hpp"
+
+namespace replan {
+
+/// Its shapes are in core/scene/routes.cpp.
+OverlayKind overlay_sensor() {
+  return {.info = {.label = "sensor", .help = "How far the robot senses.", .at_first = true},
+          .layer = Layer::routes};
+}
+
+}  // namespace replan

@@ -1,0 +1,42 @@
+// What the window remembers: a file of this version, and those of older ones.
+#include <gtest/gtest.h>
+
+#include "app/gui_settings.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace replan::app::settings_test {
+namespace {
+
+std::string tab_of(const std::string& json) {
+  const test::TemporaryFolder folder;
+  return read_settings(folder.with("window.json", json)).tab;
+}
+
+TEST(Settings, KeepATabByItsId) {
+  const test::TemporaryFolder folder;
+  Remembered settings;
+  settings.tab = "figures";
+  settings.brush = 7;
+  ASSERT_TRUE(write_settings(settings, folder.file("window.json")).ok());
+  const Remembered read = read_settings(folder.file("window.json"));
+  EXPECT_EQ(read.tab, "figures");
+  EXPECT_EQ(read.brush, 7);
+}
+
+TEST(Settings, ReadATabsNumberOfOlderVersions) {
+  EXPECT_EQ(tab_of(R"({"tab": 0})"), "planner");
+  EXPECT_EQ(tab_of(R"({"tab": 6})"), "log");
+  EXPECT_EQ(tab_of(R"({"tab": 7})"), "");
+  EXPECT_EQ(tab_of(R"({"tab": true})"), "");
+  EXPECT_EQ(tab_of("{}"), "");
+}
+
+TEST(Settings, ATabThatThereIsNotIsTheOneThatShowsAtFirst) {
+  const auto at_first = [](std::string_view id) { return ui::tab_kinds()[ui::tab_number(id)].id; };
+  EXPECT_EQ(at_first(""), "cell");
+  EXPECT_EQ(at_first("gone"), "cell");
+  EXPECT_EQ(at_first("log"), "log");
+}
+
+}  // namespace
+}  // namespace replan::app::settings_test

@@ -1,0 +1,37 @@
+// The canvas: a pane of the world with its plan, pan and zoom, and the tools' hands on it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <imgui.h>
+
+#include "core/session/session.hpp"
+#include "ui/canvas/view_state.hpp"
+#include "ui/gl/imgui_renderer.hpp"
+#include "ui/look.hpp"
+
+namespace replan::ui {
+
+/// Draws a run into the current ImGui window's rectangle and turns input on it into commands.
+class Canvas {
+ public:
+  explicit Canvas(ImGuiRenderer& renderer);
+  ~Canvas();
+
+  /// Draws pane `pane` of the session at `min`..`max` (screen coordinates). With `interactive` the mouse
+  /// pans, zooms, hovers, pins and uses the tool; commands that come of it are appended to `commands`.
+  void draw(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
+            ImVec2 max, bool interactive, std::vector<Command>& commands);
+
+  /// Makes the next draw show the whole world.
+  void fit();
+  /// True while a zoom is on its way or something is being worked out: further frames are due without input.
+  [[nodiscard]] bool animating() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace replan::ui

@@ -1,0 +1,42 @@
+// What is selected for editing, and how it is drawn; no part of the document. What a tool alone remembers is its own.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "core/base/cell.hpp"
+
+namespace replan::ui {
+
+/// A rectangle of cells, both ends included.
+struct CellRect {
+  Cell low, high;
+  friend bool operator==(const CellRect&, const CellRect&) = default;
+};
+
+/// What the stroke under way does.
+enum class StrokeKind : std::uint8_t {
+  none,
+  paints,
+  erases,
+  erases_wall,  ///< because it began on an obstacle
+};
+
+struct Editing {
+  bool round = false;              ///< the brush
+  std::optional<CellRect> region;  ///< selected cells
+  // Numbers in the scenario; at most one is selected.
+  std::optional<std::size_t> mover;
+  std::optional<std::size_t> surprise;
+  StrokeKind stroke = StrokeKind::none;
+};
+
+/// Selects cells, and nothing else.
+inline void select_region(Editing& editing, const CellRect& region) {
+  editing.region = region;
+  editing.mover.reset();
+  editing.surprise.reset();
+}
+
+}  // namespace replan::ui

@@ -1,0 +1,19 @@
+#include "ui/canvas/overlay.hpp"
+
+namespace replan::ui {
+
+void draw_editing(const CellPen& pen, const ViewState& state, const CellPreview& preview,
+                  std::optional<Cell> hovered) {
+  const Theme& theme = pen.look().theme;
+  if (const auto& region = state.editing.region) {
+    pen.dashed_frame(*region, theme.accent);
+    pen.list().AddRectFilled(pen.at(region->low.x, region->low.y),
+                             pen.at(region->high.x + 1, region->high.y + 1), with_alpha(theme.accent, 0.1f));
+  }
+  const auto own = state.tools.kind().colour;
+  const ImU32 colour = !preview.adds ? theme.dim : own != nullptr ? theme.*own : theme.accent;
+  pen.area(pen.inside(preview.cells), colour, preview.filled && preview.adds ? 0.3f : 0);
+  state.tools.chosen().draw(pen, state, hovered);
+}
+
+}  // namespace replan::ui

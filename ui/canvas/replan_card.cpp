@@ -1,0 +1,143 @@
+#include "ui/canvas/replan_card.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "ui/canvas/chips.hpp"
+#include "ui/widgets/widgets.hpp"
+
+namespace replan::ui {
+namespace {
+
+std::string cells(std::int64_t count) {
+  return grouped(count) + (count == 1 ? " cell" : " cells");
+}
+
+std::string milliseconds(double ms) {
+  char text[32];
+  std::snprintf(text, sizeof text, ms < 0.1 ? "%.3f" : ms < 10 ? "%.2f" : "%.0f", ms);
+  return text;
+}
+
+/// A line of the card's table: what, for the repair, from scratch.
+struct Row {
+  std::string what, repair, scratch;
+};
+
+std::vector<Row> rows_of(const ReplanReport& report) {
+  const auto fresh = [&](const std::string& value) { return report.fresh ? value : std::string("…"); };
+  std::vector<Row> rows = {{"vertices touched", grouped(report.repair.touched),
+                            fresh(report.fresh ? grouped(report.fresh->touched) : "")}};
+  if (report.times)
+    rows.push_back({"milliseconds", report.repair.ms ? milliseconds(*report.repair.ms) : "…",
+                    fresh(report.fresh ? milliseconds(report.fresh->ms) : "")});
+  return rows;
+}
+
+std::string brief_text(const ReplanReport& report) {
+  std::string text = "replan " + grouped(report.repair.number) + " · " + grouped(report.repair.touched);
+  if (report.fresh) text += " of " + grouped(report.fresh->touched);
+  return text + " touched";
+}
+
+/// Lays the whole card out; without a list it only measures.
+class CardPen {
+ public:
+  CardPen(const Look& look, const ReplanReport& report)
+      : look_(look), report_(report), rows_(rows_of(report)) {
+    const float what = widest([](const Row& row) -> const std::string& { return row.what; }, look.fonts.ui);
+    repair_ =
+        std::max(text_width(look.fonts.small, "repair"),
+                 widest([](const Row& row) -> const std::string& { return row.repair; }, look.fonts.mono));
+    scratch_ =
+        std::max(text_width(look.fonts.small, "from scratch"),
+                 widest([](const Row& row) -> const std::string& { return row.scratch; }, look.fonts.mono));
+    const float table = what + look.px(16) + repair_ + look.px(16) + scratch_;
+    size_ = {std::ceil(std::max({table, text_width(look.fonts.ui, cause()), look.px(180)})) + 2 * look.px.m,
+             look.px(12) * 2 + look.px(22) + look.px(22) + look.px(18) +
+                 look.px(19) * static_cast<float>(rows_.size())};
+  }
+
+  [[nodiscard]] ImVec2 size() const { return size_; }
+
+  void draw(ImDrawList& list, ImVec2 min) const {
+    const Theme& theme = look_.theme;
+    const ImVec2 max(min.x + size_.x, min.y + size_.y);
+    list.AddRectFilled(min, max, with_alpha(theme.panel, 0.94f), look_.px.radius_l);
+    list.AddRect(min, max, theme.line, look_.px.radius_l, 0, look_.px.hair);
+    const float left = min.x + look_.px.m, right = max.x - look_.px.m;
+    float y = min.y + look_.px(12);
+    draw_text(list, look_.fonts.title, {left, y}, theme.warning, "Replan " + grouped(report_.repair.number));
+    right_aligned(list, look_.fonts.small, right, y + look_.px(1), theme.dim,
+                  "at step " + grouped(report_.repair.clock));
+    y += look_.px(22);
+    draw_text(list, look_.fonts.ui, {left, y}, theme.text, cause());
+    y += look_.px(22);
+    right_aligned(list, look_.fonts.small, right - scratch_ - look_.px(16), y, theme.dim, "repair");
+    right_aligned(list, look_.fonts.small, right, y, theme.dim, "from scratch");
+    y += look_.px(18);
+    for (const Row& row : rows_) {
+      draw_text(list, look_.fonts.ui, {left, y}, theme.dim, row.what);
+      right_aligned(list, look_.fonts.mono, right - scratch_ - look_.px(16), y, theme.text, row.repair);
+      right_aligned(list, look_.fonts.mono, right, y, theme.text, row.scratch);
+      y += look_.px(19);
+    }
+  }
+
+ private:
+  [[nodiscard]] std::string cause() const { return cause_sentence(report_.repair.cause); }
+  template <class Part>
+  [[nodiscard]] float widest(const Part& part, const ImFont* font) const {
+    float width = 0;
+    for (const Row& row : rows_) width = std::max(width, text_width(font, part(row)));
+    return width;
+  }
+  static void right_aligned(ImDrawList& list, const ImFont* font, float right, float y, ImU32 colour,
+                            const std::string& text) {
+    draw_text(list, font, {right - text_width(font, text), y}, colour, text);
+  }
+
+  const Look& look_;
+  const ReplanReport& report_;
+  std::vector<Row> rows_;
+  float repair_ = 0, scratch_ = 0;  // widths of the columns
+  ImVec2 size_;
+};
+
+}  // namespace
+
+std::string cause_sentence(const ReplanCause& cause) {
+  if (cause.new_goal) return "The goal has moved: planned from scratch.";
+  if (cause.to_goal_again) return "The goal can be reached again: planned from scratch.";
+  if (cause.to_nearest) return "The goal cannot be reached: to the nearest cell that can.";
+  if (cause.put_down) return "Somebody has put the robot down here.";
+  if (cause.forgotten > 0) return "It no longer counts on " + cells(cause.forgotten) + " out of sight.";
+  if (cause.blocked > 0 && cause.freed > 0)
+    return cells(cause.blocked) + " blocked, " + grouped(cause.freed) + " free again.";
+  if (cause.freed > 0) return cells(cause.freed) + " free again.";
+  return cells(cause.blocked) + " blocked.";
+}
+
+ImVec2 replan_card_size(const Look& look, const ReplanReport& report, bool brief) {
+  if (!brief) return CardPen(look, report).size();
+  return {text_width(look.fonts.ui, brief_text(report)) + look.px(20), look.px(29)};
+}
+
+ImVec2 draw_replan_card(const Look& look, ImDrawList& list, ImVec2 pos, const ReplanReport& report,
+                        bool brief) {
+  const CardPen card(look, report);
+  if (!brief) {
+    card.draw(list, {pos.x - card.size().x, pos.y});
+    return card.size();
+  }
+  const std::string text = brief_text(report);
+  const std::array<TextRun, 1> runs = {{{text, look.theme.warning, look.fonts.ui}}};
+  const ImVec2 size = chip(look, list, pos, runs, Corner::top_right);
+  if (ImGui::IsMouseHoveringRect({pos.x - size.x, pos.y}, {pos.x, pos.y + size.y}, false))
+    card.draw(*ImGui::GetForegroundDrawList(), {pos.x - card.size().x, pos.y});
+  return size;
+}
+
+}  // namespace replan::ui

@@ -1,0 +1,51 @@
+#include "ui/chord.hpp"
+
+namespace replan::ui {
+namespace {
+
+std::string key_name(int key) {
+  switch (key) {
+    case key::kSpace:
+      return "Space";
+    case key::kEscape:
+      return "Esc";
+    case key::kEnter:
+      return "Enter";
+    case key::kTab:
+      return "Tab";
+    case key::kRight:
+      return "→";
+    case key::kLeft:
+      return "←";
+    case key::kUp:
+      return "↑";
+    case key::kDown:
+      return "↓";
+    case key::kPageUp:
+      return "PgUp";
+    case key::kPageDown:
+      return "PgDn";
+    case key::kHome:
+      return "Home";
+    case key::kEnd:
+      return "End";
+    case key::kDelete:
+      return "Del";
+    case key::kMenu:
+      return "Menu";
+    default:
+      break;
+  }
+  if (key >= key::kF1 && key < key::kF1 + 12) return "F" + std::to_string(key - key::kF1 + 1);
+  return std::string(1, static_cast<char>(key));
+}
+
+}  // namespace
+
+std::string chord_text(const Chord& chord) {
+  if (chord.key == 0) return "";
+  return std::string(chord.ctrl ? "Ctrl+" : "") + (chord.shift ? "Shift+" : "") + (chord.alt ? "Alt+" : "") +
+         key_name(chord.key);
+}
+
+}  // namespace replan::ui

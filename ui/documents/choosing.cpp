@@ -1,0 +1,123 @@
+// Which files can be opened and written: what the file dialog is asked for.
+#include <algorithm>
+#include <filesystem>
+
+#include "core/base/file.hpp"
+#include "core/world/map_file.hpp"
+#include "ui/documents/documents.hpp"
+#include "ui/documents/files.hpp"
+#include "ui/icons.hpp"
+#include "ui/tabs/figures.hpp"
+
+namespace replan::ui {
+namespace {
+
+std::vector<FileFilter> filters_to_open() {
+  FileFilter worlds{"Worlds: scenarios and maps", {".json"}}, maps{"Maps", {}}, pictures{"Pictures", {}};
+  for (const MapFormat& format : map_formats()) {
+    if (format.solid) continue;
+    worlds.extensions.emplace_back(format.extension);
+    (format.picture ? pictures : maps).extensions.emplace_back(format.extension);
+  }
+  return {worlds, {"Scenarios (.json)", {".json"}}, maps, pictures, {"All files", {}}};
+}
+
+std::vector<FileFilter> filters_to_save() {
+  std::vector<FileFilter> filters = {{"Scenario (.json)", {".json"}}};
+  for (const MapFormat& format : map_formats()) {
+    // .yml is the same as .yaml.
+    if (format.write == nullptr || format.solid || format.extension == ".yml") continue;
+    std::string name(format.name);
+    if (name.front() >= 'a' && name.front() <= 'z')
+      name.front() = static_cast<char>(name.front() - 'a' + 'A');
+    filters.push_back({name + " (" + std::string(format.extension) + ")", {std::string(format.extension)}});
+  }
+  return filters;
+}
+
+}  // namespace
+
+/// Where a file that has no place yet is likely to go.
+std::string Documents::last_folder() const {
+  if (const std::string& folder = window_.dialogs.folder(); !folder.empty()) return folder;
+  const std::vector<std::string> folders = recent_.folders();
+  return folders.empty() ? "." : folders.front();
+}
+
+std::vector<Place> Documents::places() const {
+  std::vector<Place> places;
+  if (const std::string home = typed_path("~"); home != "~") places.push_back({icon::home, "Home", home});
+  places.push_back(
+      {icon::terminal, "Current folder", typed_from("/", std::filesystem::current_path().string())});
+  if (library_) places.push_back({icon::map, "Worlds", library_->folder()});
+  for (const std::string& folder : recent_.folders()) {
+    const bool known =
+        std::any_of(places.begin(), places.end(), [&](const Place& p) { return p.path == folder; });
+    if (!known && places.size() < 10) places.push_back({icon::clock, file_name(folder), folder});
+  }
+  return places;
+}
+
+void Documents::choose_open(const Session& session, const std::string& path) {
+  const std::string file = session.file().empty() ? "" : file_folder(session.file());
+  window_.dialogs.choose_file({.title = "Open",
+                               .action = "Open",
+                               .filters = filters_to_open(),
+                               .path = !path.empty()                       ? path
+                                       : !window_.dialogs.folder().empty() ? window_.dialogs.folder()
+                                                                           : file,
+                               .places = places(),
+                               .losses = {}},
+                              surroundings_.work);
+}
+
+void Documents::choose_save(const Session& session) {
+  write_ = [this](Session& its, const std::string& path) { save_and_go_on(its, path); };
+  std::string name = session.file();
+  if (name.empty()) {
+    name =
+        last_folder() + "/" + (session.scenario().name.empty() ? "world" : session.scenario().name) + ".json";
+  } else if (!saves_in_place(name)) {
+    name = file_folder(name) + "/" + file_stem(name) + ".json";
+  }
+  window_.dialogs.choose_file(
+      {.saving = true,
+       .title = "Save as",
+       .action = "Save",
+       .filters = filters_to_save(),
+       .path = name,
+       .places = places(),
+       .losses = [scenario = session.snapshot()](
+                     const std::string& extension) { return lost_in(extension, *scenario); }},
+      surroundings_.work);
+}
+
+void Documents::choose_figures_file() {
+  std::vector<FileFilter> filters;
+  for (const FiguresFormatInfo& format : figures_formats())
+    filters.push_back({std::string(format.name) + " (" + format.extension + ")", {format.extension}});
+  write_ = [this](Session& session, const std::string& path) { save_figures(session, path); };
+  window_.dialogs.choose_file({.saving = true,
+                               .title = "Save the figures",
+                               .action = "Save",
+                               .filters = std::move(filters),
+                               .path = last_folder() + "/figures.csv",
+                               .places = places(),
+                               .losses = {}},
+                              surroundings_.work);
+}
+
+/// In the format that the name ends in.
+void Documents::save_figures(const Session& session, const std::string& path) {
+  for (const FiguresFormatInfo& format : figures_formats()) {
+    if (file_extension(path) != format.extension) continue;
+    const auto done = write_file_atomically(
+        path, figures_text(format.format, window_.panels.tabs.get<FiguresTab>().now(session)));
+    if (!done) return complain(done.error());
+    window_.dialogs.close();
+    return window_.message.tell("Saved " + file_name(path), false);
+  }
+  complain("the name of the figures' file must end in .csv, .json, .md or .tex");
+}
+
+}  // namespace replan::ui

@@ -1,0 +1,200 @@
+#include "ui/documents/documents.hpp"
+
+#include <algorithm>
+
+#include "core/base/file.hpp"
+#include "ui/documents/files.hpp"
+#include "ui/shell/format.hpp"
+
+namespace replan::ui {
+
+void Documents::take_wish(Session& session, Wish wish) {
+  switch (wish) {
+    case Wish::new_world:
+      return after_saving(session, [this](Session&) { window_.dialogs.show(DialogKind::new_world); });
+    case Wish::open:
+      return after_saving(session, [this](Session& its) { choose_open(its, {}); });
+    case Wish::worlds:
+      return after_saving(session, [this](Session&) {
+        if (library_) window_.dialogs.choose_world(*library_);
+      });
+    case Wish::recent:
+      return open(session, window_.panels.wished);
+    case Wish::forget_recent:
+      static_cast<void>(recent_.clear());
+      window_.panels.recent.clear();
+      return;
+    case Wish::quit:
+      return after_saving(session, [this](Session&) { quitting_ = true; });
+    case Wish::open_world:
+      return after_saving(session, [this, path = window_.panels.wished](Session& its) {
+        load(its, {Loading::From::library, path, {}});
+      });
+    case Wish::save_figures:
+      return choose_figures_file();
+    case Wish::save:
+      return save_in_place(session);
+    case Wish::save_as:
+      return choose_save(session);
+    default:
+      return;
+  }
+}
+
+void Documents::take_decision(Session& session, const Decision& decision) {
+  switch (decision.kind) {
+    case Decision::Kind::cancel:
+      return give_up();
+    case Decision::Kind::open:
+      return load(session, {Loading::From::file, decision.path, decision.reading});
+    case Decision::Kind::open_world:
+      return load(session, {Loading::From::library, decision.path, {}});
+    case Decision::Kind::save:
+      return write_(session, decision.path);
+    case Decision::Kind::new_world:
+      return replace(session, {empty_world(decision.width, decision.height, session.scenario()), ""});
+    case Decision::Kind::discard:
+      return go_on(session);
+    case Decision::Kind::save_first:
+      return save_in_place(session);
+    case Decision::Kind::save_elsewhere:
+      return choose_save(session);
+    case Decision::Kind::overwrite:
+      if (save(session, session.file())) go_on(session);
+      return;
+    case Decision::Kind::reload:
+      return load(session, {Loading::From::file, session.file(), reading_});
+    case Decision::Kind::keep_mine:
+      disk_differs_ = disk_differs_ || watch_.changed() == session.file();
+      watch_.accept();
+      return;
+    case Decision::Kind::recover:
+      return load(session, {Loading::From::autosave, orphans_[decision.index].path, {}, decision.index});
+    case Decision::Kind::forget:
+      discard(std::move(orphans_[decision.index]));
+      orphans_.erase(orphans_.begin() + static_cast<std::ptrdiff_t>(decision.index));
+      return offer_orphans();
+    default:
+      return;
+  }
+}
+
+/// The user wants none of what was under way.
+void Documents::give_up() {
+  loader_->cancel();
+  window_.dialogs.close();
+  orphans_.clear();  // their locks with them: the next program offers them again
+  deed_ = nullptr;
+}
+
+void Documents::ask_about_unsaved(const Session& session) {
+  const std::size_t count = session.unsaved_edits();
+  std::string words =
+      document_name(session) + " has " + count_text(static_cast<std::int64_t>(count), "edit", "edits");
+  if (unsaved_since_ != 0) words += " since " + date_text(unsaved_since_);
+  words += count == 1 ? " that is not in a file yet. Without saving it is lost."
+                      : " that are not in a file yet. Without saving they are lost.";
+  window_.dialogs.ask({.title = "Save the changes?",
+                       .words = words,
+                       .primary = {"Save", Decision::Kind::save_first},
+                       .danger = Question::Choice{"Discard", Decision::Kind::discard}});
+}
+
+void Documents::after_saving(Session& session, Deed deed) {
+  deed_ = std::move(deed);
+  if (session.modified())
+    ask_about_unsaved(session);
+  else
+    go_on(session);
+}
+
+void Documents::go_on(Session& session) {
+  if (const Deed deed = std::exchange(deed_, nullptr)) deed(session);
+}
+
+/// To its own file if that can hold it and nobody else has written it meanwhile; else the user is asked.
+void Documents::save_in_place(Session& session) {
+  if (!saves_in_place(session.file())) {
+    choose_save(session);
+  } else if (disk_differs_ || watch_.changed() == session.file()) {
+    window_.dialogs.ask(
+        {.title = "Write over the other version?",
+         .words = file_name(session.file()) +
+                  " was written by another program since it was opened here. Saving puts your "
+                  "version in its place.",
+         .primary = {"Save as…", Decision::Kind::save_elsewhere},
+         .danger = Question::Choice{"Overwrite", Decision::Kind::overwrite}});
+  } else if (save(session, session.file())) {
+    go_on(session);
+  }
+}
+
+bool Documents::save(Session& session, const std::string& path) {
+  const Result<void> done = save_document(session, window_.view, path);
+  if (!done) {
+    complain(done.error());
+    return false;
+  }
+  session.saved(path);
+  disk_differs_ = false;
+  watch_.watch({stamped(path)});
+  remember(path);
+  window_.message.tell("Saved " + file_name(path), false);
+  return true;
+}
+
+void Documents::save_and_go_on(Session& session, const std::string& path) {
+  if (!save(session, path)) return;
+  window_.dialogs.close();
+  go_on(session);
+}
+
+void Documents::replace(Session& session, ReplaceScenario document) {
+  window_.show(document.scenario.view);
+  watch_.watch({});
+  disk_differs_ = false;
+  reading_ = {};
+  if (const Result<void> done = session.apply(std::move(document)); !done)
+    window_.message.tell(done.error(), true);
+}
+
+std::string Documents::names_on_show() const {
+  std::string names = window_.dialogs.words();
+  for (const std::string& path : window_.panels.recent) names += path;
+  return names;
+}
+
+void Documents::open(Session& session, const std::string& path) {
+  after_saving(session, [this, path](Session& its) { load(its, {Loading::From::file, path, {}}); });
+}
+
+void Documents::drop(Session& session, const std::vector<std::string>& paths) {
+  const Dropped dropped = sort_out(paths);
+  if (!dropped.sentence.empty()) window_.message.tell(dropped.sentence, dropped.path.empty());
+  if (dropped.path.empty() || window_.dialogs.open()) return;
+  if (!dropped.folder) return open(session, dropped.path);
+  after_saving(session, [this, path = dropped.path](Session& its) { choose_open(its, path); });
+}
+
+bool Documents::may_close(const Session& session) {
+  if (quitting_ || !session.modified()) return true;
+  deed_ = [this](Session&) { quitting_ = true; };
+  ask_about_unsaved(session);
+  return false;
+}
+
+/// In the dialog that the user is looking at, else over the canvas and in the Log.
+void Documents::complain(const std::string& sentence) {
+  if (window_.dialogs.complain(as_sentence(sentence))) return;
+  window_.dialogs.close();
+  window_.panels.notices.push_back(sentence);
+  window_.message.tell(sentence, true);
+}
+
+/// What the reader of a document has to say: all of it in the Log, the first of it over the canvas too.
+void Documents::note(const std::vector<std::string>& notes) {
+  window_.panels.notices.insert(window_.panels.notices.end(), notes.begin(), notes.end());
+  if (!notes.empty()) window_.message.tell(notes.front(), false);
+}
+
+}  // namespace replan::ui

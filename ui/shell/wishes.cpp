@@ -1,0 +1,62 @@
+// What the shell does with what actions wish for and what its dialogs come to.
+#include "ui/documents/files.hpp"
+#include "ui/shell/shell.hpp"
+
+namespace replan::ui {
+
+void Shell::take_wish(Session& session, Wish wish) {
+  switch (wish) {
+    case Wish::palette:
+      if (WorldLibrary* library = documents_.library()) library->refresh();
+      return palette_.show();
+    case Wish::fit:
+      return fit();
+    case Wish::generate:
+      return world_dialogs_.show_generate(session);
+    case Wish::resize:
+      return world_dialogs_.show_resize(session);
+    case Wish::keys:
+      return dialogs_.show(DialogKind::keys);
+    case Wish::record_canvas:
+    case Wish::record_window:
+      return ask_for_capture(true, wish == Wish::record_window);
+    case Wish::picture_canvas:
+    case Wish::picture_window:
+      return ask_for_capture(false, wish == Wish::picture_window);
+    case Wish::export_trace:
+      return ask_for_trace(session);
+    case Wish::stop_export:
+      export_.cancel();
+      return tell("The trace was not written", false);
+    case Wish::go_to_pasted:
+      return documents_.after_saving(session, [this](Session& its) { go_to_pasted(its); });
+    default:
+      return documents_.take_wish(session, wish);
+  }
+}
+
+/// A film that is being recorded ends; anything else is asked for by its name.
+void Shell::ask_for_capture(bool film, bool window) {
+  asked_ = {film ? CaptureRequest::Kind::film : CaptureRequest::Kind::picture, window, {}, 0};
+  if (film && panels_.recording.on) {
+    capture_ = {CaptureRequest::Kind::stop, window, {}, 0};
+    return;
+  }
+  dialogs_.ask_capture(film, capture_name(film ? ".gif" : ".png"));
+}
+
+void Shell::take_decision(Session& session, const Decision& decision) {
+  switch (decision.kind) {
+    case Decision::Kind::capture:
+      capture_ = asked_;
+      capture_->path = typed_path(decision.path);
+      capture_->fps = decision.fps;
+      return message_.clear();  // or it would be in the picture
+    case Decision::Kind::export_trace:
+      return export_trace(session, decision);
+    default:
+      return documents_.take_decision(session, decision);
+  }
+}
+
+}  // namespace replan::ui

@@ -1,0 +1,110 @@
+// Part of the Cell tab: why the cell's rhs (A*: its g) is what it is.
+#include <vector>
+
+#include "core/debug/offers.hpp"
+#include "core/plan/common_parameters.hpp"
+#include "ui/shell/format.hpp"
+#include "ui/shell/panels.hpp"
+#include "ui/shell/term_hint.hpp"
+#include "ui/tabs/cell_view.hpp"
+
+namespace replan::ui {
+namespace {
+
+/// Why there is nothing to add up; empty if there is.
+const char* special_case(const CellView& view, const std::vector<Offer>& all) {
+  if (view.node == view.state.node(view.lookahead ? Scalar::goal : Scalar::start))
+    return view.lookahead ? "This is the goal: its rhs is 0, by definition."
+                          : "This is the start: its g is 0.";
+  if (view.state.known_blocked(view.node))
+    return "The robot takes this cell for an obstacle: no move leads in or out.";
+  if (all.empty()) return "Obstacles stand all around: no move leads from here.";
+  if (all.front().sum.is_infinite()) return "No neighbour has a value now: no way leads on from here yet.";
+  return "";
+}
+
+/// Each neighbour's sum, the least first; a click goes on to the neighbour.
+void offer_table(Frame& frame, const CellView& view, const std::vector<Offer>& all) {
+  const Look& look = frame.look;
+  const bool with_dist = view.run.info().clearance;
+  std::vector<Column> columns = {{"neighbour", 1.6f, Align::left}, {"c", 1}, {"g", 1.2f}};
+  if (with_dist) columns.push_back({"dist"});
+  columns.push_back({"sum", 1.2f});
+  table_head(look, columns);
+  std::size_t shown = 0;
+  for (; shown < all.size() && !all[shown].sum.is_infinite(); ++shown) {
+    const Offer& offer = all[shown];
+    const bool winner = offer.node == view.state.lp(view.node);
+    const std::string at = node_text(view.run, offer.node), c = cost_text(offer.step), g = cost_text(offer.g),
+                      dist = cost_text(offer.dist), sum = cost_text(offer.sum);
+    std::vector<TableCell> cells = {{at}, {c}, {g}};
+    if (with_dist) cells.push_back({dist});
+    cells.push_back({sum, 0, winner});
+    if (table_row(look, static_cast<int>(shown), columns, cells, winner))
+      show_cell(frame, view.run.lattice().position(offer.node));
+  }
+  if (shown == all.size()) return;
+  std::vector<TableCell> cells(columns.size());
+  const std::string more = std::to_string(all.size() - shown) + " more";
+  cells.front() = {more, look.theme.faint};
+  cells.back() = {"∞", look.theme.faint};
+  table_row(look, -1, columns, cells);
+}
+
+/// What is known of the way straight to the remote parent; nothing for planners without sight.
+const char* remote_words(const CellView& view) {
+  if (!view.run.info().sight) return "";
+  const NodeId local = view.state.lp(view.node), remote = view.state.rp(view.node);
+  if (parameters::checks_along_path(view.run.choice().settings))
+    return remote == kNoNode
+               ? "Sight is checked along the path alone, and no leap from this cell is kept: it "
+                 "has no rp."
+               : "Its rp was found in sight along a path. It is kept until a cell of the box "
+                 "between both changes.";
+  if (remote == kNoNode || remote == view.node) return "";
+  if (remote == local) return "Its rp is its lp, which needs no sight check.";
+  return view.state.queued(view.node) ? "Sight to its rp is assumed. It is checked when the cell is taken."
+                                      : "Sight to its rp was checked when the cell was taken.";
+}
+
+/// Who wrote the value last; a click goes there.
+void written_line(Frame& frame, const CellView& view) {
+  const Look& look = frame.look;
+  const Timeline& log = view.run.timeline();
+  const EventKind kind = view.lookahead ? EventKind::rhs : EventKind::g;
+  const auto written = log.last_event(view.node, {kind}, log.cursor());
+  if (!written) return;
+  ImGui::Dummy({0, look.px.xs});
+  text(look.fonts.ui, look.theme.dim, "Written by event");
+  ImGui::SameLine(0, look.px.xs);
+  if (link(look, "writer", grouped(*written + 1), look.fonts.mono))
+    frame.commands.push_back(Seek{*written + 1});
+  hint(look, {"", "", "Click to go to where it was written."});
+  paragraph(look.fonts.ui, look.theme.dim, as_sentence(origin_text(frame, *written)) + ".");
+}
+
+}  // namespace
+
+void draw_why(Frame& frame, const CellView& view) {
+  const Look& look = frame.look;
+  const Cost value = view.lookahead ? view.state.rhs(view.node) : view.state.g(view.node);
+  const char* name = view.lookahead ? "rhs" : "g";
+  section_title(look, std::string("Why is ") + name + " " + cost_text(value) + "?");
+  const std::vector<Offer> all = offers_to(view.run.log_view(), view.state, view.node);
+  if (const std::string_view special = special_case(view, all); !special.empty()) {
+    paragraph(look.fonts.ui, look.theme.dim, special);
+    return written_line(frame, view);
+  }
+  offer_table(frame, view, all);
+  written_line(frame, view);
+  if (const std::string_view words = remote_words(view); !words.empty())
+    paragraph(look.fonts.ui, look.theme.dim, words);
+  if (all.front().sum == value) return;
+  ImGui::Dummy({0, look.px.xs});
+  paragraph(look.fonts.ui, look.theme.warning,
+            view.lookahead ? "The least sum is " + cost_text(all.front().sum) +
+                                 ": UpdateVertex has yet to come to this cell."
+                           : "A neighbour offers less: it has not been expanded yet.");
+}
+
+}  // namespace replan::ui

@@ -1,0 +1,151 @@
+// The Code tab: what just happened, the planner's pseudo-code with the current line lit, and its page.
+#include <algorithm>
+
+#include <imgui_internal.h>
+
+#include "ui/icons.hpp"
+#include "ui/parts.hpp"
+#include "ui/shell/conditions.hpp"
+#include "ui/shell/format.hpp"
+#include "ui/shell/panels.hpp"
+
+namespace replan::ui {
+namespace {
+
+/// The second row of a long line: no number, the same ground.
+void continuation(const Look& look, const PseudoLine& line, bool current, ImU32 colour) {
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, look.px(20));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  ImGui::Dummy(size);
+  ImGui::PopStyleVar();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (current) {
+    list.AddRectFilled(origin, {origin.x + size.x, origin.y + size.y}, look.theme.selected);
+    list.AddRectFilled(origin, {origin.x + look.px(3), origin.y + size.y}, look.theme.accent);
+  }
+  draw_text(list, look.fonts.mono,
+            {origin.x + look.px(38), origin.y + (size.y - look.fonts.mono->FontSize) * 0.5f}, colour,
+            line.text);
+}
+
+void pseudo_line(Frame& frame, const PseudoLine& line, bool current) {
+  const Look& look = frame.look;
+  if (line.number == 0) {
+    continuation(look, line, current,
+                 current       ? look.theme.text
+                 : line.unused ? look.theme.faint
+                               : look.theme.dim);
+    return;
+  }
+  if (!line.unused) {
+    const std::string condition = when_line(line.number);
+    const bool set = find_breakpoint(frame.session, condition).has_value();
+    if (code_line(look, {line.printed, line.text, current, set}))
+      frame.commands.push_back(toggle_breakpoint(frame.session, condition));
+    if (ImGui::GetIO().MousePos.x < ImGui::GetItemRectMin().x + look.px(34))
+      hint(look, {set ? "Remove the breakpoint" : "Set a breakpoint", "",
+                  set ? "The playhead no longer stops on this line."
+                      : "The playhead stops whenever the planner comes to this line."});
+    return;
+  }
+  code_line(look, {.number = line.printed, .text = line.text, .current = current, .reached = false});
+  hint(look, {"", "", "This planner never comes to this line."});
+}
+
+void what_happened(Frame& frame) {
+  const Look& look = frame.look;
+  const Run& run = frame.run();
+  const std::size_t cursor = run.timeline().cursor();
+  section_title(look, cursor == 0 ? "Nothing has happened yet"
+                                  : "Event " + grouped(cursor) + " of " + grouped(run.timeline().size()));
+  if (cursor == 0)
+    paragraph(look.fonts.ui, look.theme.dim,
+              "Press " + action(ActionId::line_forward).keys + " to take the first line.");
+  else
+    paragraph(look.fonts.mono, look.theme.text, last_event_text(run));
+}
+
+void sections(Frame& frame, const PlannerPage& page) {
+  const Look& look = frame.look;
+  for (const PageSection& section : page.sections) {
+    if (section.title == "Pseudo-code") continue;
+    section_rule(look);
+    section_title(look, section.title);
+    for (const std::string& paragraph_text : section.paragraphs)
+      paragraph(look.fonts.ui, look.theme.dim, paragraph_text);
+  }
+}
+
+class CodeTab final : public SideTab {
+  void draw(Frame& frame) override;
+
+  int scrolled_ = 0;  // the line that the page was scrolled to
+};
+
+}  // namespace
+
+void draw_pseudo_code(Frame& frame, const PseudoBlock& block, int around, int* scrolled) {
+  const int current = current_line(frame.run());
+  std::size_t first = 0, last = block.lines.size();
+  if (around > 0) {
+    const auto at = std::find_if(block.lines.begin(), block.lines.end(),
+                                 [&](const PseudoLine& l) { return l.number == current; });
+    const auto middle = static_cast<std::size_t>(at - block.lines.begin());
+    const auto reach = static_cast<std::size_t>(around);
+    last = std::min(std::max(middle + reach + 1, 2 * reach + 1), block.lines.size());
+    first = last > 2 * reach + 1 ? last - 2 * reach - 1 : 0;
+  }
+  int number = 0;
+  ImGui::PushID(block.title.c_str());
+  for (std::size_t i = first; i < last; ++i) {
+    const PseudoLine& line = block.lines[i];
+    if (line.number != 0) number = line.number;
+    const bool lit = number == current && number != 0;
+    pseudo_line(frame, line, lit);
+    if (scrolled != nullptr && lit && line.number != 0 && *scrolled != current) {
+      const ImRect seen = ImGui::GetCurrentWindow()->InnerClipRect;
+      if (ImGui::GetItemRectMin().y < seen.Min.y || ImGui::GetItemRectMax().y > seen.Max.y)
+        ImGui::SetScrollHereY(0.4f);
+      *scrolled = current;
+    }
+  }
+  ImGui::PopID();
+}
+
+void CodeTab::draw(Frame& frame) {
+  const Look& look = frame.look;
+  const Result<PlannerPage>& page = page_of(frame.panels, frame.run().choice().id);
+  if (!page) {
+    empty_state(look, icon::book, "This planner's page is missing", page.error());
+    return;
+  }
+  what_happened(frame);
+  ImGui::Dummy({0, look.px.xs});
+  // The page scrolls under what happened, which stays in sight.
+  // Its scroll bar stands in the padding, so that it takes no room from the code.
+  ImGui::BeginChild("page", {ImGui::GetContentRegionAvail().x + look.px(12), 0});
+  bool first = true;
+  for (const PseudoBlock& block : page->code) {
+    if (!first) section_rule(look);
+    first = false;
+    section_title(look, block.title);
+    draw_pseudo_code(frame, block, 0, &scrolled_);
+  }
+  sections(frame, *page);
+  ImGui::EndChild();
+}
+
+TabKind code_tab() {
+  return {.name = "Code",
+          .label = "Pseudo-code, idea and limits",
+          .icon = icon::code,
+          .chord = fn(5),
+          .teach =
+              "The planner's pseudo-code with the line that runs, and its idea, limits and source. A click "
+              "beside a line "
+              "sets a breakpoint.",
+          .make = make_part<SideTab, CodeTab>};
+}
+
+}  // namespace replan::ui

@@ -1,0 +1,209 @@
+#include "ui/tabs/figures.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/trace/search_state.hpp"
+#include "ui/icons.hpp"
+#include "ui/parts.hpp"
+#include "ui/shell/format.hpp"
+#include "ui/shell/panels.hpp"
+
+namespace replan::ui {
+namespace {
+
+/// The robot's map changed after the mark: what is known at the cursor is not what this plan was made for.
+bool map_changed_since(const Run& run, const replan::Mark& mark) {
+  for (std::size_t i = mark.event; i < run.timeline().cursor(); ++i) {
+    const EventKind kind = run.timeline().event(i).kind;
+    if (kind == EventKind::known) return true;
+    if (kind == EventKind::pop || kind == EventKind::move) return false;
+  }
+  return false;
+}
+
+/// As the window prints it: thousands apart.
+std::string shown(const FigureRow& row, std::size_t pane, bool standing) {
+  if (!standing) return "–";
+  if (row.info->decimals > 0 || !row.values[pane]) return figure_text(*row.info, row.values[pane]);
+  const double scale = row.info->unit == "kB" ? 1000 : 1;
+  return grouped(static_cast<std::int64_t>(*row.values[pane] / scale + 0.5));
+}
+
+/// A number at the right end of its column, and the best with a bar under it: it is told by more than its
+/// colour and weight.
+void draw_value(const Look& look, float right, float y, const std::string& text, bool best) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImFont* font = best ? look.fonts.mono_bold : look.fonts.mono;
+  const float width = text_width(font, text);
+  draw_text(list, font, {right - width, y}, best ? look.theme.good : look.theme.text, text);
+  if (!best) return;
+  const float foot = y + font->FontSize + look.px(1);
+  list.AddRectFilled({right - width, foot}, {right, foot + look.px(2)}, look.theme.good);
+}
+
+/// How the columns lie: with one or two panes beside the row's name, with more below it.
+struct FiguresLayout {
+  float left, width, name;  // name: the share of the names; 0 if they stand above
+  std::size_t panes;
+  [[nodiscard]] float ratio_width(const Look& look) const { return panes == 2 ? look.px(48) : 0; }
+  [[nodiscard]] float right(const Look& look, std::size_t pane) const {
+    const float room = width - name - ratio_width(look);
+    return left + name + room * static_cast<float>(pane + 1) / static_cast<float>(panes);
+  }
+};
+
+FiguresLayout figures_layout(const Look& look, std::size_t panes) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  return {ImGui::GetCursorScreenPos().x, width, panes <= 2 ? std::min(look.px(140), width * 0.42f) : 0,
+          panes};
+}
+
+void draw_names(const Look& look, const FiguresLayout& layout, const FiguresTable& table) {
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  float before = layout.left + layout.name;
+  for (std::size_t i = 0; i < table.names.size(); ++i) {
+    const float right = layout.right(look, i);
+    const std::string name = elide(look.fonts.ui, table.names[i], right - before - look.px.s);
+    draw_text(*ImGui::GetWindowDrawList(), look.fonts.ui, {right - text_width(look.fonts.ui, name), origin.y},
+              look.theme.dim, name);
+    before = right;
+  }
+  ImGui::Dummy({layout.width, look.px.row});
+}
+
+void draw_ratio(const Look& look, const FiguresLayout& layout, const FigureRow& row, std::size_t pane,
+                float y) {
+  const auto ratio = row.ratio(pane);
+  if (!ratio) return;
+  const std::string text = ratio_text(*ratio);
+  const ImFont* font = layout.name > 0 ? look.fonts.mono : look.fonts.small;
+  const float right = layout.name > 0 ? layout.left + layout.width : layout.right(look, pane);
+  draw_text(*ImGui::GetWindowDrawList(), font, {right - text_width(font, text), y}, look.theme.dim, text);
+}
+
+void draw_row(const Look& look, const FiguresLayout& layout, const FigureRow& row,
+              const std::vector<bool>& standing) {
+  const bool stacked = layout.name == 0;
+  const bool ratios =
+      stacked && std::any_of(row.values.begin() + 1, row.values.end(), [&](const auto& value) {
+        return value && row.ratio(static_cast<std::size_t>(&value - row.values.data()));
+      });
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float line = look.px.row, height = stacked ? line * (ratios ? 2.35f : 1.75f) : line;
+  ImGui::InvisibleButton(row.info->key.data(), {layout.width, height});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (ImGui::IsItemHovered())
+    list.AddRectFilled(origin, {origin.x + layout.width, origin.y + height}, look.theme.hover, look.px(4));
+  hint(look, {row.info->label.data(), "", row.info->teach.data()});
+  const std::string name =
+      std::string(row.info->label) + (row.info->unit.empty() ? "" : "  " + std::string(row.info->unit));
+  const float y = origin.y + (line - look.fonts.mono->FontSize) * 0.5f;
+  draw_text(list, look.fonts.ui, {origin.x, y}, look.theme.dim,
+            stacked ? name : elide(look.fonts.ui, name, layout.name));
+  const float values = stacked ? y + line * 0.75f : y;
+  for (std::size_t i = 0; i < layout.panes; ++i) {
+    draw_value(look, layout.right(look, i), values, shown(row, i, standing[i]), standing[i] && row.best(i));
+    if (standing[i]) draw_ratio(look, layout, row, i, stacked ? values + line * 0.75f : y);
+  }
+}
+
+void export_menu(Frame& frame) {
+  const Look& look = frame.look;
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - look.px(24));
+  if (small_button(
+          look, "export",
+          {.icon = icon::download,
+           .hint = {"Export", "",
+                    "These figures as CSV, JSON, Markdown or LaTeX: to the clipboard or to a file."}}))
+    ImGui::OpenPopup("export");
+  if (!ImGui::BeginPopup("export")) return;
+  const auto entry = [&frame, &look](ActionId id) {
+    if (ImGui::MenuItem(action(id).label.c_str())) perform(frame, id);
+    hint(look, {"", "", action(id).teach.c_str()});
+  };
+  for (const ActionId id :
+       {ActionId::copy_markdown, ActionId::copy_latex, ActionId::copy_csv, ActionId::copy_json})
+    entry(id);
+  ImGui::Separator();
+  entry(ActionId::save_figures);
+  ImGui::EndPopup();
+}
+
+}  // namespace
+
+/// The figures of the plan that stands; computed once for each plan.
+const PathFigures& FiguresTab::figures_of(const Run& run, std::size_t pane, const replan::Mark& mark) {
+  if (kept_.size() <= pane) kept_.resize(pane + 1);
+  Kept& cache = kept_[pane];
+  if (cache.plan == mark.plan || map_changed_since(run, mark)) return cache.figures;
+  cache = {mark.plan,
+           path_figures(run.lattice(), run.timeline().state().known_map().plain(), *mark.plan->path)};
+  return cache.figures;
+}
+
+std::vector<RunReport> FiguresTab::now(const Session& session) {
+  std::vector<RunReport> reports;
+  for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
+    const Run& run = *session.runs()[pane];
+    const replan::Mark* mark = run.mark_at(run.timeline().cursor());
+    if (mark == nullptr) {
+      reports.emplace_back();
+      reports.back().planner = run.choice().id;
+      reports.back().status = status_name(PlanStatus::searching);
+    } else {
+      reports.push_back(report_at(*mark, figures_of(run, pane, *mark), run.choice()));
+    }
+  }
+  return reports;
+}
+
+void ActionContext::copy_figures(FiguresFormat format) {
+  ImGui::SetClipboardText(figures_text(format, panels.tabs.get<FiguresTab>().now(session)).c_str());
+  panels.said =
+      std::string("Copied the figures as ") + figures_formats()[static_cast<std::size_t>(format)].name;
+  panels.said_bad = false;
+}
+
+void FiguresTab::draw(Frame& frame) {
+  const Look& look = frame.look;
+  std::vector<bool> standing;
+  for (const auto& run : frame.session.runs())
+    standing.push_back(run->mark_at(run->timeline().cursor()) != nullptr);
+  if (std::find(standing.begin(), standing.end(), true) == standing.end()) {
+    empty_state(look, icon::bar_chart, "No plan stands here yet",
+                "Step or play on until the first plan is found; its figures show here.");
+    return;
+  }
+  const FiguresTable table = figures_table(now(frame.session));
+  const FiguresLayout layout = figures_layout(look, standing.size());
+  section_title(look, figure_group_title(FigureGroup::path));
+  export_menu(frame);
+  draw_names(look, layout, table);
+  FigureGroup group = FigureGroup::path;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, look.px(1)));
+  for (const FigureRow& row : table.rows) {
+    if (row.info->wall_time && !frame.view.live) continue;  // a picture is the same on every machine
+    if (row.info->group != group) {
+      section_rule(look);
+      section_title(look, figure_group_title(row.info->group));
+      group = row.info->group;
+    }
+    draw_row(look, layout, row, standing);
+  }
+  ImGui::PopStyleVar();
+}
+
+TabKind figures_tab() {
+  return {
+      .name = "Figures",
+      .label = "Figures of the panes",
+      .icon = icon::bar_chart,
+      .chord = fn(6),
+      .teach =
+          "What each planner did and how good its path is, side by side, with ratios and the best marked.",
+      .make = make_part<SideTab, FiguresTab>,
+      .per_pane = false};
+}
+
+}  // namespace replan::ui

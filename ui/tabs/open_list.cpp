@@ -1,0 +1,212 @@
+#include "ui/tabs/open_list.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "ui/icons.hpp"
+#include "ui/parts.hpp"
+#include "ui/shell/format.hpp"
+#include "ui/shell/panels.hpp"
+#include "ui/shell/term_hint.hpp"
+
+namespace replan::ui {
+namespace {
+
+constexpr std::size_t kMostIds = std::size_t{1} << 30;  // ImGui's ids are made of ints
+
+struct StateWord {
+  const char* word;
+  ImU32 colour;
+};
+StateWord state_word(const Theme& theme, const Run& run, NodeId node) {
+  const SearchState& state = run.timeline().state();
+  const Cost g = state.g(node), rhs = state.rhs(node);
+  if (!run.info().values.lookahead()) return {"open", theme.accent};
+  if (g == rhs) return {"even", theme.dim};  // in the middle of a step
+  return g > rhs ? StateWord{"over", theme.accent} : StateWord{"under", theme.warning};
+}
+
+/// What a row shows: as much as there is room for, whatever the size of the world and of the list.
+struct OpenListLayout {
+  std::vector<Column> columns = {};
+  int decimals = 2;
+  bool lookahead = true;
+  bool state = true;  ///< over or under in words; g and rhs side by side tell it too
+};
+
+std::string widest_cell(const Run& run) {
+  return cell_text({run.lattice().width() - 1, run.lattice().height() - 1});
+}
+
+/// Columns as wide as what stands in them: ranks and cells first, then the state in words, then decimals give
+/// way.
+OpenListLayout open_list_layout(const Look& look, const Run& run, const OpenOrder& order) {
+  const bool lookahead = run.info().values.lookahead();
+  const float digit = text_width(look.fonts.mono, "0"), padding = look.px(12);
+  const float room = ImGui::GetContentRegionAvail().x;
+  const Cost middle = order[order.size() / 2].k1;
+  const auto chars = [digit, padding](std::size_t count) {
+    return digit * static_cast<float>(count) + padding;
+  };
+  OpenListLayout layout;
+  layout.lookahead = layout.state = lookahead;
+  const float rank = chars(grouped(order.size()).size()), cell = chars(widest_cell(run).size()),
+              state = chars(5);
+  const std::size_t costs = lookahead ? 4 : 3;
+  const auto cost = [&] {
+    return chars(std::max<std::size_t>(cost_text(middle, layout.decimals).size(), 3));
+  };
+  const auto whole = [&] {
+    return rank + cell + static_cast<float>(costs) * cost() + (layout.state ? state : 0.0f);
+  };
+  if (whole() > room) layout.decimals = 1;
+  if (whole() > room) layout.state = false;
+  if (whole() > room) layout.decimals = 0;
+  layout.columns = {{"#", rank}, {"cell", cell}};
+  for (const char* name : lookahead ? std::array{"k1", "k2", "g", "rhs"} : std::array{"f", "h", "g", ""})
+    if (name[0] != '\0') layout.columns.push_back({name, cost()});
+  if (layout.state) layout.columns.push_back({"state", state});
+  return layout;
+}
+
+void open_row(Frame& frame, std::size_t rank, const OpenEntry& entry, const OpenListLayout& layout) {
+  const Look& look = frame.look;
+  const Run& run = frame.run();
+  const SearchState& state = run.timeline().state();
+  const Cell cell = run.lattice().position(entry.node);
+  const auto cost = [&layout](Cost value) { return cost_text(value, layout.decimals); };
+  const std::string number = grouped(rank + 1), at = cell_text(cell), k1 = cost(entry.k1),
+                    k2 = cost(entry.k2), g = cost(state.g(entry.node)), rhs = cost(state.rhs(entry.node));
+  const auto [word, colour] = state_word(look.theme, run, entry.node);
+  std::vector<TableCell> cells = {{number, look.theme.faint}, {at}, {k1}, {k2}, {g}};
+  if (layout.lookahead) cells.push_back({rhs});
+  if (layout.state) cells.push_back({word, colour});
+  const bool pinned = frame.view.view.pinned == cell;
+  if (table_row(look, static_cast<int>(rank % kMostIds), layout.columns, cells, pinned))
+    show_cell(frame, cell);
+  point_at(frame, cell);
+}
+
+void touched_row(Frame& frame, std::size_t row, const Touched& each, std::span<const Column> columns) {
+  const Look& look = frame.look;
+  const Cell cell = frame.run().lattice().position(each.node);
+  const std::string at = cell_text(cell), g_before = cost_text(each.g_before, 2),
+                    g_after = cost_text(each.g_after, 2), rhs_before = cost_text(each.rhs_before, 2),
+                    rhs_after = cost_text(each.rhs_after, 2);
+  const ImU32 dim = look.theme.dim, faint = look.theme.faint, text = look.theme.text;
+  const bool g = each.g_before != each.g_after, rhs = each.rhs_before != each.rhs_after;
+  std::vector<TableCell> cells = {{at}, {g_before, g ? dim : faint}, {g_after, g ? text : faint}};
+  if (columns.size() > 3) {
+    cells.push_back({rhs_before, rhs ? dim : faint});
+    cells.push_back({rhs_after, rhs ? text : faint});
+  }
+  const bool pinned = frame.view.view.pinned == cell;
+  if (table_row(look, static_cast<int>(row % kMostIds), columns, cells, pinned)) show_cell(frame, cell);
+  point_at(frame, cell);
+}
+
+}  // namespace
+
+/// While it plays, a list that takes long to sort anew is sorted now and then, so that frames keep coming.
+void OpenListTab::follow(const Frame& frame) {
+  const Run& run = frame.run();
+  const bool plays = frame.session.playback().direction != 0 || run.busy();
+  const bool far = order_.far(run.log_view(), run.log_id());
+  constexpr double kShort = 0.004, kShare = 10;
+  if (far && plays && order_seconds_ > kShort && ImGui::GetTime() < order_due_) return;
+  const auto begin = std::chrono::steady_clock::now();
+  order_.follow(run.log_view(), run.log_id());
+  if (!far) return;
+  order_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  order_due_ = ImGui::GetTime() + kShare * order_seconds_;
+}
+
+void OpenListTab::draw_open_list(Frame& frame) {
+  const Look& look = frame.look;
+  follow(frame);
+  const Run& run = frame.run();
+  if (order_.size() == 0) {
+    empty_state(look, icon::list, "The open list is empty",
+                run.timeline().cursor() == 0 ? "Press " + action(ActionId::step_forward).keys +
+                                                   " for the first expansion; vertices that wait show here."
+                                             : "No vertex waits: there is nothing left to expand.");
+    return;
+  }
+  const std::string count =
+      count_text(static_cast<std::int64_t>(order_.size()), "vertex waits", "vertices wait");
+  const bool late = order_.position() != run.timeline().cursor();
+  paragraph(look.fonts.ui, look.theme.dim,
+            late ? count + " at event " + grouped(order_.position()) : count + "; the first is taken next");
+  const OpenListLayout layout = open_list_layout(look, run, order_);
+  table_head(look, layout.columns);
+  const RowsInSight sight = begin_rows(look, "open list", order_.size(), 0, order_rows_);
+  for (std::size_t rank = sight.first; rank < sight.last; ++rank) open_row(frame, rank, order_[rank], layout);
+  end_rows();
+}
+
+void OpenListTab::draw_touched(Frame& frame) {
+  const Look& look = frame.look;
+  const Run& run = frame.run();
+  const TouchedList* touched = touched_by_last_replan(frame.panels, run);
+  if (touched == nullptr) {
+    empty_state(look, icon::bolt, "No replan yet",
+                "Paint an obstacle, or drop a surprise in the robot's way: the vertices that the repair "
+                "touches are listed here.");
+    return;
+  }
+  const ReplanSpan span = *last_replan(run);
+  const auto count = static_cast<std::int64_t>(touched->list().size());
+  ImGui::AlignTextToFramePadding();
+  text(look.fonts.ui, look.theme.dim,
+       "Replan " + grouped(span.number) + " touched " + count_text(count, "vertex", "vertices"));
+  const float right = ImGui::GetContentRegionMax().x;
+  ImGui::SameLine(right - look.px(52));
+  if (small_button(look, "before", {.icon = icon::caret_left, .hint = action(ActionId::replan_back).hint()}))
+    perform(frame, ActionId::replan_back);
+  ImGui::SameLine(0, look.px.xs);
+  if (small_button(look, "next",
+                   {.icon = icon::caret_right, .hint = action(ActionId::replan_forward).hint()}))
+    perform(frame, ActionId::replan_forward);
+  if (touched->list().empty()) {
+    paragraph(look.fonts.ui, look.theme.dim,
+              "The change was of no consequence for any vertex: the plan stands as it was.");
+    return;
+  }
+  std::vector<Column> columns = {{"cell", 1.3f, Align::left}, {"g"}, {"→ g"}};
+  if (run.info().values.lookahead()) columns.insert(columns.end(), {Column{"rhs"}, Column{"→ rhs"}});
+  table_head(look, columns);
+  const RowsInSight sight = begin_rows(look, "touched", touched->list().size(), 0, touched_rows_);
+  for (std::size_t row = sight.first; row < sight.last; ++row)
+    touched_row(frame, row, touched->list()[row], columns);
+  end_rows();
+}
+
+void OpenListTab::draw(Frame& frame) {
+  static constexpr std::array<const char*, 2> kParts = {"Open list U", "Last repair"};
+  int part = repair_ ? 1 : 0;
+  if (segments(frame.look, "part", kParts, part)) repair_ = part == 1;
+  ImGui::Dummy({0, frame.look.px.xs});
+  if (repair_)
+    draw_touched(frame);
+  else
+    draw_open_list(frame);
+}
+
+void show_touched(ViewState& view, PanelState& panels) {
+  show_tab(view, panels, "open_list");
+  panels.tabs.get<OpenListTab>().show_repair();
+}
+
+TabKind open_list_tab() {
+  return {.name = "Open list",
+          .label = "Open list",
+          .icon = icon::list,
+          .chord = fn(4),
+          .teach = "The vertices that wait, in the order in which the planner will take them.",
+          .make = make_part<SideTab, OpenListTab>};
+}
+
+}  // namespace replan::ui

@@ -1,0 +1,49 @@
+// What tools ask of the world, and what they write into it.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "ui/tools/tool.hpp"
+
+namespace replan::ui {
+
+/// The nearest cell of the world.
+Cell clamped(const Box& lattice, Cell cell);
+/// An obstacle in the true world at the playhead.
+bool is_wall(const Run& run, Cell cell);
+/// Where the goal stands at the playhead.
+Cell goal_cell(const Run& run);
+Cell robot_cell(const Run& run);
+CellRect rectangle(Cell a, Cell b);
+Brush brush_of(const ViewState& view);
+
+/// Of the spans the cells that lie in the world and would change by the press. Start and goal keep standing on free
+/// ground while others are painted around them. What is painted over the robot's own cell is there as it would be by a
+/// script: RobotSetup::robot_cell_blocks says what it does.
+std::vector<CellChange> changes(const ToolContext& context, std::span<const CellSpan> spans);
+/// Queues them as one edit, if there are any.
+void paint(ToolContext& context, std::vector<CellChange> cells);
+
+/// A shape between two cells, which is painted when the button is let go.
+class ShapeDrag : public Drag {
+ public:
+  using Shape = std::vector<CellSpan> (*)(const Press& press, const ViewState& view);
+  explicit ShapeDrag(Shape shape) : shape_(shape) {}
+
+  void end(ToolContext& context) override;
+  [[nodiscard]] CellPreview preview(const Press& press, const ViewState& view) const override;
+  [[nodiscard]] bool draws() const override { return true; }
+
+ protected:
+  [[nodiscard]] std::vector<CellSpan> spans(const ToolContext& context) const;
+
+ private:
+  Shape shape_;
+};
+
+/// A stroke of the brush, which paints or erases under the mouse.
+std::unique_ptr<Drag> brush_drag();
+
+}  // namespace replan::ui

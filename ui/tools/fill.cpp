@@ -1,0 +1,34 @@
+#include "ui/icons.hpp"
+#include "ui/parts.hpp"
+#include "ui/tools/cells.hpp"
+
+namespace replan::ui {
+namespace {
+
+class FillTool final : public Tool {
+  std::unique_ptr<Drag> press(ToolContext& context) override {
+    const Run& run = context.run;
+    const Cell at = context.press.first;
+    const bool wall = is_wall(run, at);
+    if (context.press.right && !wall) return nullptr;  // nothing to clear
+    paint(context, changes(context, connected_spans(run.lattice().width(), run.lattice().height(), at,
+                                                    [&](Cell cell) { return is_wall(run, cell) == wall; })));
+    return nullptr;
+  }
+  std::unique_ptr<Drag> press_right(ToolContext& context) override { return press(context); }
+};
+
+}  // namespace
+
+ToolKind fill_tool() {
+  return {
+      .label = "Fill a region",
+      .icon = icon::fill,
+      .chord = plain('K'),
+      .teach =
+          "Fills the free cells around the cursor up to the next obstacles, or clears connected obstacles.",
+      .group = ToolGroup::draw,
+      .make = make_part<Tool, FillTool>};
+}
+
+}  // namespace replan::ui

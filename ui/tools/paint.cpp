@@ -1,0 +1,30 @@
+#include "ui/icons.hpp"
+#include "ui/parts.hpp"
+#include "ui/tools/cells.hpp"
+
+namespace replan::ui {
+namespace {
+
+class PaintTool final : public Tool {
+  std::unique_ptr<Drag> press(ToolContext&) override { return brush_drag(); }
+  [[nodiscard]] CellPreview preview(const ViewState& view, Cell at) const override {
+    return {brush_spans(brush_of(view), at)};
+  }
+};
+
+}  // namespace
+
+ToolKind paint_tool() {
+  return {
+      .label = "Paint obstacles",
+      .icon = icon::brush,
+      .chord = plain('B'),
+      .teach =
+          "Draw walls that the robot is told of. While a plan stands, it is repaired under the brush. The "
+          "right button erases.",
+      .group = ToolGroup::draw,
+      .make = make_part<Tool, PaintTool>,
+      .at_first = true};
+}
+
+}  // namespace replan::ui

@@ -1,0 +1,85 @@
+#include "ui/tools/select.hpp"
+
+#include "ui/canvas/view_state.hpp"
+#include "ui/icons.hpp"
+#include "ui/shell/panels.hpp"
+#include "ui/tools/cells.hpp"
+#include "ui/tools/surprise.hpp"
+
+namespace replan::ui {
+namespace {
+
+class SelectTool final : public Tool {
+ public:
+  std::unique_ptr<Drag> press(ToolContext& context) override;
+  /// Pins a cell, or unpins it, and selects what is to happen there.
+  void click(ToolContext& context) override {
+    const Cell at = context.press.first;
+    std::optional<Cell>& pinned = context.view.view.pinned;
+    pinned = pinned == at ? std::nullopt : std::optional<Cell>(at);
+    Editing& editing = context.view.editing;
+    editing.region.reset();
+    editing.mover.reset();
+    editing.surprise = surprise_at(context.run, at);
+  }
+  [[nodiscard]] bool has_options(const ViewState& view) const override {
+    return view.editing.region.has_value();
+  }
+  void draw_options(Frame& frame) override;
+  void leave(ViewState& view) override { view.editing.region.reset(); }
+};
+
+class RegionDrag final : public Drag {
+ public:
+  explicit RegionDrag(SelectTool& tool) : tool_(tool) {}
+  void move(ToolContext& context) override {
+    const Press& press = context.press;
+    if (press.moved) select_region(context.view.editing, rectangle(press.first, press.last));
+  }
+  void end(ToolContext& context) override {
+    if (!context.press.moved) tool_.click(context);
+  }
+
+ private:
+  SelectTool& tool_;
+};
+
+std::unique_ptr<Drag> SelectTool::press(ToolContext&) {
+  return std::make_unique<RegionDrag>(*this);
+}
+
+/// What can be done with the region.
+void SelectTool::draw_options(Frame& frame) {
+  const Look& look = frame.look;
+  const CellRect& region = *frame.view.editing.region;
+  section_title(look, std::to_string(region.high.x - region.low.x + 1) + " x " +
+                          std::to_string(region.high.y - region.low.y + 1) + " cells");
+  const auto entry = [&](ActionId id, bool last) {
+    const Action& each = action(id);
+    if (small_button(look, each.name, {.icon = each.icon, .hint = each.hint()})) perform(frame, id);
+    if (!last) ImGui::SameLine(0, look.px.xs);
+  };
+  entry(ActionId::copy, false);
+  entry(ActionId::cut, false);
+  entry(ActionId::paste, false);
+  entry(ActionId::delete_selected, true);
+}
+
+}  // namespace
+
+void select_with_tool(ViewState& view, const CellRect& region) {
+  choose_tool(view, "select");
+  select_region(view.editing, region);
+}
+
+ToolKind select_tool() {
+  return {.label = "Select",
+          .icon = icon::pointer,
+          .chord = plain('V'),
+          .teach = "Hover a cell to see its values; click to pin it; drag to select a region.",
+          .group = ToolGroup::look,
+          .make = make_part<Tool, SelectTool>,
+          .leads = true};
+}
+
+}  // namespace replan::ui

@@ -1,0 +1,224 @@
+// Combo, toggle, slider and text fields (see widgets.hpp).
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include "ui/icons.hpp"
+#include "ui/widgets/widgets.hpp"
+
+namespace replan::ui {
+namespace {
+
+float to_position(const SliderSpec& spec, double value) {
+  if (spec.max <= spec.min) return 0;
+  const double v = std::clamp(value, spec.min, spec.max);
+  if (spec.logarithmic && spec.min > 0)
+    return static_cast<float>(std::log(v / spec.min) / std::log(spec.max / spec.min));
+  return static_cast<float>((v - spec.min) / (spec.max - spec.min));
+}
+
+/// A whole number of steps, and no more digits than are shown.
+double rounded(const SliderSpec& spec, double value) {
+  const double grain = spec.step > 0 ? spec.step : std::pow(10.0, -spec.decimals);
+  return std::clamp(std::round(value / grain) * grain, spec.min, spec.max);
+}
+
+double to_value(const SliderSpec& spec, float position) {
+  const double p = std::clamp(static_cast<double>(position), 0.0, 1.0);
+  if (spec.logarithmic && spec.min > 0) return rounded(spec, spec.min * std::pow(spec.max / spec.min, p));
+  return rounded(spec, spec.min + (spec.max - spec.min) * p);
+}
+
+std::string shown(const SliderSpec& spec, double value) {
+  std::array<char, 64> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.*f", spec.decimals, value);
+  return buffer.data();
+}
+
+bool is_initial(const SliderSpec& spec, double value) {
+  return shown(spec, value) == shown(spec, spec.initial);
+}
+
+/// The track with its knob; drags, and steps by the wheel while Ctrl is held.
+bool slider_track(const Look& look, const SliderSpec& spec, double& value) {
+  const float height = look.px.l;
+  const float width = std::max(ImGui::GetContentRegionAvail().x, look.px(40));
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton("track", {width, height});
+  const bool active = ImGui::IsItemActive();
+  const float radius = look.px.s * 0.75f;
+  const float left = origin.x + radius;
+  const float span = width - radius * 2;
+  const double before = value;
+  if (active) value = to_value(spec, (ImGui::GetIO().MousePos.x - left) / span);
+  const float y = origin.y + height * 0.5f;
+  const float x = left + span * to_position(spec, value);
+  const float half = look.px(4) * 0.5f;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({origin.x, y - half}, {origin.x + width, y + half}, look.theme.line, half);
+  list.AddRectFilled({origin.x, y - half}, {x, y + half}, look.theme.accent, half);
+  list.AddCircleFilled({x, y}, radius, look.theme.accent);
+  if (!active && !ImGui::IsItemHovered()) list.AddCircleFilled({x, y}, radius - look.px(2), look.theme.panel);
+  return value != before;
+}
+
+/// The field into which a value is typed, in place of the value; closed by Enter or a click elsewhere.
+bool typed_value(const Look& look, const SliderSpec& spec, double& value, bool& typing) {
+  const double before = value;
+  ImGui::PushFont(look.fonts.mono);
+  ImGui::SetNextItemWidth(look.px(90));
+  const bool first = !ImGui::GetStateStorage()->GetBool(ImGui::GetID("focused"));
+  if (first) ImGui::SetKeyboardFocusHere();
+  const std::string format = "%." + std::to_string(spec.decimals) + "f";
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px.xs, 0));
+  double typed = value;
+  const bool entered =
+      ImGui::InputDouble("##typed", &typed, 0, 0, format.c_str(),
+                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  const bool left = ImGui::IsItemDeactivated();
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+  if (entered) value = rounded(spec, typed);
+  typing = !entered && !left;
+  ImGui::GetStateStorage()->SetBool(ImGui::GetID("focused"), typing);
+  return value != before;
+}
+
+/// The value with its unit at the right of the label's line; a click begins typing.
+bool slider_value(const Look& look, const SliderSpec& spec, double& value, float right) {
+  const ImGuiID typing_id = ImGui::GetID("typing");
+  bool typing = ImGui::GetStateStorage()->GetBool(typing_id);
+  const std::string number = shown(spec, value);
+  const std::string unit = spec.unit[0] == '\0' ? "" : std::string(" ") + spec.unit;
+  const float width =
+      typing ? look.px(90) : text_width(look.fonts.mono, number) + text_width(look.fonts.mono, unit);
+  ImGui::SetCursorScreenPos({right - width, ImGui::GetCursorScreenPos().y});
+  const ImVec2 pos = ImGui::GetCursorScreenPos();
+  bool changed = false;
+  if (typing) {
+    changed = typed_value(look, spec, value, typing);
+  } else {
+    if (ImGui::InvisibleButton("value", {std::max(width, 1.0f), look.fonts.mono->FontSize})) typing = true;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImU32 colour = ImGui::IsItemHovered() ? look.theme.accent : look.theme.text;
+    draw_text(list, look.fonts.mono, pos, colour, number);
+    draw_text(list, look.fonts.mono, {pos.x + text_width(look.fonts.mono, number), pos.y}, look.theme.faint,
+              unit);
+  }
+  ImGui::GetStateStorage()->SetBool(typing_id, typing);
+  return changed;
+}
+
+}  // namespace
+
+bool slider(const Look& look, const SliderSpec& spec, double& value, const Hint& what) {
+  ImGui::PushID(spec.label);
+  ImGui::BeginGroup();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px.s, look.px.xs));
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float right = origin.x + ImGui::GetContentRegionAvail().x;
+  bool changed = false;
+  text(look.fonts.ui, look.theme.dim, spec.label);
+  hint(look, what);
+  if (!is_initial(spec, value)) {
+    ImGui::SameLine(0, look.px.xs);
+    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, origin.y - look.px(4)});
+    const std::string back = "Default: " + shown(spec, spec.initial) + " " + spec.unit;
+    if (small_button(look, "reset", {.icon = icon::undo, .hint = {.title = back.c_str()}})) {
+      value = spec.initial;
+      changed = true;
+    }
+  }
+  ImGui::SetCursorScreenPos(origin);
+  changed |= slider_value(look, spec, value, right);
+  ImGui::SetCursorScreenPos({origin.x, origin.y + look.fonts.ui->FontSize + look.px.xs});
+  changed |= slider_track(look, spec, value);
+  ImGui::PopStyleVar();
+  ImGui::EndGroup();
+  ImGui::PopID();
+  return changed;
+}
+
+bool toggle(const Look& look, const char* label, bool& on) {
+  const ImVec2 track(look.px(28), look.px.l);
+  const ImFont* font = look.fonts.ui;
+  const std::string_view whole(label);
+  const std::string_view words = whole.substr(0, whole.find("##"));
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const bool clicked =
+      ImGui::InvisibleButton(label, {track.x + look.px.s + text_width(font, words), look.px(20)});
+  if (clicked) on = !on;
+  const float y = origin.y + look.px(2);
+  const float radius = track.y * 0.5f;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({origin.x, y}, {origin.x + track.x, y + track.y},
+                     on ? look.theme.accent : look.theme.line, radius);
+  const float knob = on ? origin.x + track.x - radius : origin.x + radius;
+  list.AddCircleFilled({knob, y + radius}, radius - look.px(2), on ? look.theme.on_accent : look.theme.dim);
+  const ImU32 colour = on || ImGui::IsItemHovered() ? look.theme.text : look.theme.dim;
+  draw_text(list, font, {origin.x + track.x + look.px.s, y}, colour, words);
+  return clicked;
+}
+
+bool combo(const Look& look, const char* id, std::span<const char* const> items, int& current, float width) {
+  const bool known = current >= 0 && current < static_cast<int>(items.size());
+  const char* shown_item = known ? items[static_cast<std::size_t>(current)] : "";
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      ImVec2(look.px(10), (look.px.control - look.fonts.ui->FontSize) * 0.5f));
+  if (width <= 0) width = text_width(look.fonts.ui, shown_item) + look.px(40);
+  ImGui::SetNextItemWidth(width);
+  const int before = current;
+  const bool open =
+      ImGui::BeginCombo(id, shown_item, ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLarge);
+  if (open) {
+    for (int i = 0; i < static_cast<int>(items.size()); ++i) {
+      if (ImGui::Selectable(items[static_cast<std::size_t>(i)], i == current)) current = i;
+      if (i == current) ImGui::SetItemDefaultFocus();
+    }
+    ImGui::EndCombo();
+  }
+  ImGui::PopStyleVar();
+  const ImVec2 max = ImGui::GetItemRectMax();
+  const float y = (ImGui::GetItemRectMin().y + max.y) * 0.5f;
+  if (!open) {
+    draw_icon(*ImGui::GetWindowDrawList(), look.fonts.ui, {max.x - look.px(14), y}, look.theme.dim,
+              icon::caret_down);
+  }
+  return current != before;
+}
+
+bool code_field(const Look& look, const char* id, const char* placeholder, std::string& text, float width,
+                bool bad) {
+  const float vertical = (look.px.control - look.fonts.mono->FontSize) * 0.5f;
+  ImGui::PushFont(look.fonts.mono);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(10), vertical));
+  if (bad) ImGui::PushStyleColor(ImGuiCol_Text, look.theme.bad);
+  ImGui::SetNextItemWidth(width);
+  const bool entered = ImGui::InputTextWithHint(id, placeholder, &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (bad) ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+  return entered;
+}
+
+bool search_box(const Look& look, const char* id, const char* placeholder, const char* keys,
+                std::string& text, float width) {
+  const float vertical = (look.px(26) - look.fonts.ui->FontSize) * 0.5f;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(10), vertical));
+  ImGui::SetNextItemWidth(width);
+  const bool changed = ImGui::InputTextWithHint(id, placeholder, &text);
+  ImGui::PopStyleVar();
+  const ImVec2 max = ImGui::GetItemRectMax();
+  if (text.empty() && keys[0] != '\0') {
+    const float x = max.x - look.px(26) - text_width(look.fonts.ui, keys);
+    draw_text(*ImGui::GetWindowDrawList(), look.fonts.ui, {x, ImGui::GetItemRectMin().y + vertical},
+              look.theme.faint, keys);
+  }
+  return changed;
+}
+
+}  // namespace replan::ui
