@@ -57,6 +57,9 @@ template <class L, class T>
 std::unique_ptr<Planner<L>> make_planner(const PlannerInfo& info, const L& lattice, const Settings& settings,
                                          T& tracer);
 
+/// The estimate that a planner of these settings makes: `zero` if it has no setting for it.
+Heuristic heuristic_of(const PlannerInfo& info, const Settings& settings);
+
 /// The parameters `moves` and `corners`, which every lattice planner has.
 std::span<const Parameter> lattice_parameters();
 /// The rules that these settings ask for.

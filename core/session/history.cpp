@@ -16,7 +16,11 @@ void History::begin(std::size_t scripted, std::size_t unsaved) {
 
 bool History::add(const std::string& label, std::uint64_t stroke, const Scenario& before,
                   const Scenario& after, std::size_t scripted, RunPlaces now) {
-  Edit edit{.label = label, .stroke = stroke, .serial = ++serials_, .change = change_between(before, after)};
+  Edit edit;
+  edit.label = label;
+  edit.stroke = stroke;
+  edit.serial = ++serials_;
+  edit.change = change_between(before, after);
   edit.scripted_before = std::exchange(scripted_, scripted);
   edit.scripted_after = scripted;
   edit.left = std::move(now);

@@ -20,8 +20,8 @@ std::optional<std::size_t> common_surprises(const Scenario& a, const Scenario& b
 Session::Session(Scenario scenario, std::string file, const RunLimits& limits)
     : scenario_(std::make_shared<const Scenario>(std::move(scenario))),
       limits_(limits),
-      file_(std::move(file)),
-      history_(scenario_->surprises.size()) {
+      history_(scenario_->surprises.size()),
+      file_(std::move(file)) {
   restart_runs();
   take_debug(scenario_->debug);
 }
