@@ -9,10 +9,10 @@
 #include "core/base/file.hpp"
 #include "core/plan/registry.hpp"
 #include "core/plan/stage.hpp"
-#include "core/world/generator_list.hpp"
+#include "core/world/formats/number_cells.hpp"
+#include "core/world/formats/text_lines.hpp"
+#include "core/world/generators/list.hpp"
 #include "core/world/map_file.hpp"
-#include "core/world/number_cells.hpp"
-#include "core/world/text_lines.hpp"
 
 namespace replan::cli {
 namespace {

@@ -9,11 +9,11 @@
 #include "app/cli/output.hpp"
 #include "core/base/file.hpp"
 #include "core/study/run_report.hpp"
-#include "core/world/generator_list.hpp"
+#include "core/world/formats/movingai.hpp"
+#include "core/world/formats/voxel_map.hpp"
+#include "core/world/generators/list.hpp"
 #include "core/world/map_file.hpp"
-#include "core/world/movingai.hpp"
 #include "core/world/scenario.hpp"
-#include "core/world/voxel_map.hpp"
 
 namespace replan::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include "core/plan/registry.hpp"
 #include "core/plan/stage.hpp"
 #include "core/scene/view.hpp"
-#include "core/world/generator_list.hpp"
+#include "core/world/generators/list.hpp"
 #include "core/world/library.hpp"
 #include "core/world/map_file.hpp"
 #include "core/world/scenario.hpp"

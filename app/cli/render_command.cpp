@@ -8,7 +8,7 @@
 #include "app/cli/output.hpp"
 #include "app/render.hpp"
 #include "core/base/file.hpp"
-#include "core/world/text_lines.hpp"
+#include "core/world/formats/text_lines.hpp"
 
 namespace replan::cli {
 namespace {

@@ -48,6 +48,10 @@ std::string leaf_text(const Condition& condition, const Term& term) {
       return "changed(" + term_text(condition, condition.terms[term.left]) + ")";
     case Op::event:
       return "event(" + std::string(happening_names()[static_cast<std::size_t>(term.happening)].name) + ")";
+    case Op::own_cost:
+    case Op::own_count:
+    case Op::own_cell:
+      return std::string(term.field) + cell_text(term.cell);
     default:
       return is_of_vertex(term.op) || term.op == Op::taken ? std::string(name->name) + cell_text(term.cell)
                                                            : std::string(name->form);
@@ -97,11 +101,12 @@ bool is_value(Op op) {
 }
 
 bool is_of_vertex(Op op) {
-  return op >= Op::g && op <= Op::consistent;
+  return op >= Op::g && op <= Op::own_cell;
 }
 
 bool is_cost(Op op) {
-  return op == Op::g || op == Op::rhs || op == Op::dist || op == Op::k1 || op == Op::k2 || op == Op::km;
+  return op == Op::g || op == Op::rhs || op == Op::dist || op == Op::k1 || op == Op::k2 ||
+         op == Op::own_cost || op == Op::km;
 }
 
 }  // namespace replan

@@ -16,6 +16,7 @@
 
 #include "core/base/cell.hpp"
 #include "core/base/result.hpp"
+#include "core/plan/registry.hpp"
 
 namespace replan {
 
@@ -41,6 +42,9 @@ enum class Op : std::uint8_t {
   known,
   wall,
   consistent,
+  own_cost,  ///< of a planner's own: Term::field says which
+  own_count,
+  own_cell,
   // Values of the run
   km,
   queue_size,
@@ -101,6 +105,7 @@ struct Term {
   std::uint16_t left = 0, right = 0;      ///< the only one is `left`
   double number = 0;                      ///< of Op::number_literal; the line of Op::on_line
   Cell cell = {0, 0};                     ///< of Op::cell_literal and of values of a vertex
+  std::string_view field = {};            ///< of a planner's own value: its name
   friend bool operator==(const Term&, const Term&) = default;
 };
 
@@ -126,12 +131,16 @@ inline constexpr int kDeepestNesting = 64;
 inline constexpr std::size_t kLongestExpression = 16384;
 
 /// Reads an expression of any type. Errors give the character, counted from 1, and the mend:
-/// "character 1: 'g' needs a cell: g(x, y)".
-Result<Condition> parse_expression(std::string_view text, WorldSize world);
+/// "character 1: 'g' needs a cell: g(x, y)". What planners keep for each vertex of their own may be named too; where
+/// a planner has no such value it is 0, infinite or none.
+Result<Condition> parse_expression(std::string_view text, WorldSize world,
+                                   std::span<const Field> own = own_fields());
 /// Reads one that is true or false, for a breakpoint.
-Result<Condition> parse_condition(std::string_view text, WorldSize world);
+Result<Condition> parse_condition(std::string_view text, WorldSize world,
+                                  std::span<const Field> own = own_fields());
 /// Reads one that is a number, for a watch.
-Result<Condition> parse_quantity(std::string_view text, WorldSize world);
+Result<Condition> parse_quantity(std::string_view text, WorldSize world,
+                                 std::span<const Field> own = own_fields());
 
 /// The expression in its one spelling, which reads back to an equal one.
 std::string expression_text(const Condition& condition);

@@ -21,7 +21,8 @@ const char* words(ValueType type) {
 
 class ConditionParser {
  public:
-  ConditionParser(std::string_view text, WorldSize world) : in_(text), world_(world) {}
+  ConditionParser(std::string_view text, WorldSize world, std::span<const Field> own)
+      : in_(text), world_(world), own_(own) {}
 
   Result<Condition> read(std::optional<ValueType> wanted) {
     if (in_.rest().size() > kLongestExpression)
@@ -177,6 +178,8 @@ class ConditionParser {
     const auto fits = [&](const ConditionName& each) {
       return each.name == name && (each.form.find('(') != std::string_view::npos) == called;
     };
+    for (const Field& field : own_)
+      if (field.name == name) return own_value(begin, field);
     const auto same = [&](const ConditionName& each) { return each.name == name; };
     auto found = std::find_if(names.begin(), names.end(), fits);
     if (found != names.end()) return known_name(begin, *found);
@@ -188,6 +191,20 @@ class ConditionParser {
                              std::string(found->form));
   }
 
+  /// A value that some planner keeps of its own.
+  Index own_value(std::size_t begin, const Field& field) {
+    const bool cost = field.type == FieldType::cost, leads = field.type == FieldType::node;
+    Term term{.op = cost    ? Op::own_cost
+                    : leads ? Op::own_cell
+                            : Op::own_count,
+              .type = leads ? ValueType::cell : ValueType::number};
+    const auto where = cell("'" + std::string(field.name) + "'", std::string(field.name) + "(x, y)");
+    if (!where) return std::nullopt;
+    term.cell = *where;
+    term.field = field.name;
+    return add(begin, term);
+  }
+
   Index unknown_name(std::size_t begin, std::string_view name) {
     if (name == "and" || name == "or" || name == "not")
       return failed(begin, "a value is missing; '" + std::string(name) + "' is written " +
@@ -196,6 +213,7 @@ class ConditionParser {
                                                : "'!'"));
     std::vector<std::string_view> all = {"inf", "true", "false", "none"};
     for (const ConditionName& each : condition_names()) all.push_back(each.name);
+    for (const Field& field : own_) all.push_back(field.name);
     const std::string_view nearest = nearest_name(name, all);
     const std::string_view bare = name.substr(0, 40);
     return failed(begin,
@@ -296,22 +314,23 @@ class ConditionParser {
 
   ConditionScanner in_;
   WorldSize world_;
+  std::span<const Field> own_;
   int depth_ = 0;
   Condition condition_;
 };
 
 }  // namespace
 
-Result<Condition> parse_expression(std::string_view text, WorldSize world) {
-  return ConditionParser(text, world).read(std::nullopt);
+Result<Condition> parse_expression(std::string_view text, WorldSize world, std::span<const Field> own) {
+  return ConditionParser(text, world, own).read(std::nullopt);
 }
 
-Result<Condition> parse_condition(std::string_view text, WorldSize world) {
-  return ConditionParser(text, world).read(ValueType::truth);
+Result<Condition> parse_condition(std::string_view text, WorldSize world, std::span<const Field> own) {
+  return ConditionParser(text, world, own).read(ValueType::truth);
 }
 
-Result<Condition> parse_quantity(std::string_view text, WorldSize world) {
-  return ConditionParser(text, world).read(ValueType::number);
+Result<Condition> parse_quantity(std::string_view text, WorldSize world, std::span<const Field> own) {
+  return ConditionParser(text, world, own).read(ValueType::number);
 }
 
 }  // namespace replan

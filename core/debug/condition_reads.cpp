@@ -39,6 +39,13 @@ KindSet kinds_of(Op op) {
   }
 }
 
+KindSet kinds_of(const Term& term, const SearchValues& values) {
+  if (term.field.empty()) return kinds_of(term.op);
+  for (const Field& field : values.fields)
+    if (field.name == term.field) return {field.kind};
+  return {};
+}
+
 std::optional<Scalar> scalar_of(Op op) {
   switch (op) {
     case Op::km:

@@ -12,6 +12,8 @@ namespace replan {
 
 /// The kinds of events that write what a value of a vertex, or of all of them, is made of.
 KindSet kinds_of(Op op);
+/// The same of a term that may be about a value of a planner's own.
+KindSet kinds_of(const Term& term, const SearchValues& values);
 /// The value of the run that a term names.
 std::optional<Scalar> scalar_of(Op op);
 /// The kinds of events that event(NAME) is about; none for what checkers say.

@@ -44,7 +44,7 @@ void Probe::collect(const Term& term) {
   pulses_ |= asks;
   reads_line_ |= term.op == Op::line || term.op == Op::on_line;
   if (is_of_vertex(term.op))
-    for_kinds(kinds_of(term.op), [&](EventKind kind) { collect_slot(kind, node_of(term)); });
+    for_kinds(kinds_of(term, *values_), [&](EventKind kind) { collect_slot(kind, node_of(term)); });
   if (const auto scalar = scalar_of(term.op)) collect_slot(EventKind::scalar, static_cast<NodeId>(*scalar));
   if (term.op == Op::queue_size) walked_.add(EventKind::queue);
   if (term.op == Op::expansions) noted_.add(EventKind::visit);

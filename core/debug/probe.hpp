@@ -103,6 +103,7 @@ class Probe {
   [[nodiscard]] Number number(const Term& term);
   [[nodiscard]] Number cost(std::uint64_t raw) const;
   [[nodiscard]] NodeId cell(const Term& term);
+  [[nodiscard]] std::uint64_t own(const Term& term, std::uint64_t otherwise);
   [[nodiscard]] bool happens(const Term& term);
   [[nodiscard]] bool event_is(Happening happening);
   [[nodiscard]] bool changes(const Term& value);

@@ -77,6 +77,13 @@ Probe::Number Probe::cost(std::uint64_t raw) const {
   return {cost.to_double(), cost.raw};
 }
 
+/// A value of the planner's own, or what stands for one that it has not.
+std::uint64_t Probe::own(const Term& term, std::uint64_t otherwise) {
+  for (const Field& field : values_->fields)
+    if (field.name == term.field) return raw(field.kind, node_of(term));
+  return otherwise;
+}
+
 Probe::Number Probe::number(const Term& term) {
   const auto key = [&](auto&& cost_in_queue) {
     const std::uint64_t held = raw(EventKind::queue, node_of(term));
@@ -98,6 +105,10 @@ Probe::Number Probe::number(const Term& term) {
       return key([&](std::uint64_t) {
         return std::min(raw(EventKind::g, node_of(term)), raw(EventKind::rhs, node_of(term)));
       });
+    case Op::own_cost:
+      return cost(own(term, fields::kInfinite));
+    case Op::own_count:
+      return count(own(term, 0));
     case Op::order:
       return count(raw(EventKind::visit, node_of(term)) & 0xFFFFFFFFu);
     case Op::times:
@@ -125,6 +136,7 @@ Probe::Number Probe::number(const Term& term) {
 }
 
 NodeId Probe::cell(const Term& term) {
+  if (term.op == Op::own_cell) return static_cast<NodeId>(own(term, 0)) - 1u;
   if (term.op == Op::cell_literal) return term.cell == kNowhere ? kNoNode : node_of(term);
   const auto scalar = scalar_of(term.op);
   const std::uint64_t held = scalar ? raw(EventKind::scalar, static_cast<NodeId>(*scalar))
@@ -178,7 +190,7 @@ bool Probe::event_is(Happening happening) {
 bool Probe::changes(const Term& term) {
   const Event event = log_->event(position_ - 1);
   const auto scalar = scalar_of(term.op);
-  const KindSet kinds = kinds_of(term.op);
+  const KindSet kinds = kinds_of(term, *values_);
   const bool touched =
       scalar ? event.kind == EventKind::scalar && event.node == static_cast<NodeId>(*scalar)
              : (kinds.has(event.kind) && (!is_of_vertex(term.op) || event.node == node_of(term))) ||

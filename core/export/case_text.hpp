@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/debug/log_view.hpp"
-#include "core/world/ascii_map.hpp"
+#include "core/world/formats/ascii_map.hpp"
 #include "core/world/scenario.hpp"
 
 namespace replan {

@@ -2,8 +2,8 @@
 #include <charconv>
 
 #include "core/export/case_text.hpp"
+#include "core/world/formats/text_lines.hpp"
 #include "core/world/json_reader.hpp"
-#include "core/world/text_lines.hpp"
 
 namespace replan {
 namespace {

@@ -38,6 +38,20 @@ std::span<const PlannerInfo> sound_planners() {
   return {all.begin(), first};
 }
 
+std::span<const Field> own_fields() {
+  static const std::vector<Field> all = [] {
+    std::vector<Field> fields;
+    for (const PlannerInfo& info : planners())
+      for (const Field& field : info.values.fields) {
+        const auto same = [&](const Field& other) { return other.name == field.name; };
+        if (is_own_field(field.kind) && std::none_of(fields.begin(), fields.end(), same))
+          fields.push_back(field);
+      }
+    return fields;
+  }();
+  return all;
+}
+
 const PlannerInfo* find_planner(std::string_view id) {
   return find_by_id(planners(), id);
 }

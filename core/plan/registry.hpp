@@ -26,12 +26,12 @@ struct PlannerInfo {
   std::vector<Parameter> parameters;
   SearchValues values = best_first_values();
   KeyRule key = key_rule<GPlusH>();  ///< of best_first_values()
-  bool exercise = false;     ///< broken on purpose, to learn finding it: not among "all" planners
-  bool incremental = false;  ///< repairs its plan instead of starting afresh
-  bool any_angle = false;    ///< its paths leave the lattice's directions
-  bool from_goal = false;    ///< searches from the goal: g is the cost to go
-  bool clearance = false;    ///< pays for coming near obstacles
-  bool sight = false;        ///< asks for lines of sight
+  bool exercise = false;             ///< broken on purpose, to learn finding it: not among "all" planners
+  bool incremental = false;          ///< repairs its plan instead of starting afresh
+  bool any_angle = false;            ///< its paths leave the lattice's directions
+  bool from_goal = false;            ///< searches from the goal: g is the cost to go
+  bool clearance = false;            ///< pays for coming near obstacles
+  bool sight = false;                ///< asks for lines of sight
   /// With these settings a path is at most so many times as long as a shortest lattice path: 1 if it is never
   /// longer, infinite if there is no bound (only where a planner is meant to fail).
   double (*length_bound)(const Settings& settings) = nullptr;
@@ -46,6 +46,8 @@ struct PlannerInfo {
 std::span<const PlannerInfo> planners();
 /// All but the exercises, which come last in planners.def.
 std::span<const PlannerInfo> sound_planners();
+/// The values that planners keep of their own, each name once.
+std::span<const Field> own_fields();
 /// The planner of that id, or nullptr.
 const PlannerInfo* find_planner(std::string_view id);
 /// As find_planner(), with an error that suggests the nearest id.

@@ -74,7 +74,7 @@ struct ReplaceMap {
   std::optional<Cell> start;
   std::optional<Cell> goal;
 };
-/// As ReplaceMap, with a map made by a generator (core/world/generator_list.hpp).
+/// As ReplaceMap, with a map made by a generator (core/world/generators/list.hpp).
 struct GenerateWorld {
   std::string generator;
   Settings settings;

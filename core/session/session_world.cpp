@@ -4,7 +4,7 @@
 #include "core/base/words.hpp"
 #include "core/session/session.hpp"
 #include "core/world/ends.hpp"
-#include "core/world/generator_list.hpp"
+#include "core/world/generators/list.hpp"
 
 namespace replan {
 namespace {

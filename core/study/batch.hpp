@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/world/movingai.hpp"
+#include "core/world/formats/movingai.hpp"
 #include "core/world/scenario.hpp"
 
 namespace replan {

@@ -24,11 +24,11 @@ enum class FieldType : std::uint8_t {
 /// One value per node. A planner declares those that it writes (PlannerInfo::fields); windows, conditions,
 /// histories and exports read what it has declared.
 struct Field {
-  EventKind kind{};       ///< its id in events
-  std::string_view name;  ///< in files and conditions: "rhs"
+  EventKind kind{};            ///< its id in events
+  std::string_view name = {};  ///< in files and conditions: "rhs"
   FieldType type = FieldType::cost;
-  std::string_view label;  ///< in the window, next to a value: "rhs"
-  std::string_view help;   ///< a sentence that teaches
+  std::string_view label = {};  ///< in the window, next to a value: "rhs"
+  std::string_view help = {};   ///< a sentence that teaches
   std::uint64_t initial = 0;
   bool forgotten = true;                         ///< an epoch makes it `initial` again
   std::span<const std::string_view> names = {};  ///< of FieldType::name

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "core/plan/parameters.hpp"
-#include "core/world/text_lines.hpp"
+#include "core/world/formats/text_lines.hpp"
 
 namespace replan {
 namespace {

@@ -4,13 +4,13 @@
 #include <array>
 
 #include "core/base/file.hpp"
-#include "core/world/ascii_map.hpp"
-#include "core/world/image_map.hpp"
-#include "core/world/movingai.hpp"
-#include "core/world/npy_map.hpp"
-#include "core/world/ros_map.hpp"
-#include "core/world/sbpl_cfg.hpp"
-#include "core/world/voxel_map.hpp"
+#include "core/world/formats/ascii_map.hpp"
+#include "core/world/formats/image_map.hpp"
+#include "core/world/formats/movingai.hpp"
+#include "core/world/formats/npy_map.hpp"
+#include "core/world/formats/ros_map.hpp"
+#include "core/world/formats/sbpl_cfg.hpp"
+#include "core/world/formats/voxel_map.hpp"
 
 namespace replan {
 namespace {

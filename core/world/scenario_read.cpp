@@ -6,11 +6,11 @@
 #include "core/debug/condition.hpp"
 #include "core/plan/registry.hpp"
 #include "core/plan/stage.hpp"
+#include "core/world/formats/movingai.hpp"
+#include "core/world/formats/text_lines.hpp"
 #include "core/world/json_reader.hpp"
 #include "core/world/map_file.hpp"
-#include "core/world/movingai.hpp"
 #include "core/world/scenario.hpp"
-#include "core/world/text_lines.hpp"
 
 // Keys and ranges stand in assets/scenario.schema.json too; tests/unit/world_scenario_test.cpp holds the two
 // together.

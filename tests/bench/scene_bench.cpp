@@ -3,7 +3,7 @@
 
 #include "core/scene/scene.hpp"
 #include "core/session/session.hpp"
-#include "core/world/generators.hpp"
+#include "core/world/generators/generators.hpp"
 
 namespace replan {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/base/file.hpp"
 #include "core/plan/registry.hpp"
-#include "core/world/movingai.hpp"
+#include "core/world/formats/movingai.hpp"
 
 namespace replan::bench {
 namespace {

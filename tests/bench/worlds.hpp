@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/cell.hpp"
-#include "core/world/generators.hpp"
+#include "core/world/generators/generators.hpp"
 #include "core/world/scenario.hpp"
 
 namespace replan {

@@ -4,11 +4,11 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-#include "core/world/generator_list.hpp"
+#include "core/world/formats/movingai.hpp"
+#include "core/world/formats/voxel_map.hpp"
+#include "core/world/generators/list.hpp"
 #include "core/world/map_file.hpp"
-#include "core/world/movingai.hpp"
 #include "core/world/scenario.hpp"
-#include "core/world/voxel_map.hpp"
 #include "tests/cli/child.hpp"
 
 namespace replan::test::convert_test {

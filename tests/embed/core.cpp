@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "core/sim/mission.hpp"
-#include "core/world/generators.hpp"
+#include "core/world/generators/generators.hpp"
 #include "core/world/map_file.hpp"
 
 int main() {

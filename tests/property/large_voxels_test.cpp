@@ -8,7 +8,7 @@
 #include <sys/resource.h>
 
 #include "core/study/batch.hpp"
-#include "core/world/voxel_map.hpp"
+#include "core/world/formats/voxel_map.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace replan::test::large_voxels_test {

@@ -9,7 +9,7 @@
 
 #include "core/plan/figures.hpp"
 #include "core/plan/registry.hpp"
-#include "core/world/generators.hpp"
+#include "core/world/generators/generators.hpp"
 
 namespace replan::paper_figures_test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "core/plan/figures.hpp"
 #include "core/plan/registry.hpp"
-#include "core/world/movingai.hpp"
+#include "core/world/formats/movingai.hpp"
 #include "tests/support/shared_data.hpp"
 
 namespace replan::test::published_lengths_test {

@@ -9,7 +9,7 @@
 
 #include "core/plan/figures.hpp"
 #include "core/trace/search_state.hpp"
-#include "core/world/generators.hpp"
+#include "core/world/generators/generators.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace replan::test::sight_along_test {

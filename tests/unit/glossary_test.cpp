@@ -9,7 +9,7 @@
 
 #include "core/plan/registry.hpp"
 #include "core/scene/view.hpp"
-#include "core/world/generator_list.hpp"
+#include "core/world/generators/list.hpp"
 
 namespace replan::glossary_test {
 namespace {

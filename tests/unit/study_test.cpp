@@ -7,7 +7,7 @@
 #include "core/plan/registry.hpp"
 #include "core/study/batch.hpp"
 #include "core/study/run_report.hpp"
-#include "core/world/voxel_map.hpp"
+#include "core/world/formats/voxel_map.hpp"
 
 namespace replan::test::study_test {
 namespace {

@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "core/base/file.hpp"
-#include "core/world/ascii_map.hpp"
+#include "core/world/formats/ascii_map.hpp"
+#include "core/world/formats/pnm.hpp"
+#include "core/world/formats/ros_map.hpp"
+#include "core/world/formats/sbpl_cfg.hpp"
 #include "core/world/map_file.hpp"
-#include "core/world/pnm.hpp"
-#include "core/world/ros_map.hpp"
-#include "core/world/sbpl_cfg.hpp"
 #include "core/world/scenario.hpp"
 #include "tests/support/shared_data.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/hash.hpp"
-#include "core/world/generator_list.hpp"
-#include "core/world/generators.hpp"
+#include "core/world/generators/generators.hpp"
+#include "core/world/generators/list.hpp"
 
 namespace replan::world_generators_test {
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/file.hpp"
-#include "core/world/image_map.hpp"
-#include "core/world/jpeg.hpp"
+#include "core/world/formats/image_map.hpp"
+#include "core/world/formats/jpeg.hpp"
 #include "core/world/map_file.hpp"
 #include "tests/support/shared_data.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/file.hpp"
+#include "core/world/formats/movingai.hpp"
 #include "core/world/map_file.hpp"
-#include "core/world/movingai.hpp"
 #include "tests/support/shared_data.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -1,9 +1,9 @@
 // numpy's arrays: what is read, and what is refused with a sentence.
 #include <gtest/gtest.h>
 
-#include "core/world/ascii_map.hpp"
+#include "core/world/formats/ascii_map.hpp"
+#include "core/world/formats/npy_map.hpp"
 #include "core/world/map_file.hpp"
-#include "core/world/npy_map.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace replan::world_npy_test {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/file.hpp"
-#include "core/world/voxel_map.hpp"
+#include "core/world/formats/voxel_map.hpp"
 #include "tests/support/shared_data.hpp"
 #include "tests/support/temporary_folder.hpp"
 

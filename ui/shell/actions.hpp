@@ -48,7 +48,7 @@ struct ActionContext {
   void resize_brush(int by);
   void let_go();
   void delete_selected();
-  // Through the clipboard, as text (core/world/ascii_map.hpp).
+  // Through the clipboard, as text (core/world/formats/ascii_map.hpp).
   void copy_world();
   void copy_state();
   void copy_figures(FiguresFormat format);

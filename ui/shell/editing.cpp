@@ -3,7 +3,7 @@
 
 #include "core/base/words.hpp"
 #include "core/export/case_text.hpp"
-#include "core/world/ascii_map.hpp"
+#include "core/world/formats/ascii_map.hpp"
 #include "ui/shell/actions.hpp"
 #include "ui/tools/select.hpp"
 

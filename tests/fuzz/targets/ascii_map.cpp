@@ -1,4 +1,4 @@
-#include "core/world/ascii_map.hpp"
+#include "core/world/formats/ascii_map.hpp"
 
 #include "tests/fuzz/target.hpp"
 

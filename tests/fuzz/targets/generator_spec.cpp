@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "core/world/generator_list.hpp"
+#include "core/world/generators/list.hpp"
 #include "tests/fuzz/target.hpp"
 
 /// Whether a side could have more than three digits, written out or as in 5e6: such maps take too long to

@@ -1,4 +1,4 @@
-#include "core/world/movingai.hpp"
+#include "core/world/formats/movingai.hpp"
 #include "tests/fuzz/target.hpp"
 
 REPLAN_FUZZ_TARGET(movingai_scen) {

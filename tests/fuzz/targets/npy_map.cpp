@@ -1,4 +1,4 @@
-#include "core/world/npy_map.hpp"
+#include "core/world/formats/npy_map.hpp"
 
 #include <algorithm>
 

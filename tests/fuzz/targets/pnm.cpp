@@ -1,4 +1,4 @@
-#include "core/world/pnm.hpp"
+#include "core/world/formats/pnm.hpp"
 
 #include "tests/fuzz/target.hpp"
 

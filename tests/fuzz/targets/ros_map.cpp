@@ -1,5 +1,5 @@
 // A `.yaml` and behind a line "%%" the picture that it is for.
-#include "core/world/ros_map.hpp"
+#include "core/world/formats/ros_map.hpp"
 
 #include "tests/fuzz/target.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/world/ros_map.hpp"
+#include "core/world/formats/ros_map.hpp"
 #include "tests/fuzz/target.hpp"
 
 REPLAN_FUZZ_TARGET(ros_yaml) {

@@ -1,4 +1,4 @@
-#include "core/world/sbpl_cfg.hpp"
+#include "core/world/formats/sbpl_cfg.hpp"
 
 #include "tests/fuzz/target.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/world/voxel_map.hpp"
+#include "core/world/formats/voxel_map.hpp"
 #include "tests/fuzz/target.hpp"
 
 REPLAN_FUZZ_TARGET(voxel_scen) {

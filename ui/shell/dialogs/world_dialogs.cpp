@@ -7,7 +7,7 @@
 #include <imgui_stdlib.h>
 
 #include "core/base/random.hpp"
-#include "core/world/generator_list.hpp"
+#include "core/world/generators/list.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/dialogs/parts.hpp"
 #include "ui/shell/term_hint.hpp"

@@ -1,10 +1,10 @@
-#include "core/world/sbpl_cfg.hpp"
+#include "core/world/formats/sbpl_cfg.hpp"
 
 #include <cmath>
 
 #include "core/base/file.hpp"
+#include "core/world/formats/text_lines.hpp"
 #include "core/world/json_reader.hpp"
-#include "core/world/text_lines.hpp"
 
 namespace replan {
 namespace {

@@ -1,10 +1,10 @@
-#include "core/world/number_cells.hpp"
+#include "core/world/formats/number_cells.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/world/formats/text_lines.hpp"
 #include "core/world/json_reader.hpp"
-#include "core/world/text_lines.hpp"
 
 namespace replan {
 namespace {

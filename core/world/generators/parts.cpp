@@ -1,4 +1,4 @@
-#include "core/world/generator_parts.hpp"
+#include "core/world/generators/parts.hpp"
 
 #include <string>
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <string>
 
-#include "core/world/generator_parts.hpp"
-#include "core/world/generators.hpp"
+#include "core/world/generators/generators.hpp"
+#include "core/world/generators/parts.hpp"
 
 namespace replan {
 namespace {

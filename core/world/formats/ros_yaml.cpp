@@ -6,9 +6,9 @@
 #include <yaml-cpp/yaml.h>
 
 #include "core/plan/parameters.hpp"
+#include "core/world/formats/ros_map.hpp"
+#include "core/world/formats/text_lines.hpp"
 #include "core/world/json_reader.hpp"
-#include "core/world/ros_map.hpp"
-#include "core/world/text_lines.hpp"
 
 namespace replan {
 namespace {

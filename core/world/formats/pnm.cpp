@@ -1,11 +1,11 @@
-#include "core/world/pnm.hpp"
+#include "core/world/formats/pnm.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <optional>
 
 #include "core/base/cell.hpp"
-#include "core/world/text_lines.hpp"
+#include "core/world/formats/text_lines.hpp"
 
 namespace replan {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/world/generators.hpp"
+#include "core/world/generators/generators.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/random.hpp"
-#include "core/world/generator_parts.hpp"
+#include "core/world/generators/parts.hpp"
 
 namespace replan {
 namespace {

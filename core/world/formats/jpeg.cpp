@@ -1,4 +1,4 @@
-#include "core/world/jpeg.hpp"
+#include "core/world/formats/jpeg.hpp"
 
 #include <algorithm>
 #include <csetjmp>
@@ -9,7 +9,7 @@
 // After jpeglib.h, which it builds on.
 #include <jerror.h>
 
-#include "core/world/text_lines.hpp"
+#include "core/world/formats/text_lines.hpp"
 
 namespace replan {
 namespace {

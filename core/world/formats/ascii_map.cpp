@@ -1,11 +1,11 @@
-#include "core/world/ascii_map.hpp"
+#include "core/world/formats/ascii_map.hpp"
 
 #include <algorithm>
 
 #include "core/base/file.hpp"
-#include "core/world/number_cells.hpp"
-#include "core/world/text_cells.hpp"
-#include "core/world/text_lines.hpp"
+#include "core/world/formats/number_cells.hpp"
+#include "core/world/formats/text_cells.hpp"
+#include "core/world/formats/text_lines.hpp"
 
 namespace replan {
 namespace {

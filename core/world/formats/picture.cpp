@@ -1,4 +1,4 @@
-#include "core/world/picture.hpp"
+#include "core/world/formats/picture.hpp"
 
 #include <cstdlib>
 #include <memory>
@@ -9,10 +9,10 @@
 
 #include "core/base/cell.hpp"
 #include "core/base/file.hpp"
-#include "core/world/jpeg.hpp"
-#include "core/world/pnm.hpp"
-#include "core/world/stb.hpp"
-#include "core/world/text_lines.hpp"
+#include "core/world/formats/jpeg.hpp"
+#include "core/world/formats/pnm.hpp"
+#include "core/world/formats/stb.hpp"
+#include "core/world/formats/text_lines.hpp"
 
 namespace replan {
 namespace {

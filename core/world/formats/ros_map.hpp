@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/base/result.hpp"
+#include "core/world/formats/picture.hpp"
 #include "core/world/map_reading.hpp"
-#include "core/world/picture.hpp"
 
 namespace replan {
 

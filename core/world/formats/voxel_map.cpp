@@ -1,10 +1,10 @@
-#include "core/world/voxel_map.hpp"
+#include "core/world/formats/voxel_map.hpp"
 
 #include <span>
 
 #include "core/base/file.hpp"
-#include "core/world/scen_lines.hpp"
-#include "core/world/text_lines.hpp"
+#include "core/world/formats/scen_lines.hpp"
+#include "core/world/formats/text_lines.hpp"
 
 namespace replan {
 namespace {

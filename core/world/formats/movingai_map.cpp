@@ -1,6 +1,6 @@
 #include "core/base/file.hpp"
-#include "core/world/movingai.hpp"
-#include "core/world/text_lines.hpp"
+#include "core/world/formats/movingai.hpp"
+#include "core/world/formats/text_lines.hpp"
 
 namespace replan {
 namespace {

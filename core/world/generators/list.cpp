@@ -1,8 +1,8 @@
-#include "core/world/generator_list.hpp"
+#include "core/world/generators/list.hpp"
 
 #include <algorithm>
 
-#include "core/world/generators.hpp"
+#include "core/world/generators/generators.hpp"
 #include "core/world/map_file.hpp"
 
 namespace replan {

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "core/base/result.hpp"
+#include "core/world/formats/movingai.hpp"
 #include "core/world/grid_map.hpp"
-#include "core/world/movingai.hpp"
 
 namespace replan {
 

@@ -4,10 +4,10 @@
 
 #include "core/base/file.hpp"
 #include "core/base/words.hpp"
-#include "core/world/movingai.hpp"
-#include "core/world/scen_lines.hpp"
-#include "core/world/text_lines.hpp"
-#include "core/world/voxel_map.hpp"
+#include "core/world/formats/movingai.hpp"
+#include "core/world/formats/scen_lines.hpp"
+#include "core/world/formats/text_lines.hpp"
+#include "core/world/formats/voxel_map.hpp"
 
 namespace replan {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/base/result.hpp"
-#include "core/world/text_lines.hpp"
+#include "core/world/formats/text_lines.hpp"
 
 namespace replan {
 

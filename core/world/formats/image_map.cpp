@@ -1,4 +1,4 @@
-#include "core/world/image_map.hpp"
+#include "core/world/formats/image_map.hpp"
 
 #include "core/base/file.hpp"
 

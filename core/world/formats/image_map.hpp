@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "core/base/result.hpp"
+#include "core/world/formats/picture.hpp"
 #include "core/world/grid_map.hpp"
 #include "core/world/map_reading.hpp"
-#include "core/world/picture.hpp"
 
 namespace replan {
 

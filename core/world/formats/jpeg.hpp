@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/base/result.hpp"
-#include "core/world/picture.hpp"
+#include "core/world/formats/picture.hpp"
 
 namespace replan {
 

@@ -1,7 +1,7 @@
 // The one place where the stb headers are compiled. PNG, BMP, TGA and GIF are read by them (JPEG
 // in core/world/jpeg.cpp, PBM, PGM and PPM in core/world/pnm.cpp); the rest stays out. The headers are
 // system headers, so their warnings are not ours.
-#include "core/world/stb.hpp"
+#include "core/world/formats/stb.hpp"
 
 #include <cstdint>
 #include <cstdlib>

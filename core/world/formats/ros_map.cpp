@@ -1,11 +1,11 @@
-#include "core/world/ros_map.hpp"
+#include "core/world/formats/ros_map.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <numeric>
 
 #include "core/base/file.hpp"
-#include "core/world/pnm.hpp"
+#include "core/world/formats/pnm.hpp"
 
 namespace replan {
 namespace {

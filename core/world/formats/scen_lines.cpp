@@ -1,4 +1,4 @@
-#include "core/world/scen_lines.hpp"
+#include "core/world/formats/scen_lines.hpp"
 
 #include <algorithm>
 #include <cmath>

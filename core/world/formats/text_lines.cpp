@@ -1,4 +1,4 @@
-#include "core/world/text_lines.hpp"
+#include "core/world/formats/text_lines.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,8 +1,8 @@
-#include "core/world/text_cells.hpp"
+#include "core/world/formats/text_cells.hpp"
 
 #include <algorithm>
 
-#include "core/world/text_lines.hpp"
+#include "core/world/formats/text_lines.hpp"
 
 namespace replan {
 namespace {

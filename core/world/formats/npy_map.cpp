@@ -1,4 +1,4 @@
-#include "core/world/npy_map.hpp"
+#include "core/world/formats/npy_map.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -6,8 +6,8 @@
 
 #include "core/base/cell.hpp"
 #include "core/base/file.hpp"
-#include "core/world/number_cells.hpp"
-#include "core/world/text_lines.hpp"
+#include "core/world/formats/number_cells.hpp"
+#include "core/world/formats/text_lines.hpp"
 
 namespace replan {
 namespace {
