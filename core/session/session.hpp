@@ -176,7 +176,7 @@ class Session {
   [[nodiscard]] std::optional<std::size_t> next_change(const GoToChange& command, std::size_t from) const;
   [[nodiscard]] std::optional<std::size_t> next_arrival(std::size_t from) const;
   [[nodiscard]] CheckedLog checked_log() const;
-  [[nodiscard]] WorldSize world_size() const;
+  [[nodiscard]] Box box() const;
   bool update_instruments();
   bool look_for_stops();
   [[nodiscard]] Scenario tidied() const;
@@ -199,11 +199,11 @@ class Session {
   std::optional<HuntTask> hunting_;
   std::uint64_t stopped_log_ = 0;  // where the cursor was stopped
   std::size_t stopped_at_ = 0;
-  WorldSize instruments_world_;  // that breakpoints and watches were read for
-  double owed_ = 0;              // seconds of play not yet shown; negative: the last stop still lasts so long
-  double step_seconds_ = 0;      // how long the last stop lasts in all
-  bool follow_ = true;           // the cursor stays at the end of the log
-  bool catching_up_ = false;     // a pane beside the leading one has yet to run to where it belongs
+  Box instruments_world_;     // that breakpoints and watches were read for
+  double owed_ = 0;           // seconds of play not yet shown; negative: the last stop still lasts so long
+  double step_seconds_ = 0;   // how long the last stop lasts in all
+  bool follow_ = true;        // the cursor stays at the end of the log
+  bool catching_up_ = false;  // a pane beside the leading one has yet to run to where it belongs
   std::uint64_t serials_ = 0, saved_at_ = 0;
   std::size_t taken_up_ = 0;      // unsaved edits that came with the scenario
   std::size_t scripted_ = 0;      // surprises that came with the scenario

@@ -343,12 +343,12 @@ class ScenarioReader {
     if (const auto breakpoints = node.find("breakpoints"))
       for (const JsonNode& item : breakpoints->items(0, kMaxBreakpoints, "a list of at most 64 breakpoints"))
         read_breakpoint(item);
-    const WorldSize size{scenario_.map.width, scenario_.map.height};
+    const Box world = scenario_.map.box();
     if (const auto watches = node.find("watches"))
       for (const JsonNode& item : watches->items(0, kMaxWatches, "a list of at most 16 watches")) {
         scenario_.debug.watches.push_back(item.text());
         if (!item.value().is_string()) continue;
-        if (const auto read = parse_quantity(scenario_.debug.watches.back(), size); !read)
+        if (const auto read = parse_quantity(scenario_.debug.watches.back(), world); !read)
           item.fail(read.error());
       }
   }
@@ -360,9 +360,7 @@ class ScenarioReader {
     Breakpoint breakpoint{condition->text(), true};
     if (const auto enabled = node.find("enabled")) breakpoint.enabled = enabled->toggle();
     if (condition->value().is_string())
-      if (const auto read =
-              parse_condition(breakpoint.condition, {scenario_.map.width, scenario_.map.height});
-          !read)
+      if (const auto read = parse_condition(breakpoint.condition, scenario_.map.box()); !read)
         condition->fail(read.error());
     scenario_.debug.breakpoints.push_back(std::move(breakpoint));
   }
