@@ -80,7 +80,12 @@ TEST(Scenario, ReadsEveryKey) {
   ASSERT_EQ(scenario->surprises.size(), 4u);
   EXPECT_EQ(scenario->surprises[3].goal, (Cell{0, 2}));
   EXPECT_EQ(scenario->surprises[3].robot, (Cell{3, 0}));
-  EXPECT_EQ(scenario->movers, (std::vector<MovingObstacle>{{{{0, 0}, {3, 1}}, 2, 1, 0.5, WayEnd::loop, 3}}));
+  EXPECT_EQ(scenario->movers, (std::vector<MovingObstacle>{{.way = {{0, 0}, {3, 1}},
+                                                            .width = 2,
+                                                            .height = 1,
+                                                            .speed = 0.5,
+                                                            .at_end = WayEnd::loop,
+                                                            .from = 3}}));
   EXPECT_EQ(scenario->surprises[0].at.move, 12);
   EXPECT_TRUE(scenario->surprises[0].announced);
   const std::vector<CellChange> cells = {
