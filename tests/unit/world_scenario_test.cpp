@@ -298,8 +298,10 @@ TEST(Scenario, RefusesWhatIsOutOfPlace) {
   EXPECT_NE(error_with("/replan", 2).find("replan: must be 1, the only version"), std::string::npos);
   EXPECT_NE(error_with("/planners", json::array()).find("must be a list of 1 to 16 planners"),
             std::string::npos);
-  EXPECT_NE(error_with("/map", json::object()).find("needs either 'file' or 'rows'"), std::string::npos);
-  EXPECT_NE(error_with("/map/file", "x.map").find("needs either 'file' or 'rows'"), std::string::npos);
+  EXPECT_NE(error_with("/map", json::object()).find("needs exactly one of 'file', 'rows' and 'layers'"),
+            std::string::npos);
+  EXPECT_NE(error_with("/map/file", "x.map").find("needs exactly one of 'file', 'rows' and 'layers'"),
+            std::string::npos);
   EXPECT_NE(error_with("/map/rows", json::array()).find("must be a list of rows"), std::string::npos);
   EXPECT_NE(error_with("/map/rows/0", "").find("at least one cell"), std::string::npos);
   EXPECT_NE(error_with("/surprises/0/at", json::object()).find("needs exactly one of"), std::string::npos);

@@ -6,6 +6,7 @@
 #include "core/world/ascii_map.hpp"
 #include "ui/canvas_tools.hpp"
 #include "ui/shell/actions.hpp"
+#include "ui/shell/documents.hpp"
 
 namespace replan::ui {
 namespace {
@@ -125,6 +126,8 @@ void ActionContext::paste() {
   if (is_case_text(text)) {
     Result<CaseMoment> moment = parse_case_text(text, "the clipboard");
     if (!moment) return say(panels, moment.error(), true);
+    if (const auto plane = check_plane(moment->scenario.map, ""); !plane)
+      return say(panels, plane.error(), true);
     panels.pasted = std::make_shared<const CaseMoment>(std::move(moment.value()));
     wish = Wish::go_to_pasted;
     return;
