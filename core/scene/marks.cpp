@@ -42,7 +42,7 @@ void build_hatches(SceneContext& context) {
   const float width = context.pixels(1.2);
   for (int y = context.top; y < context.bottom; ++y)
     for (int x = context.left; x < context.right; ++x) {
-      const NodeId node = context.lattice.node(Cell{x, y});
+      const NodeId node = context.node(x, y);
       const bool truth = context.state.truly_blocked(node);
       if (truth == context.state.known_blocked(node)) continue;
       for (const double at : {0.25, 0.75}) {
@@ -98,7 +98,7 @@ void build_arrows(SceneContext& context) {
   const bool signs = context.has(Overlay::consistency);  // they stand where the arrow would
   for (int y = context.top; (local > 0 || remote > 0) && y < context.bottom; ++y)
     for (int x = context.left; x < context.right; ++x) {
-      const NodeId node = context.lattice.node(Cell{x, y});
+      const NodeId node = context.node(x, y);
       if (context.state.known_blocked(node)) continue;
       const NodeId lp = context.state.lp(node), rp = context.state.rp(node);
       if (remote > 0 && rp != kNoNode && rp != node && rp != lp) {
@@ -182,7 +182,7 @@ class StateMarks {
   /// From cell (x, y) to the end of its page or row; returns where to go on.
   int add_stretch(int x, int y) {
     constexpr std::size_t kPage = SearchState::kPage;
-    const NodeId node = context_.lattice.node(Cell{x, y});
+    const NodeId node = context_.node(x, y);
     const auto page = [&](EventKind kind, bool wanted) {
       return wanted ? context_.state.page(kind, node) : nullptr;
     };
@@ -194,10 +194,10 @@ class StateMarks {
     std::size_t at = node % kPage;
     for (; x < end && (queue != nullptr || rhs != nullptr);
          x += step_, at += static_cast<std::size_t>(step_)) {
-      if (queue != nullptr && queue[at] != 0) add_queued({x, y});
+      if (queue != nullptr && queue[at] != 0) add_queued({x, y, context_.slice});
       if (rhs == nullptr) continue;
       const std::uint64_t here = g != nullptr ? g[at] : static_cast<std::uint64_t>(Cost::kInfinityRaw);
-      if (here != rhs[at]) add_sign({x, y}, here > rhs[at]);
+      if (here != rhs[at]) add_sign({x, y, context_.slice}, here > rhs[at]);
     }
     while (x < end) x += step_;
     return x;

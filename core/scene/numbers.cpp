@@ -43,7 +43,7 @@ void build_numbers(SceneContext& context) {
   const bool beside_arrow = context.has(Overlay::lp);
   for (int y = context.top; y < context.bottom; ++y)
     for (int x = context.left; x < context.right; ++x) {
-      const Cell cell{x, y};
+      const Cell cell{x, y, context.slice};
       const NodeId node = context.lattice.node(cell);
       if (context.state.known_blocked(node)) continue;
       if (corners > 0) add_corners(context, cell, node, corners);

@@ -86,7 +86,7 @@ TEST(FreshPlan, IsWhatAPlannerMakesWhenTheGoalHasMoved) {
     for (const Shape& shape : scene.shapes)
       if (const auto* disc = std::get_if<Disc>(&shape); disc != nullptr && disc->glyph == Glyph::target)
         goals.push_back(disc->centre);
-    EXPECT_EQ(goals, (std::vector<Point>{{29.5, 3.5}})) << planner;
+    EXPECT_EQ(goals, (std::vector<Point>{{29.5, 3.5, 0.5}})) << planner;
   }
 }
 
