@@ -513,8 +513,8 @@ TEST(Slice, LinesAndThingsOfOtherLayersAreFaint) {
       const bool here = opacity(line.colour) == 255;
       ++(here ? strong : faint);
       for (const Point& point : line.points) {
-        if (here) EXPECT_TRUE(point.z >= z && point.z <= z + 1) << point.z << " in slice " << z;
-        if (!here) EXPECT_TRUE(point.z <= z || point.z >= z + 1) << point.z << " in slice " << z;
+        const bool within = here ? point.z >= z && point.z <= z + 1 : point.z <= z || point.z >= z + 1;
+        EXPECT_TRUE(within) << point.z << " in slice " << z;
       }
     }
     EXPECT_GE(strong + faint, 2u);
