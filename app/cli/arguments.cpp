@@ -7,6 +7,7 @@
 
 #include "app/cli/output.hpp"
 #include "core/base/file.hpp"
+#include "core/lattice/box_words.hpp"
 #include "core/plan/registry.hpp"
 #include "core/plan/stage.hpp"
 #include "core/world/formats/number_cells.hpp"
@@ -117,17 +118,9 @@ Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids,
   return result;
 }
 
-std::string cell_range(const GridMap& map) {
-  return "x from 0 to " + std::to_string(map.width - 1) + ", y from 0 to " + std::to_string(map.height - 1);
-}
-
-/// A start or goal that must be there and on the map.
-Result<Cell> cell_on_map(std::string_view option, const std::string& text, const GridMap& map,
-                         const std::string& source) {
-  const auto cell = parse_cell(option, text);
-  if (!cell || map.contains(*cell)) return cell;
-  return Error{std::string(option) + " " + text + " is outside the map " + source + ": give " +
-               cell_range(map)};
+/// How a cell of the world is typed.
+const char* cell_form(bool solid) {
+  return solid ? "X,Y,Z" : "X,Y";
 }
 
 /// The world on a map, whose start and goal must be given or stand in its file.
@@ -136,8 +129,8 @@ Result<Scenario> plain_world(const WorldArguments& arguments) {
   if (!file) return Error{file.error()};
   for (const auto& [option, cell] : {std::pair{"--start", &file->start}, std::pair{"--goal", &file->goal}})
     if (!cell->has_value())
-      return Error{std::string(option) + " is missing: give " + option + " X,Y with " +
-                   cell_range(file->map)};
+      return Error{std::string(option) + " is missing: give " + option + " " +
+                   cell_form(file->map.depth > 1) + "; " + range_text(file->map.box())};
   Scenario world;
   world.map = std::move(file->map);
   world.start = *file->start;
@@ -253,11 +246,11 @@ void WorldArguments::declare(CLI::App& command) {
   command.add_option("SCENARIO", scenario, "A scenario file (.json)");
   command
       .add_option("--map", map,
-                  "A map instead: " + map_extensions(MapUse::read_as_plane) +
+                  "A map instead: " + map_extensions(MapUse::read) +
                       ", or generator:ID?KEY=VALUE&... ('replan list generators')")
       ->type_name("FILE");
-  command.add_option("--start", start, "Where the robot starts")->type_name("X,Y");
-  command.add_option("--goal", goal, "Where it is to go")->type_name("X,Y");
+  command.add_option("--start", start, "Where the robot starts")->type_name("X,Y[,Z]");
+  command.add_option("--goal", goal, "Where it is to go")->type_name("X,Y[,Z]");
   command
       .add_option("--unreachable-goal", unreachable_goal,
                   "What it does where the goal cannot be reached: wait, or nearest: go to the reachable cell "
@@ -272,10 +265,10 @@ void WorldArguments::declare(CLI::App& command) {
 Result<MapFile> WorldArguments::load_map() const {
   const auto how = reading.reading();
   if (!how) return Error{how.error()};
-  std::vector<Cell> ends;  // a generated map leaves them free
+  std::vector<Cell> ends;  // a generated map, which is a plane, leaves them free
   for (const auto& [option, text] : {std::pair{"--start", &start}, std::pair{"--goal", &goal}}) {
-    if (text->empty()) continue;
-    const auto cell = parse_cell(option, *text);
+    if (text->empty() || !is_generator_spec(map)) continue;
+    const auto cell = parse_cell(option, *text, false);
     if (!cell) return Error{cell.error()};
     ends.push_back(*cell);
   }
@@ -284,7 +277,7 @@ Result<MapFile> WorldArguments::load_map() const {
   for (const auto& [option, text, cell] :
        {std::tuple{"--start", &start, &file->start}, std::tuple{"--goal", &goal, &file->goal}}) {
     if (text->empty()) continue;
-    const auto given = cell_on_map(option, *text, file->map, map);
+    const auto given = parse_cell_in(file->map.box(), option, *text, "the map " + map);
     if (!given) return Error{given.error()};
     *cell = *given;
   }
@@ -307,7 +300,7 @@ Result<Scenario> WorldArguments::load() const {
   for (const auto& [option, text, cell] :
        {std::tuple{"--start", &start, &world->start}, std::tuple{"--goal", &goal, &world->goal}}) {
     if (!map.empty() || text->empty()) continue;
-    const auto given = cell_on_map(option, *text, world->map, source());
+    const auto given = parse_cell_in(world->map.box(), option, *text, "the map " + source());
     if (!given) return Error{given.error()};
     *cell = *given;
   }
@@ -329,13 +322,29 @@ Result<Scenario> WorldArguments::load() const {
   return world;
 }
 
-Result<Cell> parse_cell(std::string_view option, std::string_view text) {
-  const std::size_t comma = text.find(',');
-  const auto x = number_from<int>(text.substr(0, comma));
-  const auto y = comma == std::string_view::npos ? std::nullopt : number_from<int>(text.substr(comma + 1));
-  if (x && y) return Cell{*x, *y};
-  return Error{std::string(option) + " cannot be '" + std::string(text) +
-               "': give a cell as X,Y in whole numbers, for example " + std::string(option) + " 3,4"};
+Result<Cell> parse_cell(std::string_view option, std::string_view text, bool solid) {
+  std::vector<int> numbers;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    if (const auto number = number_from<int>(text.substr(from, comma - from)))
+      numbers.push_back(*number);
+    else
+      break;
+    from = comma + 1;
+    if (from > text.size() && numbers.size() == (solid ? 3u : 2u))
+      return Cell{numbers[0], numbers[1], solid ? numbers[2] : 0};
+  }
+  return Error{std::string(option) + " cannot be '" + std::string(text) + "': give a cell as " +
+               cell_form(solid) + " in whole numbers, for example " + std::string(option) +
+               (solid ? " 3,4,0" : " 3,4")};
+}
+
+Result<Cell> parse_cell_in(const Box& world, std::string_view option, std::string_view text,
+                           const std::string& where) {
+  const auto cell = parse_cell(option, text, world.solid());
+  if (!cell || world.contains(*cell)) return cell;
+  return Error{std::string(option) + " " + std::string(text) + " is outside " + where + ": " +
+               range_text(world)};
 }
 
 Result<std::int64_t> parse_count(std::string_view option, std::string_view text, std::int64_t low) {

@@ -67,8 +67,11 @@ struct WorldArguments {
   [[nodiscard]] const std::string& source() const { return scenario.empty() ? map : scenario; }
 };
 
-/// Reads "X,Y"; `option` names it in errors.
-Result<Cell> parse_cell(std::string_view option, std::string_view text);
+/// Reads "X,Y", or "X,Y,Z" if the world is `solid`: has more than one layer. `option` names it in errors.
+Result<Cell> parse_cell(std::string_view option, std::string_view text, bool solid);
+/// As parse_cell(); the cell must lie in `world`, which errors call `where`: "the map arena.map".
+Result<Cell> parse_cell_in(const Box& world, std::string_view option, std::string_view text,
+                           const std::string& where);
 /// Reads a whole number of at least `low`.
 Result<std::int64_t> parse_count(std::string_view option, std::string_view text, std::int64_t low);
 /// The parts of "a,b,c", empty ones left out.

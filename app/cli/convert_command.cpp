@@ -8,6 +8,7 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
 #include "core/base/file.hpp"
+#include "core/lattice/box_words.hpp"
 #include "core/study/run_report.hpp"
 #include "core/world/formats/movingai.hpp"
 #include "core/world/formats/voxel_map.hpp"
@@ -31,9 +32,7 @@ struct ConvertArguments {
 std::string described(const GridMap& map) {
   const auto obstacles =
       std::count_if(map.blocked.begin(), map.blocked.end(), [](auto cell) { return cell != 0; });
-  const std::string plane = std::to_string(map.width) + " x " + std::to_string(map.height);
-  return plane + (map.depth == 1 ? " cells, " : " x " + std::to_string(map.depth) + " voxels, ") +
-         counted(obstacles, "obstacle");
+  return size_text(map.box()) + ", " + counted(obstacles, "obstacle");
 }
 
 int done(const ConvertArguments& arguments, const std::string& what, std::span<const std::string> notes) {
@@ -75,6 +74,9 @@ Result<int> write_problem(const ConvertArguments& arguments, const MapFile& file
 Result<int> write_as_map(const ConvertArguments& arguments, const MapFile& file,
                          std::vector<std::string> notes) {
   const std::string extension = file_extension(arguments.out);
+  if (file.map.depth > 1 && extension != ".3dmap")
+    return Error{"'" + arguments.in + "' has three dimensions: give --slice Z with Z from 0 to " +
+                 std::to_string(file.map.depth - 1)};
   if (extension == ".scen") return write_problem(arguments, file, notes);
   if (const auto written = write_map_file(file, arguments.out); !written) return Error{written.error()};
   return done(arguments, described(file.map), notes);
@@ -121,22 +123,20 @@ Result<int> from_scenario(ConvertArguments& arguments) {
   return done(arguments, described(world->map) + ", the map inside", notes);
 }
 
-/// A box of voxels stays one, or one plane of it becomes a map.
-Result<int> from_voxels(const ConvertArguments& arguments) {
-  const auto voxels = read_map(arguments.in);
+/// One plane of a box of voxels becomes a map.
+Result<int> from_slice(const ConvertArguments& arguments) {
+  const std::string in = is_generator_spec(arguments.in) ? "" : file_extension(arguments.in);
+  auto scenario = in == ".json" ? read_scenario(arguments.in) : Scenario{};
+  if (!scenario) return Error{scenario.error()};
+  auto voxels = in == ".3dmap" ? read_map(arguments.in) : std::move(scenario->map);
   if (!voxels) return Error{voxels.error()};
-  const std::string extension = file_extension(arguments.out);
-  if (arguments.slice.empty()) {
-    if (extension != ".3dmap")
-      return Error{"'" + arguments.in + "' has three dimensions: give --slice Z with Z from 0 to " +
-                   std::to_string(voxels->depth - 1)};
-    if (const auto written = write_map(*voxels, arguments.out); !written) return Error{written.error()};
-    return done(arguments, described(*voxels), {});
-  }
+  if (in != ".3dmap" && voxels->depth <= 1)
+    return Error{"--slice is for a box of voxels (.3dmap, or a scenario's), not for '" + arguments.in + "'"};
   const auto z = parse_count("--slice", arguments.slice, 0);
   if (!z) return Error{z.error()};
   auto slice = voxel_slice(*voxels, static_cast<int>(std::min<std::int64_t>(*z, kMaxVoxels)));
   if (!slice) return Error{"--slice " + arguments.slice + ": " + slice.error()};
+  const std::string extension = file_extension(arguments.out);
   if (extension == ".json" || extension == ".scen")
     return Error{"a slice becomes a map, not a scenario: convert it to .map first, then that one"};
   return write_as_map(arguments, {std::move(slice.value())}, {});
@@ -145,9 +145,7 @@ Result<int> from_voxels(const ConvertArguments& arguments) {
 Result<int> convert(ConvertArguments& arguments) {
   const bool generated = is_generator_spec(arguments.in);
   const std::string extension = generated ? "" : file_extension(arguments.in);
-  if (extension == ".3dmap") return from_voxels(arguments);
-  if (!arguments.slice.empty())
-    return Error{"--slice is for a box of voxels (.3dmap), not for '" + arguments.in + "'"};
+  if (!arguments.slice.empty()) return from_slice(arguments);
   if (extension == ".scen")
     return Error{"'" + arguments.in +
                  "' is a list of problems; convert the .map that it is for, or solve it with 'replan batch'"};
@@ -168,6 +166,8 @@ std::string convert_footer() {
          "      Of numpy's array, the cells that are 254 become obstacles.\n"
          "  replan convert Complex.3dmap floor.map --slice 40\n"
          "      One plane of a box of voxels.\n"
+         "  replan convert Complex.3dmap complex.json --start 4,4,40 --goal 90,60,12\n"
+         "      A scenario in the box, its layers inside.\n"
          "  replan convert maps/demo.json demo.txt\n"
          "      A scenario's map as text, to paste.\n\n"
          "Reads maps (" +
@@ -188,10 +188,11 @@ Command add_convert(CLI::App& program) {
   app->add_option("IN", arguments->in, "The file to read, or generator:ID?KEY=VALUE&...")->required();
   app->add_option("OUT", arguments->out, "The file to write; its name's end tells the format")->required();
   app->add_option("--start", arguments->world.start, "Where the robot starts, for formats that hold it")
-      ->type_name("X,Y");
-  app->add_option("--goal", arguments->world.goal, "Where it is to go")->type_name("X,Y");
+      ->type_name("X,Y[,Z]");
+  app->add_option("--goal", arguments->world.goal, "Where it is to go")->type_name("X,Y[,Z]");
   arguments->world.reading.declare(*app);
-  app->add_option("--slice", arguments->slice, "Of a .3dmap: the plane of voxels with this z")
+  app->add_option("--slice", arguments->slice,
+                  "Of a .3dmap, or of a scenario in one: the plane of voxels with this z")
       ->type_name("Z");
   arguments->world.planners.declare(*app);
   app->footer(convert_footer);

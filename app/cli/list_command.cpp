@@ -8,6 +8,7 @@
 #include "app/cli/output.hpp"
 #include "app/cli/window.hpp"
 #include "core/base/file.hpp"
+#include "core/lattice/box_words.hpp"
 #include "core/plan/glossary.hpp"
 #include "core/plan/registry.hpp"
 #include "core/plan/stage.hpp"
@@ -158,14 +159,12 @@ void list_world(const std::string& path, Table& table, Json& json) {
     if (!map) return;
     world.map = std::move(map.value());
   }
-  const std::string size = std::to_string(world.map.width) + " x " + std::to_string(world.map.height);
-  table.add({path, kind, size, world.name});
-  json.push_back({{"path", path},
-                  {"kind", kind},
-                  {"width", world.map.width},
-                  {"height", world.map.height},
-                  {"name", world.name},
-                  {"caption", world.caption}});
+  table.add({path, kind, sides_text(world.map.box()), world.name});
+  Json entry = {{"path", path}, {"kind", kind}, {"width", world.map.width}, {"height", world.map.height}};
+  if (world.map.depth > 1) entry["depth"] = world.map.depth;
+  entry["name"] = world.name;
+  entry["caption"] = world.caption;
+  json.push_back(std::move(entry));
 }
 
 Result<Listing> list_maps() {

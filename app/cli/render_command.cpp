@@ -8,6 +8,7 @@
 #include "app/cli/output.hpp"
 #include "app/render.hpp"
 #include "core/base/file.hpp"
+#include "core/lattice/box_words.hpp"
 #include "core/world/formats/text_lines.hpp"
 
 namespace replan::cli {
@@ -27,6 +28,7 @@ struct RenderArguments {
   std::vector<std::string> actions;
   std::string pin;
   std::string camera;
+  std::string slice;
   std::string panes;
   std::string fps;
   std::string speed;
@@ -76,12 +78,9 @@ Result<void> read_looks(const RenderArguments& arguments, app::RenderRequest& re
 
 Result<void> read_place(const RenderArguments& arguments, app::RenderRequest& request) {
   if (!arguments.pin.empty()) {
-    const auto cell = parse_cell("--pin", arguments.pin);
+    const Box world = request.scenario.map.box();
+    const auto cell = parse_cell_in(world, "--pin", arguments.pin, "the world of " + size_text(world));
     if (!cell) return Error{cell.error()};
-    if (!request.scenario.map.contains(*cell))
-      return Error{"--pin " + arguments.pin + " lies outside the world of " +
-                   std::to_string(request.scenario.map.width) + " x " +
-                   std::to_string(request.scenario.map.height) + " cells"};
     request.pinned = *cell;
   }
   if (arguments.camera.empty()) return {};
@@ -93,6 +92,20 @@ Result<void> read_place(const RenderArguments& arguments, app::RenderRequest& re
     return Error{"--camera cannot be '" + arguments.camera +
                  "': give X,Y,ZOOM, the point in the middle and pixels per cell, for example 12,8.5,48"};
   request.camera = ViewSetup::Camera{numbers[0], numbers[1], numbers[2]};
+  return {};
+}
+
+Result<void> read_slice(const RenderArguments& arguments, app::RenderRequest& request) {
+  if (arguments.slice.empty()) return {};
+  const int depth = request.scenario.map.depth;
+  if (depth == 1)
+    return Error{"--slice is for a world of more than one layer, and " + arguments.world.source() +
+                 " is a plane: leave it out"};
+  const auto z = number_from<int>(arguments.slice);
+  if (!z || *z < 0 || *z >= depth)
+    return Error{"--slice cannot be '" + arguments.slice + "': give a layer of the world, from 0 to " +
+                 std::to_string(depth - 1)};
+  request.slice = *z;
   return {};
 }
 
@@ -154,6 +167,7 @@ Result<int> render(const RenderArguments& arguments) {
   if (const auto moment = read_moment(arguments, request); !moment) return Error{moment.error()};
   if (const auto looks = read_looks(arguments, request); !looks) return Error{looks.error()};
   if (const auto place = read_place(arguments, request); !place) return Error{place.error()};
+  if (const auto slice = read_slice(arguments, request); !slice) return Error{slice.error()};
   if (const auto panes = read_panes(arguments, request); !panes) return Error{panes.error()};
   if (const auto film = read_film(arguments, request); !film) return Error{film.error()};
   std::optional<ProgressBar> bar;
@@ -187,7 +201,9 @@ std::string render_footer() {
          "      What follows the first replan, all planners side by side, at four robot moves per second.\n"
          "  replan render --map arena.map --start 1,11 --goal 40,30 --planner dld-star-lite -o plan.svg "
          "--overlay path,rp\n"
-         "      A drawing of the plan, for a paper.\n\n"
+         "      A drawing of the plan, for a paper.\n"
+         "  replan render maps/decks.json -o deck.png --slice 2 --canvas-only\n"
+         "      One layer of a world in space. What runs and stands in other layers is faint.\n\n"
          "Needs neither a display nor a graphics card. Where nothing else is said, a picture shows the first "
          "plan.\n\n"
          "A film shows the same frames each time. It stands under its name once it is complete; until then "
@@ -226,7 +242,11 @@ Command add_render(CLI::App& program) {
          "check_laws,show_debug; 'replan list actions' shows them")
       ->type_name("NAME[,NAME...]")
       ->allow_extra_args(false);
-  app->add_option("--pin", into.pin, "The cell that is pinned: the Cell tab tells of it")->type_name("X,Y");
+  app->add_option("--pin", into.pin, "The cell that is pinned: the Cell tab tells of it")
+      ->type_name("X,Y[,Z]");
+  app->add_option("--slice", into.slice,
+                  "Of a world of more than one layer: the one that is shown; else that of the start")
+      ->type_name("Z");
   app->add_option(
          "--camera", into.camera,
          "The point in the middle, in cells, and pixels per cell; else the scenario's, else all of the world")

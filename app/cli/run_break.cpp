@@ -47,8 +47,7 @@ Json value_json(const Box& lattice, const TermValue& value) {
     return value.number;
   }
   if (value.node >= lattice.node_count()) return nullptr;
-  const Cell at = lattice.position(value.node);
-  return Json::array({at.x, at.y});
+  return coordinates_of(lattice.position(value.node), lattice.solid());
 }
 
 std::vector<Stop::Value> values_at(const Run& run, const Condition& condition, std::size_t position) {
@@ -208,7 +207,8 @@ std::string conditions_help() {
   std::string text =
       "Conditions (--break) are made with || && ! == != < <= > >= + - * / and parentheses of numbers, inf, "
       "true, "
-      "false,\nnone, cells such as (12, 40), and\n";
+      "false,\nnone, cells such as (12, 40), and what follows; in a world of more than one layer cells are "
+      "(12, 40, 2)\nand x, y becomes x, y, z:\n";
   for (const ConditionName& name : condition_names()) text += row(name.form, name.help);
   text += "The names of event():\n";
   for (const HappeningName& each : happening_names()) text += row(each.name, each.help);

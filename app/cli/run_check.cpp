@@ -18,8 +18,8 @@ using Json = nlohmann::ordered_json;
 /// What came of one planner's run.
 struct Verdict {
   std::string planner;
-  Cell cell;     ///< of the first breach
-  int line = 0;  ///< that wrote last at its vertex
+  std::vector<int> cell;  ///< of the first breach
+  int line = 0;           ///< that wrote last at its vertex
   LawReport laws;
   OracleReport oracle;
 
@@ -47,7 +47,7 @@ Result<Verdict> check(const std::shared_ptr<const Scenario>& scenario, std::size
   verdict.laws = {.on = true, .checked = checker.checked(), .breaches = checker.breach_count(), .first = {}};
   if (!checker.breaches().empty()) {
     verdict.laws.first = checker.breaches().front();
-    verdict.cell = view.lattice.position(verdict.laws.first->node);
+    verdict.cell = coordinates_of(view.lattice.position(verdict.laws.first->node), view.lattice.solid());
     verdict.line = line_of(view.info, view.log, *verdict.laws.first);
   }
   verdict.oracle = {.on = true, .exact = claims_cheapest(view.info, view.settings), .first = {}};
@@ -93,7 +93,7 @@ Json json_of(const Verdict& verdict) {
   if (const auto& first = verdict.laws.first)
     laws["first"] = {{"position", first->position},
                      {"line", verdict.line},
-                     {"cell", {verdict.cell.x, verdict.cell.y}},
+                     {"cell", verdict.cell},
                      {"law", first->law},
                      {"words", first->words}};
   Json oracle = {{"agrees", verdict.oracle.disagreements == 0},

@@ -10,6 +10,7 @@
 #include "app/cli/run_check.hpp"
 #include "app/cli/run_trace.hpp"
 #include "core/base/file.hpp"
+#include "core/lattice/box_words.hpp"
 #include "core/study/figures_table.hpp"
 #include "core/world/ends.hpp"
 
@@ -80,9 +81,10 @@ std::string why_not(const Scenario& world, const RunReport& report) {
 
 std::string summary(const WorldArguments& arguments, const Scenario& world,
                     std::span<const RunReport> reports) {
-  std::string text = arguments.source() + ": " + std::to_string(world.map.width) + " x " +
-                     std::to_string(world.map.height) + " cells, from " + cell_text(world.start) + " to " +
-                     cell_text(world.goal) + "\n\n" + plans_table(reports);
+  const Box box = world.map.box();
+  std::string text = arguments.source() + ": " + size_text(box) + ", from " +
+                     cell_text(world.start, box.solid()) + " to " + cell_text(world.goal, box.solid()) +
+                     "\n\n" + plans_table(reports);
   if (reports.front().robot) text += "\n" + robots_table(reports);
   std::string failures;
   for (const RunReport& report : reports)
@@ -150,7 +152,7 @@ Result<int> run(const RunArguments& arguments) {
     return arguments.stops.run(*world, !arguments.world.map.empty(), arguments.json);
   }
   if (const auto good = check_tables(arguments); !good) return Error{good.error()};
-  if (const auto good = arguments.trace.check(); !good) return Error{good.error()};
+  if (const auto good = arguments.trace.check(world->map.box()); !good) return Error{good.error()};
   std::vector<RunReport> reports;
   bool succeeded = true;
   for (const PlannerChoice& choice : world->planners) {

@@ -68,12 +68,15 @@ void TraceArguments::declare(CLI::App& command) {
       ->type_name("FILE");
 }
 
-Result<void> TraceArguments::check() const {
+Result<void> TraceArguments::check(const Box& world) const {
   if (!file.empty())
-    if (const auto format = trace_format(file); !format) return Error{"--trace: " + format.error()};
+    if (const auto format = trace_format(file, world); !format) return Error{"--trace: " + format.error()};
   if (!map.empty() && file.empty()) return Error{"--trace-map goes with a trace: give --trace FILE too"};
   if (!map.empty() && !map.ends_with(".map"))
     return Error{"--trace-map: Posthoc reads MovingAI maps: end the name of '" + map + "' in .map"};
+  if (!map.empty() && world.solid())
+    return Error{"--trace-map goes with a Posthoc trace, which is of a plane: leave it out in a world of " +
+                 std::to_string(world.depth()) + " layers"};
   return {};
 }
 

@@ -18,8 +18,8 @@ struct TraceArguments {
 
   void declare(CLI::App& command);
   [[nodiscard]] bool given() const { return !file.empty() || !map.empty(); }
-  /// Whether the files can be of the kinds that their names ask for: before anything is run.
-  [[nodiscard]] Result<void> check() const;
+  /// Whether the files can be of the kinds that their names ask for, in such a world: before anything is run.
+  [[nodiscard]] Result<void> check(const Box& world) const;
   /// Runs each of the scenario's planners once more, recording, and writes what was asked for: the whole
   /// mission, or the first plan alone.
   [[nodiscard]] Result<void> write(const Scenario& scenario, bool plan_alone) const;

@@ -20,9 +20,8 @@ struct ShowArguments {
 
 Result<std::optional<Cell>> pinned_cell(const ShowArguments& arguments, const GridMap& map) {
   if (arguments.cell.empty()) return std::optional<Cell>();
-  const auto cell = parse_cell("--cell", arguments.cell);
+  const auto cell = parse_cell_in(map.box(), "--cell", arguments.cell, "the world");
   if (!cell) return Error{cell.error()};
-  if (!map.contains(*cell)) return Error{"--cell " + arguments.cell + " lies outside the world"};
   return std::optional<Cell>(*cell);
 }
 
@@ -67,7 +66,7 @@ Command add_show(CLI::App& program) {
          "The moment: after that many events of the log, or start, plan (the default), replan:N, move:N, end")
       ->type_name("MOMENT");
   app->add_option("--cell", arguments->cell, "List the values around this cell instead of the robot's")
-      ->type_name("X,Y");
+      ->type_name("X,Y[,Z]");
   app->footer(show_footer);
   return {app, [arguments] { return show(*arguments); }};
 }

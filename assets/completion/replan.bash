@@ -39,7 +39,7 @@ _replan_options() {
     render)
       echo "-h --help --map --start --goal --unreachable-goal --robot --threshold --invert --unknown --occupied --planner --set --stage -o --output --size --scale" \
         "--at --at-end --at-plan" \
-        "--overlay --theme --action --pin --camera --canvas-only --panes --fps --speed --hold --from --to"
+        "--overlay --theme --action --pin --camera --slice --canvas-only --panes --fps --speed --hold --from --to"
       ;;
     convert) echo "-h --help --start --goal --threshold --invert --unknown --occupied --slice --planner --set --stage" ;;
     show) echo "-h --help --map --start --goal --unreachable-goal --robot --threshold --invert --unknown --occupied --planner --set --stage --at --cell" ;;
@@ -64,7 +64,7 @@ _replan() {
       return
       ;;
     --theme) COMPREPLY=($(compgen -W "light dark" -- "$cur")); return ;;
-    --map) _replan_files $maps; return ;;
+    --map) _replan_files 3dmap $maps; return ;;
     --unreachable-goal) COMPREPLY=($(compgen -W "wait nearest" -- "$cur")); return ;;
     --unknown) COMPREPLY=($(compgen -W "blocked free unmapped" -- "$cur")); return ;;
     --csv) _replan_files csv; return ;;

@@ -16,6 +16,12 @@ struct Cell {
   friend constexpr auto operator<=>(const Cell&, const Cell&) = default;
 };
 
+/// Whether a box numbers `a` before `b`: layer by layer, row by row.
+constexpr bool in_node_order(Cell a, Cell b) {
+  if (a.z != b.z) return a.z < b.z;
+  return a.y != b.y ? a.y < b.y : a.x < b.x;
+}
+
 /// A cell of a box in space.
 using Voxel = Cell;
 

@@ -4,6 +4,7 @@
 #include <concepts>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/cell.hpp"
 
@@ -13,6 +14,13 @@ namespace replan {
 inline std::string cell_text(Cell cell, bool solid = false) {
   const std::string plane = std::to_string(cell.x) + ", " + std::to_string(cell.y);
   return "(" + plane + (solid ? ", " + std::to_string(cell.z) : "") + ")";
+}
+
+/// The cell's coordinates in files: two of them, or three of a cell in space.
+inline std::vector<int> coordinates_of(Cell cell, bool solid) {
+  std::vector<int> all = {cell.x, cell.y};
+  if (solid) all.push_back(cell.z);
+  return all;
 }
 
 /// "1 cell", "2 cells"

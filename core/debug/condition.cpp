@@ -41,7 +41,7 @@ std::string leaf_text(const Condition& condition, const Term& term) {
     case Op::truth_literal:
       return term.truth ? "true" : "false";
     case Op::cell_literal:
-      return term.cell == kNowhere ? "none" : cell_text(term.cell);
+      return term.cell == kNowhere ? "none" : cell_text(term.cell, condition.solid);
     case Op::on_line:
       return "line(" + literal_text(term.number) + ")";
     case Op::changed:
@@ -51,10 +51,11 @@ std::string leaf_text(const Condition& condition, const Term& term) {
     case Op::own_cost:
     case Op::own_count:
     case Op::own_cell:
-      return std::string(term.field) + cell_text(term.cell);
+      return std::string(term.field) + cell_text(term.cell, condition.solid);
     default:
-      return is_of_vertex(term.op) || term.op == Op::taken ? std::string(name->name) + cell_text(term.cell)
-                                                           : std::string(name->form);
+      return is_of_vertex(term.op) || term.op == Op::taken
+                 ? std::string(name->name) + cell_text(term.cell, condition.solid)
+                 : std::string(name->form);
   }
 }
 

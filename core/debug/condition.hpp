@@ -4,6 +4,7 @@
 //   taken(3, 4) && rp(3, 4) != none
 //   changed(rhs(3, 4))          event(replan)          line(48)
 //
+// In a world of more than one layer cells have three coordinates: g(12, 40, 2).
 // Operators bind as in C: || && == != < <= > >= + - * / and unary ! -. What is about an event is true only at
 // that event; everything else holds for as long as the values say so.
 #pragma once
@@ -16,6 +17,7 @@
 
 #include "core/base/cell.hpp"
 #include "core/base/result.hpp"
+#include "core/lattice/box.hpp"
 #include "core/plan/registry.hpp"
 
 namespace replan {
@@ -112,6 +114,7 @@ struct Term {
 /// An expression that was read: its terms, the last one the whole.
 struct Condition {
   std::vector<Term> terms;
+  bool solid = false;  ///< its cells have three coordinates
 
   [[nodiscard]] const Term& root() const { return terms.back(); }
   [[nodiscard]] bool uses(Op op) const;
@@ -119,27 +122,21 @@ struct Condition {
   friend bool operator==(const Condition&, const Condition&) = default;
 };
 
-/// Columns and rows of the world whose cells an expression may name.
-struct WorldSize {
-  int width = 0, height = 0;
-  friend bool operator==(const WorldSize&, const WorldSize&) = default;
-};
-
 /// The most terms of an expression, how deep they may be nested, and the longest text.
 inline constexpr std::size_t kMostTerms = 200;
 inline constexpr int kDeepestNesting = 64;
 inline constexpr std::size_t kLongestExpression = 16384;
 
-/// Reads an expression of any type. Errors give the character, counted from 1, and the mend:
+/// Reads an expression of any type about a run in `world`, whose cells it may name. Errors give the character, counted from 1, and the mend:
 /// "character 1: 'g' needs a cell: g(x, y)". What planners keep for each vertex of their own may be named too; where
 /// a planner has no such value it is 0, infinite or none.
-Result<Condition> parse_expression(std::string_view text, WorldSize world,
+Result<Condition> parse_expression(std::string_view text, const Box& world,
                                    std::span<const Field> own = own_fields());
 /// Reads one that is true or false, for a breakpoint.
-Result<Condition> parse_condition(std::string_view text, WorldSize world,
+Result<Condition> parse_condition(std::string_view text, const Box& world,
                                   std::span<const Field> own = own_fields());
 /// Reads one that is a number, for a watch.
-Result<Condition> parse_quantity(std::string_view text, WorldSize world,
+Result<Condition> parse_quantity(std::string_view text, const Box& world,
                                  std::span<const Field> own = own_fields());
 
 /// The expression in its one spelling, which reads back to an equal one.
@@ -155,10 +152,12 @@ struct ConditionName {
   Op op;
   ValueType type;
   std::string_view name;  ///< "g"
-  std::string_view form;  ///< "g(x, y)"
+  std::string_view form;  ///< "g(x, y)"; in space see form_text()
   std::string_view help;  ///< one sentence
 };
 std::span<const ConditionName> condition_names();
+/// How a name is written in a world: "g(x, y, z)" where that has more than one layer.
+std::string form_text(std::string_view form, bool solid);
 
 /// A name that event() takes.
 struct HappeningName {

@@ -42,6 +42,14 @@ std::span<const ConditionName> condition_names() {
   return kNames;
 }
 
+std::string form_text(std::string_view form, bool solid) {
+  constexpr std::string_view kPlane = "x, y";
+  std::string text(form);
+  if (const std::size_t at = text.find(kPlane); solid && at != std::string::npos)
+    text.replace(at, kPlane.size(), "x, y, z");
+  return text;
+}
+
 std::span<const HappeningName> happening_names() {
   static constexpr HappeningName kHappenings[] = {
       {Happening::plan, "plan", "A first plan begins."},

@@ -1,6 +1,7 @@
 // Reads expressions by descending through the operators' levels. One pass: each part is checked for its type
 // as soon as it is read, so that an error points at the first thing that is wrong.
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 
@@ -8,6 +9,7 @@
 #include "core/debug/condition.hpp"
 #include "core/debug/condition_operators.hpp"
 #include "core/debug/condition_scanner.hpp"
+#include "core/lattice/box_words.hpp"
 #include "core/plan/parameters.hpp"
 
 namespace replan {
@@ -21,8 +23,10 @@ const char* words(ValueType type) {
 
 class ConditionParser {
  public:
-  ConditionParser(std::string_view text, WorldSize world, std::span<const Field> own)
-      : in_(text), world_(world), own_(own) {}
+  ConditionParser(std::string_view text, const Box& world, std::span<const Field> own)
+      : in_(text), world_(world), own_(own) {
+    condition_.solid = world.solid();
+  }
 
   Result<Condition> read(std::optional<ValueType> wanted) {
     if (in_.rest().size() > kLongestExpression)
@@ -139,7 +143,7 @@ class ConditionParser {
   Index parentheses() {
     const std::size_t begin = in_.at();
     if (looks_like_cell()) {
-      const auto where = cell("a cell", "(x, y)");
+      const auto where = cell("a cell", form_text("(x, y)", world_.solid()));
       return where ? add(begin, {.op = Op::cell_literal, .type = ValueType::cell, .cell = *where})
                    : std::nullopt;
     }
@@ -188,7 +192,7 @@ class ConditionParser {
     if (called) return failed(in_.at(), "'" + std::string(name) + "' takes nothing in parentheses");
     return failed(begin, "'" + std::string(name) + "' needs " +
                              (is_of_vertex(found->op) ? "a cell: " : "what it is about: ") +
-                             std::string(found->form));
+                             form_text(found->form, world_.solid()));
   }
 
   /// A value that some planner keeps of its own.
@@ -198,7 +202,8 @@ class ConditionParser {
                     : leads ? Op::own_cell
                             : Op::own_count,
               .type = leads ? ValueType::cell : ValueType::number};
-    const auto where = cell("'" + std::string(field.name) + "'", std::string(field.name) + "(x, y)");
+    const auto where = cell("'" + std::string(field.name) + "'",
+                            form_text(std::string(field.name) + "(x, y)", world_.solid()));
     if (!where) return std::nullopt;
     term.cell = *where;
     term.field = field.name;
@@ -225,7 +230,7 @@ class ConditionParser {
   Index known_name(std::size_t begin, const ConditionName& name) {
     Term term{.op = name.op, .type = name.type};
     if (is_of_vertex(name.op) || name.op == Op::taken) {
-      const auto where = cell("'" + std::string(name.name) + "'", name.form);
+      const auto where = cell("'" + std::string(name.name) + "'", form_text(name.form, world_.solid()));
       if (!where) return std::nullopt;
       term.cell = *where;
     } else if (name.op == Op::queue_size) {
@@ -247,25 +252,28 @@ class ConditionParser {
     return add(begin, term);
   }
 
-  /// "(12, 40)" inside the world. `who` needs it, `form` shows how.
-  std::optional<Cell> cell(const std::string& who, std::string_view form) {
+  /// "(12, 40)" inside the world, in space "(12, 40, 2)". `who` needs it, `form` shows how.
+  std::optional<Cell> cell(const std::string& who, const std::string& form) {
     const std::size_t begin = in_.at();
-    const auto wrong = [&] {
-      in_.fail(begin, who + " needs " +
-                          (who == "a cell" ? "two whole numbers: " : "a cell in whole numbers: ") +
-                          std::string(form));
+    std::array<std::int64_t, 3> at{};
+    const std::size_t axes = world_.solid() ? 3 : 2;
+    bool read = true, inside = true;
+    std::string written;
+    for (std::size_t axis = 0; axis < axes && read; ++axis) {
+      const auto number = in_.take(axis == 0 ? '(' : ',') ? in_.take_whole() : std::nullopt;
+      read = number.has_value();
+      if (!read) break;
+      at[axis] = *number;
+      inside = inside && *number >= 0 && *number < world_.sides<3>()[axis];
+      written += (axis == 0 ? "(" : ", ") + std::to_string(*number);
+    }
+    if (!read || !in_.take(')')) {
+      const std::string numbers = world_.solid() ? "three whole numbers: " : "two whole numbers: ";
+      in_.fail(begin, who + " needs " + (who == "a cell" ? numbers : "a cell in whole numbers: ") + form);
       return std::nullopt;
-    };
-    if (!in_.take('(')) return wrong();
-    const auto x = in_.take_whole();
-    if (!x || !in_.take(',')) return wrong();
-    const auto y = in_.take_whole();
-    if (!y || !in_.take(')')) return wrong();
-    if (*x >= 0 && *y >= 0 && *x < world_.width && *y < world_.height)
-      return Cell{static_cast<int>(*x), static_cast<int>(*y)};
-    in_.fail(begin, "(" + std::to_string(*x) + ", " + std::to_string(*y) +
-                        ") is outside the world: x goes from 0 to " + std::to_string(world_.width - 1) +
-                        ", y from 0 to " + std::to_string(world_.height - 1));
+    }
+    if (inside) return Cell{static_cast<int>(at[0]), static_cast<int>(at[1]), static_cast<int>(at[2])};
+    in_.fail(begin, written + ") is outside the world: " + range_text(world_));
     return std::nullopt;
   }
   std::optional<double> whole_in_parentheses() {
@@ -282,7 +290,8 @@ class ConditionParser {
     const Index value = unary();
     if (!value) return std::nullopt;
     if (!is_value(condition_.terms[*value].op))
-      return failed(at, "'changed' needs a value of the search: changed(g(x, y)), changed(km)");
+      return failed(at, "'changed' needs a value of the search: changed(" +
+                            form_text("g(x, y)", world_.solid()) + "), changed(km)");
     if (!in_.take(')')) return failed(begin, "'changed' takes one value: a ')' is missing behind it");
     return value;
   }
@@ -313,7 +322,7 @@ class ConditionParser {
   }
 
   ConditionScanner in_;
-  WorldSize world_;
+  Box world_;
   std::span<const Field> own_;
   int depth_ = 0;
   Condition condition_;
@@ -321,15 +330,15 @@ class ConditionParser {
 
 }  // namespace
 
-Result<Condition> parse_expression(std::string_view text, WorldSize world, std::span<const Field> own) {
+Result<Condition> parse_expression(std::string_view text, const Box& world, std::span<const Field> own) {
   return ConditionParser(text, world, own).read(std::nullopt);
 }
 
-Result<Condition> parse_condition(std::string_view text, WorldSize world, std::span<const Field> own) {
+Result<Condition> parse_condition(std::string_view text, const Box& world, std::span<const Field> own) {
   return ConditionParser(text, world, own).read(ValueType::truth);
 }
 
-Result<Condition> parse_quantity(std::string_view text, WorldSize world, std::span<const Field> own) {
+Result<Condition> parse_quantity(std::string_view text, const Box& world, std::span<const Field> own) {
   return ConditionParser(text, world, own).read(ValueType::number);
 }
 

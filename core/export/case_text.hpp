@@ -26,7 +26,7 @@ struct CaseFocus {
 
 /// The world's letters, the run's values, those of the cells in focus and of the first of the open list at
 /// the log's cursor, then the scenario, whole and on one line. Of a world of more than 200 x 200 cells the
-/// letters are those around the focus alone. `scenario` is the one that the log is a run of.
+/// letters are those around the focus alone, of one of many layers those of the layer in focus. `scenario` is the one that the log is a run of.
 std::string case_text(const Scenario& scenario, const LogView& view, const CaseFocus& focus);
 
 /// What a text leads back to.

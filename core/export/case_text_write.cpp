@@ -6,6 +6,7 @@
 #include "core/export/case_text.hpp"
 #include "core/export/json_lines.hpp"
 #include "core/export/trace_text.hpp"
+#include "core/lattice/box_words.hpp"
 #include "core/world/json_reader.hpp"
 
 namespace replan {
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int kWholeWorld = 200;                   // cells along a side that are still drawn all
 constexpr int kPartWidth = 100, kPartHeight = 60;  // of a larger world
+constexpr std::int64_t kMostLetters = 20'000;      // of all layers together; else those of one are drawn
 constexpr int kAround = 3;                         // cells listed on each side of the pin or the robot
 constexpr std::size_t kMostListed = 64, kMostQueued = 20;
 
@@ -42,7 +44,8 @@ std::string number(Cost cost) {
 }
 
 std::string cell_of(const Source& from, NodeId node) {
-  return node < from.view.lattice.node_count() ? cell_text(from.view.lattice.position(node)) : "none";
+  const Box& world = from.view.lattice;
+  return node < world.node_count() ? cell_text(world.position(node), world.solid()) : "none";
 }
 
 /// "name      value"
@@ -143,26 +146,35 @@ int placed(int middle, int length, int size) {
   return std::clamp(middle - length / 2, 0, std::max(0, size - length));
 }
 
+std::string layer_lines(const Source& from, const MapRegion& shown, int z) {
+  std::string text = from.view.lattice.solid() ? labelled("layer", std::to_string(z)) : "";
+  for (int y = shown.y; y < shown.y + shown.height; ++y) {
+    for (int x = shown.x; x < shown.x + shown.width; ++x)
+      text += letter(from, from.view.lattice.node({x, y, z}));
+    text += '\n';
+  }
+  return text;
+}
+
 std::string world_lines(const Source& from) {
   const Box& lattice = from.view.lattice;
   const int width = lattice.width(), height = lattice.height();
+  const Cell middle = from.middle();
   MapRegion shown{0, 0, width, height};
-  std::string title = std::to_string(width) + " x " + std::to_string(height) + " cells";
+  std::string title = size_text(lattice);
   if (width > kWholeWorld || height > kWholeWorld) {
-    const Cell middle = from.middle();
     shown = {placed(middle.x, kPartWidth, width), placed(middle.y, kPartHeight, height),
              std::min(kPartWidth, width), std::min(kPartHeight, height)};
     title += ", of which these begin at " + cell_text({shown.x, shown.y});
   }
+  const bool all_layers = shown.width * shown.height * std::int64_t{lattice.depth()} <= kMostLetters;
   std::string text = labelled("world", title) +
                      labelled("",
                               ". free, @ obstacle, ? one that the robot does not know of, "
                               "! one that is gone without its knowing,") +
                      labelled("", "M moving, S start, G goal, R robot, X robot in an obstacle");
-  for (int y = shown.y; y < shown.y + shown.height; ++y) {
-    for (int x = shown.x; x < shown.x + shown.width; ++x) text += letter(from, lattice.node(Cell{x, y}));
-    text += '\n';
-  }
+  if (lattice.solid() && !all_layers) return text + layer_lines(from, shown, middle.z);
+  for (int z = 0; z < lattice.depth(); ++z) text += layer_lines(from, shown, z);
   return text;
 }
 
@@ -267,17 +279,25 @@ std::string focus_lines(const Source& from) {
   const Box& lattice = from.view.lattice;
   std::vector<NodeId> nodes;
   std::size_t left_out = 0;
-  for (int y = std::max(0, around.y); y < std::min(lattice.height(), around.y + around.height); ++y)
-    for (int x = std::max(0, around.x); x < std::min(lattice.width(), around.x + around.width); ++x) {
-      const NodeId node = lattice.node(Cell{x, y});
-      if (says_nothing(from, node) && (from.focus.region || Cell{x, y} != middle)) continue;
-      if (nodes.size() < kMostListed)
-        nodes.push_back(node);
-      else
-        ++left_out;
-    }
+  const int layers = lattice.solid() ? kAround : 0;
+  for (int z = std::max(0, middle.z - layers); z <= std::min(lattice.depth() - 1, middle.z + layers); ++z)
+    for (int y = std::max(0, around.y); y < std::min(lattice.height(), around.y + around.height); ++y)
+      for (int x = std::max(0, around.x); x < std::min(lattice.width(), around.x + around.width); ++x)
+        nodes.push_back(lattice.node({x, y, z}));
+  std::erase_if(nodes, [&](NodeId node) {
+    return says_nothing(from, node) && (from.focus.region || lattice.position(node) != middle);
+  });
+  if (nodes.size() > kMostListed) {
+    // In space they are many: the nearest ones tell most.
+    if (lattice.solid())
+      std::stable_sort(nodes.begin(), nodes.end(), [&](NodeId a, NodeId b) {
+        return squared_distance(lattice.position(a), middle) < squared_distance(lattice.position(b), middle);
+      });
+    left_out = nodes.size() - kMostListed;
+    nodes.resize(kMostListed);
+  }
   const std::string what = from.focus.region ? "of the region from " + cell_text({around.x, around.y})
-                                             : "around " + cell_text(middle);
+                                             : "around " + cell_text(middle, lattice.solid());
   return labelled("cells", what) + table(from, nodes) +
          (left_out > 0 ? "and " + std::to_string(left_out) + " more\n" : "");
 }
@@ -304,7 +324,9 @@ std::string case_text(const Scenario& scenario, const LogView& view, const CaseF
   const std::vector<NodeId> next = next_queued(from);
   const std::size_t queued = state.queue_size();
   std::string text =
-      std::string(kCaseTitle) + ": pasted into Replan, this text goes to the moment that it shows.\n\n";
+      std::string(kCaseTitle) +
+      (view.lattice.solid() ? ": what follows 'scenario' in the last line is the whole scenario.\n\n"
+                            : ": pasted into Replan, this text goes to the moment that it shows.\n\n");
   text += run_lines(from, queued) + "\n" + world_lines(from) + "\n" + focus_lines(from);
   if (queued > 0) {
     const std::string title = queued == next.size() ? "in order" : "the first " + std::to_string(next.size());

@@ -1,5 +1,6 @@
 #include "core/export/json_lines.hpp"
 
+#include "core/base/words.hpp"
 #include "core/export/trace_text.hpp"
 #include "core/plan/planner.hpp"
 #include "core/sim/mission.hpp"
@@ -43,52 +44,57 @@ Cost as_cost(std::uint64_t raw) {
 JsonLines::JsonLines(const TraceRun& run)
     : run_(run), initial_(run.view.log.state_at(0)), events_(run.view.log.size()) {}
 
+/// Of all layers.
+std::size_t JsonLines::rows() const {
+  return static_cast<std::size_t>(run_.view.lattice.height()) *
+         static_cast<std::size_t>(run_.view.lattice.depth());
+}
+
 /// The opening, a row each of the two maps, and the end of the line.
 std::size_t JsonLines::head_parts() const {
-  return 2 + 2 * static_cast<std::size_t>(run_.view.lattice.height());
+  return 2 + 2 * rows();
 }
 
 void JsonLines::head(std::string& out, std::size_t part) {
   if (part == 0) return opening(out);
-  const auto rows = static_cast<std::size_t>(run_.view.lattice.height());
   if (part == head_parts() - 1) return moving(out);
-  row(out, static_cast<int>((part - 1) % rows), part <= rows);
+  row(out, (part - 1) % rows(), part <= rows());
 }
 
 void JsonLines::opening(std::string& out) const {
   const LogView& view = run_.view;
-  const Json head = {{"format", "replan-trace"},           {"version", kTraceVersion},
-                     {"scenario", run_.scenario},          {"planner", view.info.id},
-                     {"settings", settings_json(view)},    {"width", view.lattice.width()},
-                     {"height", view.lattice.height()},    {"start", {run_.start.x, run_.start.y}},
-                     {"goal", {run_.goal.x, run_.goal.y}}, {"events", events_}};
+  const bool solid = view.lattice.solid();
+  Json head = {{"format", "replan-trace"},        {"version", kTraceVersion},
+               {"scenario", run_.scenario},       {"planner", view.info.id},
+               {"settings", settings_json(view)}, {"width", view.lattice.width()},
+               {"height", view.lattice.height()}};
+  if (solid) head["depth"] = view.lattice.depth();
+  head["start"] = coordinates_of(run_.start, solid);
+  head["goal"] = coordinates_of(run_.goal, solid);
+  head["events"] = events_;
   out += head.dump(-1, ' ', false, Json::error_handler_t::replace);
   out.back() = ',';  // the maps are still to come
 }
 
-void JsonLines::row(std::string& out, int y, bool known) const {
-  if (y == 0) out += known ? "\"known\":[" : "\"walls\":[";
+void JsonLines::row(std::string& out, std::size_t row, bool known) const {
+  if (row == 0) out += known ? "\"known\":[" : "\"walls\":[";
   out += '"';
-  for (int x = 0; x < run_.view.lattice.width(); ++x) {
-    const NodeId node = run_.view.lattice.node(Cell{x, y});
+  const auto width = static_cast<NodeId>(run_.view.lattice.width());
+  const NodeId first = static_cast<NodeId>(row) * width;
+  for (NodeId node = first; node < first + width; ++node)
     out += (known ? initial_.known_blocked(node) : initial_.wall(node)) ? '@' : '.';
-  }
-  out += y + 1 == run_.view.lattice.height() ? "\"]," : "\",";
+  out += row + 1 == rows() ? "\"]," : "\",";
 }
 
-/// What moves: [x, y, how many of them] for each cell.
+/// What moves: [x, y, how many of them] for each cell, [x, y, z, how many of them] in space.
 void JsonLines::moving(std::string& out) const {
   out += "\"moving\":[";
   const std::size_t begin = out.size();
   for (NodeId node = 0; node < initial_.node_count(); ++node) {
     if (!initial_.moving(node)) continue;
     if (out.size() > begin) out += ',';
-    const Cell at = run_.view.lattice.position(node);
-    out += '[';
-    append_whole(out, at.x);
-    out += ',';
-    append_whole(out, at.y);
-    out += ',';
+    cell(out, node);
+    out.back() = ',';
     append_whole(out, initial_.value(EventKind::truth, node) >> 1);
     out += ']';
   }
@@ -105,6 +111,10 @@ void JsonLines::cell(std::string& out, NodeId node) const {
   append_whole(out, at.x);
   out += ',';
   append_whole(out, at.y);
+  if (run_.view.lattice.solid()) {
+    out += ',';
+    append_whole(out, at.z);
+  }
   out += ']';
 }
 

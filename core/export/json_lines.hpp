@@ -20,8 +20,9 @@ class JsonLines final : public TraceEncoder {
   void tail(std::string& out, const SearchState& state) override;
 
  private:
+  [[nodiscard]] std::size_t rows() const;
   void opening(std::string& out) const;
-  void row(std::string& out, int y, bool known) const;
+  void row(std::string& out, std::size_t row, bool known) const;
   void moving(std::string& out) const;
   void cell(std::string& out, NodeId node) const;
   void scalar(std::string& out, Scalar which, std::uint64_t raw) const;

@@ -49,8 +49,15 @@ Result<TraceFormat> trace_format(std::string_view path) {
   return Error{"cannot tell the format of the trace '" + std::string(path) + "': " + mend};
 }
 
+Result<TraceFormat> trace_format(std::string_view path, const Box& world) {
+  Result<TraceFormat> format = trace_format(path);
+  if (!format || *format == TraceFormat::json_lines || !world.solid()) return format;
+  return Error{"Posthoc draws planes, and this world has " + std::to_string(world.depth()) +
+               " layers: end the name of '" + std::string(path) + "' in .jsonl"};
+}
+
 Result<std::unique_ptr<TraceFile>> TraceFile::create(const std::string& path, TraceRun run) {
-  const Result<TraceFormat> format = trace_format(path);
+  const Result<TraceFormat> format = trace_format(path, run.view.lattice);
   if (!format) return Error{format.error()};
   Result<PendingFile> file = PendingFile::create(path);
   if (!file) return Error{file.error()};

@@ -23,6 +23,8 @@ enum class TraceFormat : std::uint8_t {
 
 /// The format that a file's name asks for. The error names the endings that there are.
 Result<TraceFormat> trace_format(std::string_view path);
+/// As trace_format(), for a run in `world`: Posthoc draws planes alone.
+Result<TraceFormat> trace_format(std::string_view path, const Box& world);
 /// The ending of `path` that tells its format: ".trace.yaml". Empty if it has none of them.
 std::string_view trace_ending(std::string_view path);
 

@@ -27,8 +27,9 @@ struct SceneContext {
   const Box& lattice = run.lattice();
   const SearchState& state = run.timeline().state();
   std::size_t cursor = run.timeline().cursor();
-  double zoom = scene.camera.zoom;  ///< device pixels per cell
-  // Cells in sight, the upper ends excluded.
+  double zoom = scene.camera.zoom;                             ///< device pixels per cell
+  int slice = std::clamp(view.slice, 0, lattice.depth() - 1);  ///< the layer that is shown
+  // Cells of it in sight, the upper ends excluded.
   int left = 0, top = 0, right = 0, bottom = 0;
 
   [[nodiscard]] bool has(Overlay overlay) const { return view.overlays.has(overlay); }
@@ -41,12 +42,21 @@ struct SceneContext {
     return std::clamp((zoom / view.scale - from) / (to - from), 0.0, 1.0);
   }
   [[nodiscard]] bool in_sight(Cell cell) const {
-    return cell.x >= left && cell.x < right && cell.y >= top && cell.y < bottom;
+    return cell.z == slice && cell.x >= left && cell.x < right && cell.y >= top && cell.y < bottom;
   }
+  /// The node of a cell of the slice.
+  [[nodiscard]] NodeId node(int x, int y) const { return lattice.node({x, y, slice}); }
+  /// The colour of a thing of so many layers: faint if it does not meet the slice.
+  [[nodiscard]] Colour seen_at(const Point& middle, Colour colour, int thickness = 1) const;
+  /// The radius of the circle in which a ball cuts the slice; 0 if it does not.
+  [[nodiscard]] double cut_radius(const Point& centre, double radius) const;
   static Point centre(Cell cell) { return centre_of(cell); }
   [[nodiscard]] Point centre(NodeId node) const { return centre_of(lattice.position(node)); }
   void add(Shape shape) { scene.shapes.push_back(std::move(shape)); }
 };
+
+/// Adds the way of something of so many layers: faint where it does not meet the slice.
+void add_through_layers(SceneContext& context, Polyline line, int thickness = 1);
 
 // What is always there, from the lowest up; the layers of marks (overlay.hpp) lie between the rim and the routes.
 void build_raster(SceneContext& context);

@@ -4,11 +4,12 @@
 
 namespace replan {
 
-Coverage::Coverage(int columns, int rows, const SearchState& state, EventKind map) {
+Coverage::Coverage(const Box& world, int layer, const SearchState& state, EventKind map) {
+  const int columns = world.width(), rows = world.height();
   allocate(columns, rows);
   if (levels_.empty()) return;
   Level& first = levels_.front();
-  NodeId node = 0;
+  NodeId node = world.node({0, 0, layer});
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x, ++node) {
       const std::uint8_t* page = state.map_page(map, node);
@@ -57,7 +58,7 @@ int count_block(const Run& run, EventKind kind, Cell cell) {
   int count = 0;
   for (int y = cell.y & ~1; y <= std::min(cell.y | 1, lattice.height() - 1); ++y)
     for (int x = cell.x & ~1; x <= std::min(cell.x | 1, lattice.width() - 1); ++x) {
-      const NodeId node = lattice.node(Cell{x, y});
+      const NodeId node = lattice.node({x, y, cell.z});
       count += (kind == EventKind::known ? state.known_blocked(node) : state.truly_blocked(node)) ? 1 : 0;
     }
   return count;
@@ -67,15 +68,17 @@ int count_block(const Run& run, EventKind kind, Cell cell) {
 
 void MapCoverage::recount(const Run& run, const MapEvent& event) {
   const Cell cell = run.lattice().position(event.node);
+  if (cell.z != layer_) return;
   (event.kind == EventKind::known ? known_ : truth_).change(cell, count_block(run, event.kind, cell));
 }
 
-void MapCoverage::follow(const Run& run, const RunDigest& digest) {
+void MapCoverage::follow(const Run& run, const RunDigest& digest, int layer) {
   const Timeline& log = run.timeline();
-  const std::size_t common = run.common_with(log_id_);
+  const std::size_t common = layer == layer_ ? run.common_with(log_id_) : 0;
+  layer_ = layer;
   if (common == 0) {
-    truth_ = Coverage(run.lattice().width(), run.lattice().height(), log.state(), EventKind::truth);
-    known_ = Coverage(run.lattice().width(), run.lattice().height(), log.state(), EventKind::known);
+    truth_ = Coverage(run.lattice(), layer, log.state(), EventKind::truth);
+    known_ = Coverage(run.lattice(), layer, log.state(), EventKind::known);
     position_ = log.cursor();
     counted_.clear();
   }

@@ -14,8 +14,8 @@ namespace replan {
 class Coverage {
  public:
   Coverage() = default;
-  /// Of the true or the known map, as it is in `state`.
-  Coverage(int columns, int rows, const SearchState& state, EventKind map);
+  /// Of a layer of the true or the known map, as it is in `state`.
+  Coverage(const Box& world, int layer, const SearchState& state, EventKind map);
 
   struct Level {
     int columns = 0, rows = 0;
@@ -42,11 +42,11 @@ class Coverage {
   std::vector<Level> levels_;
 };
 
-/// Coverage by the true and by the known map at a run's cursor.
+/// Coverage of one layer by the true and by the known map at a run's cursor.
 class MapCoverage {
  public:
   /// Brings both to the cursor's state.
-  void follow(const Run& run, const RunDigest& digest);
+  void follow(const Run& run, const RunDigest& digest, int layer);
   [[nodiscard]] const Coverage& truth() const { return truth_; }
   [[nodiscard]] const Coverage& known() const { return known_; }
 
@@ -54,6 +54,7 @@ class MapCoverage {
   void recount(const Run& run, const MapEvent& event);
 
   std::uint64_t log_id_ = 0;
+  int layer_ = 0;
   std::size_t position_ = 0;
   std::vector<MapEvent> counted_;  // before that position: what a cut takes out of the log is counted anew
   Coverage truth_, known_;

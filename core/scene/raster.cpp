@@ -115,7 +115,7 @@ void paint_cells(SceneContext& context, CellColours& colours) {
   raster.texels.resize(static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows));
   std::size_t texel = 0;
   for (int y = context.top; y < context.bottom; ++y) {
-    const NodeId row = context.lattice.node(Cell{0, y});
+    const NodeId row = context.node(0, y);
     for (int x = context.left; x < context.right; ++x)
       raster.texels[texel++] = colours.cell(row + static_cast<NodeId>(x));
   }
@@ -154,7 +154,7 @@ void gather_cells(const SceneContext& context, EventKind kind, int first, int la
                   std::vector<std::uint8_t>& shares) {
   shares.assign(static_cast<std::size_t>(context.lattice.width()), 0);
   for (int y = first; y <= last; ++y) {
-    const NodeId row = context.lattice.node(Cell{0, y});
+    const NodeId row = context.node(0, y);
     for (int x = context.left; x < context.right;) {
       const NodeId node = row + static_cast<NodeId>(x);
       const std::size_t at = node % SearchState::kPage;
@@ -175,7 +175,7 @@ unsigned obstacle_opacity(unsigned share) {
 void paint_pixel_row(SceneContext& context, CellColours& colours, const Axis& across, int row,
                      const std::vector<std::uint8_t>& truth, const std::vector<std::uint8_t>& known,
                      Colour* texels) {
-  const NodeId first = context.lattice.node(Cell{0, row});
+  const NodeId first = context.node(0, row);
   for (std::size_t p = 0; p < across.first.size(); ++p) {
     std::uint8_t t = 0, k = 0;
     for (auto block = static_cast<std::size_t>(across.first[p]);
@@ -259,7 +259,7 @@ void build_raster(SceneContext& context) {
   if (context.zoom >= 1) {
     paint_cells(context, colours);
   } else {
-    context.memory.coverage.follow(context.run, context.memory.digest);
+    context.memory.coverage.follow(context.run, context.memory.digest, context.slice);
     paint_pixels(context, colours);
   }
 }

@@ -69,12 +69,14 @@ void add_path(SceneContext& context) {
   Polyline line{points, context.palette.path, context.pixels(3), 0};
   if (searching) line.colour = faded(line.colour, 0.4);
   context.scene.show(Sign::path);
-  context.add(std::move(line));
+  add_through_layers(context, std::move(line));
   if (!context.has(Overlay::rp) || !context.run.info().any_angle) return;
   context.scene.show(Sign::rp);
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
-    context.add(Disc{points[i], context.pixels(4),
-                     searching ? faded(context.palette.accent, 0.5) : context.palette.accent, 0, 0});
+    context.add(Disc{
+        points[i], context.pixels(4),
+        context.seen_at(points[i], searching ? faded(context.palette.accent, 0.5) : context.palette.accent),
+        0, 0});
 }
 
 void add_trail(SceneContext& context) {
@@ -87,7 +89,7 @@ void add_trail(SceneContext& context) {
   if (context.run.travel() < 1 && !line.points.empty()) line.points.back() = robot_point(context);
   if (line.points.size() < 2) return;
   context.scene.show(Sign::trail);
-  context.add(std::move(line));
+  add_through_layers(context, std::move(line));
 }
 
 void add_cross(SceneContext& context, Point at, Colour colour) {
@@ -115,8 +117,12 @@ void add_sight(SceneContext& context) {
     const Colour colour = seen ? context.palette.good : context.palette.bad;
     const Point from = context.centre(event.node), to = context.centre(static_cast<NodeId>(event.delta));
     context.scene.show(seen ? Sign::sight_free : Sign::sight_stopped);
-    context.add(Line{from, to, colour, context.pixels(1.6)});
-    if (!seen) add_cross(context, {(from.x + to.x) / 2, (from.y + to.y) / 2}, colour);
+    if (context.lattice.solid())
+      add_through_layers(context, {{from, to}, colour, context.pixels(1.6), 0});
+    else
+      context.add(Line{from, to, colour, context.pixels(1.6)});
+    const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2, (from.z + to.z) / 2};
+    if (!seen) add_cross(context, middle, context.seen_at(middle, colour));
   }
 }
 
@@ -130,14 +136,16 @@ double heading(const SceneContext& context) {
 void add_sensor(SceneContext& context) {
   const RobotSetup& setup = context.run.scenario().robot;
   if (!context.has(Overlay::sensor) || setup.knowledge == Knowledge::all) return;
+  const Point robot = robot_point(context);
+  const double radius = context.cut_radius(robot, setup.sensor_radius);
+  if (radius <= 0 && context.lattice.solid()) return;
   context.scene.show(Sign::sensor);
-  context.add(Ring{robot_point(context), setup.sensor_radius, context.palette.robot, context.pixels(1.2),
-                   context.pixels(4)});
+  context.add(Ring{robot, radius, context.palette.robot, context.pixels(1.2), context.pixels(4)});
 }
 
 void add_cell_frames(SceneContext& context) {
   const auto frame = [&](Cell cell, Colour colour, double stroke) {
-    if (!context.lattice.contains(cell)) return;
+    if (!context.lattice.contains(cell) || cell.z != context.slice) return;
     const auto x = static_cast<double>(cell.x), y = static_cast<double>(cell.y);
     context.add(Outline{x, y, 1, 1, OutlineShape::square, colour, context.pixels(stroke), 0});
   };
@@ -146,18 +154,24 @@ void add_cell_frames(SceneContext& context) {
   frame(*context.view.pinned, context.palette.accent, 2);
 }
 
+void add_thing(SceneContext& context, Disc disc) {
+  disc.fill = context.seen_at(disc.centre, disc.fill);
+  disc.rim = context.seen_at(disc.centre, disc.rim);
+  context.add(disc);
+}
+
 /// The reachable cell nearest to the goal, where the robot makes for that one.
 void add_nearest(SceneContext& context, float radius) {
   const NodeId aim = context.state.node(Scalar::goal);
   if (aim == kNoNode || aim == context.state.wanted_goal()) return;
   context.scene.show(Sign::nearest);
-  context.add(Polyline{{context.centre(aim), goal_point(context)},
-                       faded(context.palette.goal, 0.7),
-                       context.pixels(1.5),
-                       0,
-                       context.pixels(4)});
-  context.add(Disc{context.centre(aim), radius * 0.8f, context.palette.background, context.palette.goal,
-                   context.pixels(2.5), Glyph::none});
+  add_through_layers(context, {{context.centre(aim), goal_point(context)},
+                               faded(context.palette.goal, 0.7),
+                               context.pixels(1.5),
+                               0,
+                               context.pixels(4)});
+  add_thing(context, {context.centre(aim), radius * 0.8f, context.palette.background, context.palette.goal,
+                      context.pixels(2.5), Glyph::none});
 }
 
 }  // namespace
@@ -177,16 +191,18 @@ void build_things(SceneContext& context) {
   const float rim = context.pixels(2);
   const Palette& palette = context.palette;
   const Scenario& scenario = context.run.scenario();
-  context.add(Disc{context.centre(scenario.start), radius, palette.start, palette.outline, rim, Glyph::dot});
+  add_thing(context,
+            {context.centre(scenario.start), radius, palette.start, palette.outline, rim, Glyph::dot});
   add_nearest(context, radius);
-  context.add(Disc{goal_point(context), radius * 1.15f, palette.goal, palette.outline, rim, Glyph::target});
+  add_thing(context,
+            {goal_point(context), radius * 1.15f, palette.goal, palette.outline, rim, Glyph::target});
   const NodeId robot = robot_node(context);
   const Mark* mark = context.run.mark_at(context.cursor);
   // Before it has moved, the robot would only hide the start.
   if (mark == nullptr || (robot == context.lattice.node(scenario.start) && mark->clock == 0)) return;
   context.scene.show(Sign::robot);
-  context.add(Disc{robot_point(context), radius, palette.robot, palette.outline, rim, Glyph::heading,
-                   heading(context)});
+  add_thing(context, {robot_point(context), radius, palette.robot, palette.outline, rim, Glyph::heading,
+                      heading(context)});
 }
 
 }  // namespace replan

@@ -19,7 +19,8 @@ bool is_to_come(const Run& run, std::size_t surprise) {
 std::vector<Point> way_points(const MovingObstacle& mover) {
   std::vector<Point> points;
   for (const Cell corner : mover.way)
-    points.push_back({corner.x + mover.width / 2.0, corner.y + mover.height / 2.0});
+    points.push_back(
+        {corner.x + mover.width / 2.0, corner.y + mover.height / 2.0, corner.z + mover.depth / 2.0});
   return points;
 }
 

@@ -76,6 +76,7 @@ struct Camera {
 struct View {
   OverlaySet overlays = default_overlays();
   Camera camera;
+  int slice = 0;  ///< the layer that is shown, of a world of more than one
   std::optional<Cell> hovered;
   std::optional<Cell> pinned;
   // By their numbers in the scenario.

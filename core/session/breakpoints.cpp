@@ -8,19 +8,19 @@
 
 namespace replan {
 
-Breakpoints::Reading Breakpoints::read(const std::string& condition, WorldSize world) {
+Breakpoints::Reading Breakpoints::read(const std::string& condition, const Box& world) {
   Result<Condition> read = parse_condition(condition, world);
   if (!read) return {std::nullopt, read.error()};
   return {std::move(read.value()), ""};
 }
 
-void Breakpoints::set_list(std::vector<Breakpoint> list, WorldSize world) {
+void Breakpoints::set_list(std::vector<Breakpoint> list, const Box& world) {
   list_ = std::move(list);
   stopped_.clear();
   read_again(world);
 }
 
-Result<void> Breakpoints::add(const std::string& condition, WorldSize world) {
+Result<void> Breakpoints::add(const std::string& condition, const Box& world) {
   if (list_.size() >= kMaxBreakpoints)
     return Error{"there are " + std::to_string(kMaxBreakpoints) +
                  " breakpoints already, the most there can be: remove one"};
@@ -47,7 +47,7 @@ void Breakpoints::remove(std::size_t index) {
   look_again();
 }
 
-void Breakpoints::read_again(WorldSize world) {
+void Breakpoints::read_again(const Box& world) {
   read_.clear();
   for (const Breakpoint& breakpoint : list_) read_.push_back(read(breakpoint.condition, world));
   look_again();

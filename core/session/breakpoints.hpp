@@ -53,12 +53,12 @@ class Breakpoints {
   // For the session.
 
   /// Takes over a list. What cannot be read on this world stays in it, with its problem.
-  void set_list(std::vector<Breakpoint> list, WorldSize world);
-  Result<void> add(const std::string& condition, WorldSize world);
+  void set_list(std::vector<Breakpoint> list, const Box& world);
+  Result<void> add(const std::string& condition, const Box& world);
   void enable(std::size_t index, bool enabled);
   void remove(std::size_t index);
   /// The world has another size now.
-  void read_again(WorldSize world);
+  void read_again(const Box& world);
   /// A search for all that is wanted, standing at a position of the run.
   [[nodiscard]] StopSearch search(const Run& run, const CheckedLog& checked, std::size_t position);
   [[nodiscard]] bool wants_any() const;
@@ -81,7 +81,7 @@ class Breakpoints {
     std::optional<Condition> condition;
     std::string problem;
   };
-  [[nodiscard]] static Reading read(const std::string& condition, WorldSize world);
+  [[nodiscard]] static Reading read(const std::string& condition, const Box& world);
   [[nodiscard]] bool is_wanted(std::size_t index) const {
     return list_[index].enabled && read_[index].condition;
   }

@@ -149,7 +149,7 @@ class Session {
   [[nodiscard]] std::optional<std::size_t> next_change(const GoToChange& command, std::size_t from) const;
   [[nodiscard]] std::optional<std::size_t> next_arrival(std::size_t from) const;
   [[nodiscard]] CheckedLog checked_log() const;
-  [[nodiscard]] WorldSize world_size() const;
+  [[nodiscard]] Box box() const;
   bool update_instruments();
   bool look_for_stops();
   [[nodiscard]] Scenario tidied() const;
@@ -172,7 +172,7 @@ class Session {
   std::optional<HuntTask> hunting_;
   std::uint64_t stopped_log_ = 0;  // where the cursor was stopped
   std::size_t stopped_at_ = 0;
-  WorldSize instruments_world_;   // that breakpoints and watches were read for
+  Box instruments_world_;         // that breakpoints and watches were read for
   bool follow_ = true;            // the cursor stays at the end of the log
   bool catching_up_ = false;      // a pane beside the leading one has yet to run to where it belongs
   std::size_t stroke_cells_ = 0;  // changed so far by the last stroke of a brush

@@ -6,7 +6,7 @@
 namespace replan {
 
 Result<void> Session::run_command(const AddBreakpoint& command) {
-  if (auto added = breakpoints_.add(command.condition, world_size()); !added)
+  if (auto added = breakpoints_.add(command.condition, box()); !added)
     return Error{"breakpoint '" + command.condition + "': " + added.error()};
   stop_hunt();
   return {};
@@ -27,7 +27,7 @@ Result<void> Session::run_command(const RemoveBreakpoint& command) {
 }
 
 Result<void> Session::run_command(const AddWatch& command) {
-  if (auto added = watches_.add(command.expression, world_size()); !added)
+  if (auto added = watches_.add(command.expression, box()); !added)
     return Error{"watch '" + command.expression + "': " + added.error()};
   return {};
 }
@@ -80,13 +80,13 @@ CheckedLog Session::checked_log() const {
   return result;
 }
 
-WorldSize Session::world_size() const {
-  return {scenario_->map.width, scenario_->map.height};
+Box Session::box() const {
+  return scenario_->map.box();
 }
 
 /// Breakpoints and watches follow what has become of the document, the runs and the cursors.
 bool Session::update_instruments() {
-  const WorldSize world = world_size();
+  const Box world = box();
   if (world != instruments_world_) {
     breakpoints_.read_again(world);
     watches_.read_again(world);
@@ -104,7 +104,7 @@ DebugSetup Session::debug() const {
 }
 
 void Session::take_debug(const DebugSetup& debug) {
-  instruments_world_ = world_size();
+  instruments_world_ = box();
   breakpoints_.set_list(debug.breakpoints, instruments_world_);
   watches_.set_list(debug.watches, instruments_world_);
   stop_hunt();

@@ -29,16 +29,16 @@ void Session::relabel(const std::string& label) {
 /// What the script is still going to write into the rows of `cells` before an edit that is added to it
 /// happens at the robot's step at a mark.
 std::map<NodeId, bool> Session::cells_to_come(const Mark& mark, const std::vector<CellChange>& cells) const {
-  const auto by_row = [](const CellChange& a, const CellChange& b) { return a.cell.y < b.cell.y; };
-  const auto [top, bottom] = std::minmax_element(cells.begin(), cells.end(), by_row);
+  const auto row = [](const CellChange& change) { return std::pair(change.cell.z, change.cell.y); };
+  const auto [top, bottom] = std::minmax_element(
+      cells.begin(), cells.end(), [&](const CellChange& a, const CellChange& b) { return row(a) < row(b); });
   std::map<NodeId, bool> coming;
   for (std::size_t i = 0; i < scenario_->surprises.size() && !cells.empty(); ++i) {
     const Surprise& surprise = scenario_->surprises[i];
     const bool happened = i < mark.fired.size() && mark.fired[i];
     if (happened || !surprise.at.move || *surprise.at.move > mark.clock || surprise.cells.empty()) continue;
     // Row by row, so that most surprises of a large world are passed over by their first and last cell.
-    if (surprise.cells.back().cell.y < top->cell.y || surprise.cells.front().cell.y > bottom->cell.y)
-      continue;
+    if (row(surprise.cells.back()) < row(*top) || row(surprise.cells.front()) > row(*bottom)) continue;
     for (const CellChange& change : surprise.cells)
       coming[run().lattice().node(change.cell)] = change.blocked;
   }
@@ -86,9 +86,8 @@ std::vector<CellChange> Session::real_changes(const std::vector<CellChange>& cel
   std::vector<CellChange> real;
   for (const CellChange& change : cells)
     if (blocked_then(change.cell) != change.blocked) real.push_back(change);
-  std::sort(real.begin(), real.end(), [](const CellChange& a, const CellChange& b) {
-    return std::pair(a.cell.y, a.cell.x) < std::pair(b.cell.y, b.cell.x);
-  });
+  std::sort(real.begin(), real.end(),
+            [](const CellChange& a, const CellChange& b) { return in_node_order(a.cell, b.cell); });
   return real;
 }
 
@@ -96,7 +95,7 @@ Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool anno
                                  std::string label) {
   for (const CellChange& change : cells)
     if (!scenario_->map.contains(change.cell))
-      return Error{"cell " + cell_text(change.cell) + " lies outside the world"};
+      return Error{"cell " + cell_text(change.cell, box().solid()) + " lies outside the world"};
   const Mark* mark = run().mark_for_edit();
   const std::vector<CellChange> real = real_changes(cells, mark);
   if (real.empty()) return {};

@@ -2,16 +2,13 @@
 #include <algorithm>
 
 #include "core/base/words.hpp"
+#include "core/lattice/box_words.hpp"
 #include "core/session/session.hpp"
 #include "core/world/ends.hpp"
 #include "core/world/generators/list.hpp"
 
 namespace replan {
 namespace {
-
-std::string size_text(const GridMap& map) {
-  return std::to_string(map.width) + " x " + std::to_string(map.height);
-}
 
 Result<void> check_surprise(const Surprise& surprise, const GridMap& map) {
   if (surprise.at.move.has_value() == surprise.at.near.has_value())
@@ -21,7 +18,7 @@ Result<void> check_surprise(const Surprise& surprise, const GridMap& map) {
     return Error{"the place that sets off a surprise must lie on the map, with a radius from 0"};
   for (const CellChange& change : surprise.cells)
     if (!map.contains(change.cell))
-      return Error{"cell " + cell_text(change.cell) + " lies outside the world"};
+      return Error{"cell " + cell_text(change.cell, map.box().solid()) + " lies outside the world"};
   if (surprise.cells.empty() && !surprise.goal && !surprise.robot)
     return Error{"the surprise would change nothing: give at least one cell"};
   return {};
@@ -75,11 +72,10 @@ Result<void> Session::run_command(const ScheduleSurprise& command) {
   if (const auto good = check_surprise(command.surprise, scenario_->map); !good) return good;
   Scenario changed = *scenario_;
   Surprise& surprise = changed.surprises.push_back(command.surprise);
-  std::sort(surprise.cells.begin(), surprise.cells.end(), [](const CellChange& a, const CellChange& b) {
-    return std::pair(a.cell.y, a.cell.x) < std::pair(b.cell.y, b.cell.x);
-  });
+  std::sort(surprise.cells.begin(), surprise.cells.end(),
+            [](const CellChange& a, const CellChange& b) { return in_node_order(a.cell, b.cell); });
   const std::string when = surprise.at.move ? "at step " + std::to_string(*surprise.at.move)
-                                            : "near " + cell_text(*surprise.at.near);
+                                            : "near " + cell_text(*surprise.at.near, box().solid());
   commit_in_place("schedule a surprise " + when, std::move(changed), scripted());
   return {};
 }
@@ -105,7 +101,7 @@ Result<void> Session::run_command(const ResizeWorld& command) {
   if (!done) return Error{done.error()};
   const auto lost = std::count_if(done->surprises_lost.begin(), done->surprises_lost.end(),
                                   [this](std::size_t index) { return index < scripted(); });
-  commit("resize to " + size_text(done->scenario.map), 0, std::move(done->scenario),
+  commit("resize to " + sides_text(done->scenario.map.box()), 0, std::move(done->scenario),
          scripted() - static_cast<std::size_t>(lost));
   if (done->ends_moved) say("the start or the goal lay outside and moved to the nearest cell inside");
   if (done->cells_lost > 0)
@@ -123,9 +119,8 @@ Result<void> Session::run_command(const InvertWorld&) {
 Result<void> Session::run_command(const ClearWorld&) {
   std::vector<CellChange> cells;
   const GridMap now = world();
-  for (int y = 0; y < now.height; ++y)
-    for (int x = 0; x < now.width; ++x)
-      if (now.at({x, y})) cells.push_back({{x, y}, false});
+  for (NodeId node = 0; node < now.blocked.size(); ++node)
+    if (now.blocked[node] != kFree) cells.push_back({now.box().position(node), false});
   return edit_cells(cells, true, 0, "clear the world");
 }
 
@@ -143,7 +138,7 @@ Result<void> Session::replace_map(std::string label, GridMap map, std::optional<
   changed.movers.clear();
   changed.view.camera.reset();
   changed.start = {0, 0};
-  changed.goal = {changed.map.width - 1, changed.map.height - 1};
+  changed.goal = {changed.map.width - 1, changed.map.height - 1, changed.map.depth - 1};
   place_ends(changed);
   changed.start = start.value_or(changed.start);
   changed.goal = goal.value_or(changed.goal);
@@ -153,7 +148,8 @@ Result<void> Session::replace_map(std::string label, GridMap map, std::optional<
 }
 
 Result<void> Session::run_command(const ReplaceMap& command) {
-  return replace_map("put in a map of " + size_text(command.map), command.map, command.start, command.goal);
+  return replace_map("put in a map of " + sides_text(command.map.box()), command.map, command.start,
+                     command.goal);
 }
 
 Result<void> Session::run_command(const GenerateWorld& command) {

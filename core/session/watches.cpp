@@ -85,12 +85,12 @@ double Watches::value(std::size_t pane, std::size_t watch) const {
                                                                     : kNone;
 }
 
-void Watches::set_list(std::vector<std::string> list, WorldSize world) {
+void Watches::set_list(std::vector<std::string> list, const Box& world) {
   list_ = std::move(list);
   read_again(world);
 }
 
-Result<void> Watches::add(const std::string& expression, WorldSize world) {
+Result<void> Watches::add(const std::string& expression, const Box& world) {
   if (list_.size() >= kMaxWatches)
     return Error{"there are " + std::to_string(kMaxWatches) +
                  " watches already, the most there can be: remove one"};
@@ -117,7 +117,7 @@ void Watches::remove(std::size_t index) {
     if (index < pane.tracks.size()) pane.tracks.erase(pane.tracks.begin() + at);
 }
 
-void Watches::read_again(WorldSize world) {
+void Watches::read_again(const Box& world) {
   read_.clear();
   problems_.clear();
   panes_.clear();

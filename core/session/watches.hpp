@@ -65,11 +65,11 @@ class Watches {
   // For the session.
 
   using Runs = std::span<const std::unique_ptr<Run>>;
-  void set_list(std::vector<std::string> list, WorldSize world);
-  Result<void> add(const std::string& expression, WorldSize world);
+  void set_list(std::vector<std::string> list, const Box& world);
+  Result<void> add(const std::string& expression, const Box& world);
   void remove(std::size_t index);
   /// The world has another size now.
-  void read_again(WorldSize world);
+  void read_again(const Box& world);
   /// Looks further through the logs, for at most that many milliseconds. True if there is more to show or
   /// to look through.
   bool look(Runs runs, double milliseconds);

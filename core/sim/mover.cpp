@@ -28,6 +28,7 @@ Mover::Mover(const MovingObstacle& setup)
     : cells_(cells_of_way(setup.way)),
       width_(setup.width),
       height_(setup.height),
+      depth_(setup.depth),
       at_end_(setup.at_end),
       pace_(std::max<SimTime>(1, std::llround(static_cast<double>(kSecond) / setup.speed))),
       from_(setup.from) {
@@ -71,7 +72,7 @@ std::int64_t Mover::steps_left(std::int64_t steps) const {
 /// How many cells lie between the box and the cell, and the cell itself; 0 if the box covers it.
 int Mover::gap(Cell corner, Cell cell) const {
   return std::max({0, corner.x - cell.x, cell.x - (corner.x + width_ - 1), corner.y - cell.y,
-                   cell.y - (corner.y + height_ - 1)});
+                   cell.y - (corner.y + height_ - 1), corner.z - cell.z, cell.z - (corner.z + depth_ - 1)});
 }
 
 std::int64_t Mover::open_steps(std::int64_t steps, std::int64_t most,
@@ -89,9 +90,7 @@ std::int64_t Mover::open_steps(std::int64_t steps, std::int64_t most,
   return most;
 }
 
-Crowd::Crowd(const Scenario& scenario) {
-  world_.width = scenario.map.width;
-  world_.height = scenario.map.height;
+Crowd::Crowd(const Scenario& scenario) : world_(scenario.map.box()) {
   for (const MovingObstacle& setup : scenario.movers) movers_.emplace_back(setup);
 }
 
@@ -151,7 +150,7 @@ SharedBytes initial_truth(const Scenario& scenario, bool all_mapped) {
   for (const MovingObstacle& setup : scenario.movers) {
     if (setup.from > 0) continue;
     const Mover mover(setup);
-    mover.each_cell(mover.at(0), scenario.map, [&](Cell cell) {
+    mover.each_cell(mover.at(0), scenario.map.box(), [&](Cell cell) {
       std::uint8_t& at = truth.edit(scenario.map.index(cell));
       at = static_cast<std::uint8_t>(at + kMoverUnit);
     });

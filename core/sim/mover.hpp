@@ -26,7 +26,7 @@ class Mover {
  public:
   explicit Mover(const MovingObstacle& setup);
 
-  /// Its upper left cell after that many steps.
+  /// Its first cell, the upper left one of its lowest layer, after that many steps.
   [[nodiscard]] Cell at(std::int64_t steps) const;
   /// Whether it ever takes another step.
   [[nodiscard]] bool goes_on(std::int64_t steps) const;
@@ -42,15 +42,16 @@ class Mover {
   /// The step of the robot at which it appears.
   [[nodiscard]] std::int64_t from() const { return from_; }
   [[nodiscard]] bool covers(Cell corner, Cell cell) const {
-    return cell.x >= corner.x && cell.y >= corner.y && cell.x < corner.x + width_ &&
-           cell.y < corner.y + height_;
+    return cell.x >= corner.x && cell.y >= corner.y && cell.z >= corner.z && cell.x < corner.x + width_ &&
+           cell.y < corner.y + height_ && cell.z < corner.z + depth_;
   }
-  /// The cells of the world that it covers with its upper left cell at `corner`, row by row.
+  /// The cells of the world that it covers with its first cell at `corner`, row by row.
   template <class Visit>
-  void each_cell(Cell corner, const GridMap& world, const Visit& visit) const {
-    for (int y = std::max(0, corner.y); y < std::min(world.height, corner.y + height_); ++y)
-      for (int x = std::max(0, corner.x); x < std::min(world.width, corner.x + width_); ++x)
-        visit(Cell{x, y});
+  void each_cell(Cell corner, const Box& world, const Visit& visit) const {
+    for (int z = std::max(0, corner.z); z < std::min(world.depth(), corner.z + depth_); ++z)
+      for (int y = std::max(0, corner.y); y < std::min(world.height(), corner.y + height_); ++y)
+        for (int x = std::max(0, corner.x); x < std::min(world.width(), corner.x + width_); ++x)
+          visit(Cell{x, y, z});
   }
 
  private:
@@ -58,7 +59,7 @@ class Mover {
   [[nodiscard]] int gap(Cell corner, Cell cell) const;
 
   std::vector<Cell> cells_;  // of one run over the way; with WayEnd::loop also the way home
-  int width_, height_;
+  int width_, height_, depth_;
   WayEnd at_end_;
   SimTime pace_;
   std::int64_t from_;
@@ -94,7 +95,7 @@ class Crowd {
             std::span<const Cell> keep_clear, std::vector<Change>& changes) const;
 
   std::vector<Mover> movers_;
-  GridMap world_;  // its size
+  Box world_;
 };
 
 /// A way of straight lines through the corners, cell by cell (Bresenham), each cell next to the one before.

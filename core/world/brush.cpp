@@ -43,8 +43,8 @@ std::vector<CellSpan> rectangle_spans(Cell a, Cell b) {
 }
 
 std::vector<Cell> line_cells(Cell from, Cell to) {
-  const int dx = to.x - from.x, dy = to.y - from.y;
-  const int steps = std::max(std::abs(dx), std::abs(dy));
+  const int dx = to.x - from.x, dy = to.y - from.y, dz = to.z - from.z;
+  const int steps = std::max({std::abs(dx), std::abs(dy), std::abs(dz)});
   // In whole numbers: halves are rounded up, whichever machine it is.
   const auto between = [steps](int start, int whole, int i) {
     const std::int64_t twice = std::int64_t{2} * whole * i + steps;
@@ -52,7 +52,8 @@ std::vector<Cell> line_cells(Cell from, Cell to) {
     return start + static_cast<int>(floor);
   };
   std::vector<Cell> cells = {from};
-  for (int i = 1; i <= steps; ++i) cells.push_back({between(from.x, dx, i), between(from.y, dy, i)});
+  for (int i = 1; i <= steps; ++i)
+    cells.push_back({between(from.x, dx, i), between(from.y, dy, i), between(from.z, dz, i)});
   return cells;
 }
 

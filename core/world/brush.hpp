@@ -64,7 +64,7 @@ std::vector<CellSpan> connected_spans(int width, int height, Cell from, const Sa
   return region;
 }
 
-/// The cells of a straight line between two cells (Bresenham), each next to the one before.
+/// The cells of a straight line between two cells (Bresenham), each next to the one before; in space too.
 std::vector<Cell> line_cells(Cell from, Cell to);
 
 }  // namespace replan

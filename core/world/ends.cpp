@@ -9,10 +9,10 @@ namespace {
 /// would see little of the world.
 constexpr int kRoom = 3;
 
-/// The two cells of a set that are nearest to the upper left and to the lower right corner.
+/// The two cells of a set that are nearest to the first corner of the world, the upper left one, and to the last.
 struct Ends {
   std::size_t first = 0, last = 0;
-  std::size_t nearest = SIZE_MAX, farthest = 0;  ///< x + y of the two
+  std::size_t nearest = SIZE_MAX, farthest = 0;  ///< x + y + z of the two
   bool found = false;
 
   [[nodiscard]] bool wants(std::size_t diagonal) const {
@@ -32,11 +32,12 @@ struct Region {
 };
 
 bool has_room(const GridMap& map, std::size_t index) {
-  const auto width = static_cast<std::size_t>(map.width);
-  const Cell at{static_cast<int>(index % width), static_cast<int>(index / width)};
-  for (int y = at.y - kRoom; y <= at.y + kRoom; ++y)
-    for (int x = at.x - kRoom; x <= at.x + kRoom; ++x)
-      if (!map.contains({x, y}) || map.at({x, y})) return false;
+  const Cell at = map.box().position(static_cast<NodeId>(index));
+  const int layers = map.depth > 1 ? kRoom : 0;
+  for (int z = at.z - layers; z <= at.z + layers; ++z)
+    for (int y = at.y - kRoom; y <= at.y + kRoom; ++y)
+      for (int x = at.x - kRoom; x <= at.x + kRoom; ++x)
+        if (!map.contains({x, y, z}) || map.at({x, y, z})) return false;
   return true;
 }
 
@@ -44,13 +45,14 @@ bool has_room(const GridMap& map, std::size_t index) {
 /// memory: the largest maps have 2^26 cells.
 Region region_around(const GridMap& map, std::size_t from, std::vector<std::uint8_t>& seen,
                      const std::stop_token& stop) {
-  const auto width = static_cast<std::size_t>(map.width);
+  const auto width = static_cast<std::size_t>(map.width), height = static_cast<std::size_t>(map.height),
+             layer = width * height;
   Region region;
   std::vector<std::size_t> rim = {from}, next;
   seen[from] = 1;
   for (; !rim.empty() && !stop.stop_requested(); rim.swap(next), next.clear())
     for (const std::size_t at : rim) {
-      const std::size_t x = at % width, here = x + at / width;
+      const std::size_t x = at % width, y = at / width % height, z = at / layer, here = x + y + z;
       const auto visit = [&](bool inside, std::size_t cell) {
         if (!inside || seen[cell] != 0 || map.blocked[cell] != 0) return;
         seen[cell] = 1;
@@ -61,8 +63,10 @@ Region region_around(const GridMap& map, std::size_t from, std::vector<std::uint
       if (region.roomy.wants(here) && has_room(map, at)) region.roomy.take(at, here);
       visit(x > 0, at - 1);
       visit(x + 1 < width, at + 1);
-      visit(at >= width, at - width);
-      visit(at + width < map.blocked.size(), at + width);
+      visit(y > 0, at - width);
+      visit(y + 1 < height, at + width);
+      visit(z > 0, at - layer);
+      visit(at + layer < map.blocked.size(), at + layer);
     }
   return region;
 }
@@ -79,10 +83,7 @@ void place_ends(Scenario& scenario, const std::stop_token& stop) {
     if (found.cells > largest.cells) largest = found;
   }
   if (largest.cells == 0) return;
-  const auto width = static_cast<std::size_t>(map.width);
-  const auto cell = [width](std::size_t index) {
-    return Cell{static_cast<int>(index % width), static_cast<int>(index / width)};
-  };
+  const auto cell = [&map](std::size_t index) { return map.box().position(static_cast<NodeId>(index)); };
   const Ends& ends = largest.roomy.found ? largest.roomy : largest.any;
   scenario.start = cell(ends.first);
   scenario.goal = cell(ends.last);

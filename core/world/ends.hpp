@@ -8,9 +8,9 @@
 
 namespace replan {
 
-/// Puts start and goal at the ends of the largest open region, at its upper left and its lower right, with
-/// some free cells around them if the region has such places. A world without a free cell keeps what it has.
-/// A stop leaves the ends anywhere.
+/// Puts start and goal at the ends of the largest open region, at its upper left and its lower right (in space: in
+/// the lowest layers, in the highest), with some free cells around them if the region has such places. A world
+/// without a free cell keeps what it has. A stop leaves the ends anywhere.
 void place_ends(Scenario& scenario, const std::stop_token& stop = {});
 
 /// Why a start or goal that cannot be planned from is inside an obstacle, if that is since the map's file

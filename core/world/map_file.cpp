@@ -153,13 +153,6 @@ Result<MapFile> read_map_file(const std::string& path, const MapReading& reading
   return format->read(path, reading);
 }
 
-Result<MapFile> read_plane_file(const std::string& path, const MapReading& reading) {
-  Result<MapFile> file = read_map_file(path, reading);
-  if (!file || file->map.depth == 1) return file;
-  return Error{"'" + path + "' has three dimensions; take one plane of it: replan convert " + path +
-               " plane.map --slice Z, with Z from 0 to " + std::to_string(file->map.depth - 1)};
-}
-
 Result<GridMap> read_map(const std::string& path, const MapReading& reading) {
   Result<MapFile> file = read_map_file(path, reading);
   if (!file) return Error{file.error()};

@@ -34,7 +34,7 @@ struct MapFormat {
 std::span<const MapFormat> map_formats();
 /// The format of a file by its name, or nullptr.
 const MapFormat* find_map_format(std::string_view path);
-/// What is done with a map's file; a plane is what missions and the window take.
+/// What is done with a map's file; planes are what the window takes.
 enum class MapUse : std::uint8_t { read, read_as_plane, write };
 /// The extensions of the formats for that, as a text: ".map, .png or .yaml".
 std::string map_extensions(MapUse use);
@@ -42,8 +42,6 @@ std::string map_extensions(MapUse use);
 /// Reads a map with whatever its file holds. An option of `reading` that is not the default and has no
 /// meaning for the format is an error.
 Result<MapFile> read_map_file(const std::string& path, const MapReading& reading = {});
-/// As read_map_file(), but a map of more than one layer is an error that says how to get at one of them.
-Result<MapFile> read_plane_file(const std::string& path, const MapReading& reading = {});
 /// As read_map_file(), the map alone.
 Result<GridMap> read_map(const std::string& path, const MapReading& reading = {});
 /// Whether the options of `reading` have a meaning for a file of that name; the error names the one that has

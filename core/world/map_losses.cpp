@@ -1,6 +1,7 @@
 // What map formats cannot hold, so that nothing is dropped in silence.
 #include <algorithm>
 
+#include "core/base/words.hpp"
 #include "core/world/json_reader.hpp"
 #include "core/world/map_file.hpp"
 #include "core/world/scenario.hpp"
@@ -10,10 +11,6 @@ namespace {
 
 std::string number(double value) {
   return plain_number(value).dump();
-}
-
-std::string cell(Cell c) {
-  return "(" + std::to_string(c.x) + ", " + std::to_string(c.y) + ")";
 }
 
 std::string many(std::size_t count, const std::string& what) {
@@ -29,7 +26,7 @@ void lost_ends(const MapFile& file, const MapFormat& format, std::vector<std::st
   const bool text = format.extension == ".txt";
   for (const auto& [name, end] : {std::pair{"start", &file.start}, std::pair{"goal", &file.goal}}) {
     if (!end->has_value()) continue;
-    const std::string what = std::string("the ") + name + " " + cell(**end);
+    const std::string what = std::string("the ") + name + " " + cell_text(**end, file.map.depth > 1);
     if (!format.ends)
       lost.push_back(cannot_hold(format.extension) + what);
     else if (text && file.map.at(**end))

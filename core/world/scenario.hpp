@@ -25,9 +25,11 @@ enum class WayEnd : std::uint8_t {
 /// A box of cells that moves along a drawn way. The robot knows of it only what its sensor sees. Walls do not
 /// stop it; for the robot it waits.
 struct MovingObstacle {
-  std::vector<Cell> way;  ///< corners for its upper left cell, which goes in straight lines; at least one
-  int width = 1;          ///< cells; what lies outside the world is not there
+  std::vector<Cell>
+      way;  ///< corners for its first cell, the upper left one, which goes in straight lines; at least one
+  int width = 1;  ///< cells; what lies outside the world is not there
   int height = 1;
+  int depth = 1;     ///< layers, from that of its first cell up
   double speed = 2;  ///< cells per second; a diagonal step takes as long as a straight one
   WayEnd at_end = WayEnd::back;
   std::int64_t from = 0;  ///< step of the robot at which it appears
@@ -47,7 +49,7 @@ struct Trigger {
 /// What happens while the run goes on: cells appear or disappear, the goal or the robot is put elsewhere.
 struct Surprise {
   Trigger at;
-  std::vector<CellChange> cells;   ///< row-major, each cell once
+  std::vector<CellChange> cells;   ///< as in_node_order() has them, each cell once
   bool announced = false;          ///< the robot is told of the cells at once; else it has to see them
   std::optional<Cell> goal = {};   ///< where it has to go from now on: it plans afresh
   std::optional<Cell> robot = {};  ///< where somebody puts it down

@@ -1,16 +1,13 @@
-#include <algorithm>
-#include <filesystem>
-
 #include "core/base/file.hpp"
-#include "core/base/words.hpp"
 #include "core/debug/condition.hpp"
 #include "core/plan/registry.hpp"
 #include "core/plan/stage.hpp"
 #include "core/world/formats/movingai.hpp"
 #include "core/world/formats/text_lines.hpp"
 #include "core/world/json_reader.hpp"
-#include "core/world/map_file.hpp"
 #include "core/world/scenario.hpp"
+#include "core/world/scenario_map.hpp"
+#include "core/world/scenario_places.hpp"
 
 // Keys and ranges stand in assets/scenario.schema.json too; tests/unit/world_scenario_test.cpp holds the two
 // together.
@@ -19,7 +16,7 @@ namespace replan {
 namespace {
 
 constexpr std::int64_t kMaxScenarioBytes = std::int64_t{1} << 28;
-constexpr std::size_t kMaxListed = std::size_t{1} << 22;  // cells in all surprises together
+constexpr std::size_t kMaxSurprises = std::size_t{1} << 22;
 constexpr std::size_t kMaxPlanners = 16, kMaxStages = 8;
 constexpr std::int64_t kMaxCount = 1'000'000'000'000;  // steps of the robot
 constexpr double kMaxReach = 10'000;                   // cells
@@ -40,16 +37,17 @@ class ScenarioReader {
       return {};
     if (const auto node = root_.find("name")) scenario_.name = node->text();
     if (const auto node = root_.find("caption")) scenario_.caption = node->text();
-    if (const auto node = root_.require("map")) read_map_of(*node);
+    if (const auto node = root_.require("map")) read_map_of(*node, folder_, scenario_);
     if (scenario_.map.blocked.empty()) return {};
-    if (const auto node = root_.require("start")) scenario_.start = cell(*node);
-    if (const auto node = root_.require("goal")) scenario_.goal = cell(*node);
+    places_ = PlaceReader(scenario_.map.box());
+    if (const auto node = root_.require("start")) scenario_.start = places_.cell(*node);
+    if (const auto node = root_.require("goal")) scenario_.goal = places_.cell(*node);
     if (const auto node = root_.require("planners"))
       for (const JsonNode& item : node->items(1, kMaxPlanners, "a list of 1 to 16 planners"))
         read_planner(item);
     if (const auto node = root_.find("robot")) read_robot(*node);
     if (const auto node = root_.find("surprises"))
-      for (const JsonNode& item : node->items(0, kMaxListed, "a list")) read_surprise(item);
+      for (const JsonNode& item : node->items(0, kMaxSurprises, "a list")) read_surprise(item);
     if (const auto node = root_.find("movers"))
       for (const JsonNode& item : node->items(0, kMaxMovers, "a list of at most 100 moving obstacles"))
         read_mover(item);
@@ -65,92 +63,6 @@ class ScenarioReader {
     if (!version) return root_.fail("not a Replan scenario: the key \"replan\" with the value 1 is missing");
     if (version->value() != 1)
       version->fail("must be 1, the only version of the format, not " + version->shown());
-  }
-
-  void read_map_of(const JsonNode& node) {
-    if (!node.expect_object(
-            {"file", "rows", "resolution", "origin", "threshold", "invert", "unknown", "occupied"}))
-      return;
-    const auto file = node.find("file"), rows = node.find("rows");
-    const auto resolution = node.find("resolution"), origin = node.find("origin");
-    if (file.has_value() == rows.has_value()) return node.fail("needs either 'file' or 'rows'");
-    if (rows) read_rows(*rows);
-    if (rows && resolution) scenario_.map.resolution = resolution->number(kMinResolution, kMaxResolution);
-    if (rows && origin) read_origin(*origin);
-    const MapReading reading = read_reading(node, rows.has_value());
-    if (rows) return;
-    if (resolution) return resolution->fail("goes with 'rows'; a map file has its own");
-    if (origin) return origin->fail("goes with 'rows'; a map file has its own");
-    scenario_.map_file = file->text();
-    if (scenario_.map_file.empty()) return file->fail("must name a file");
-    scenario_.map_reading = reading;
-    Result<MapFile> map =
-        read_plane_file((std::filesystem::path(folder_) / scenario_.map_file).string(), reading);
-    if (!map) return file->fail(map.error());
-    scenario_.map = std::move(map->map);
-    scenario_.map_found = std::move(map->found);
-  }
-
-  /// How a map file is to be read.
-  static MapReading read_reading(const JsonNode& node, bool rows) {
-    MapReading reading;
-    const auto threshold = node.find("threshold"), invert = node.find("invert"),
-               unknown = node.find("unknown"), occupied = node.find("occupied");
-    for (const auto& option : {threshold, invert, unknown, occupied})
-      if (rows && option) option->fail("goes with 'file'");
-    if (threshold) reading.image.threshold = static_cast<int>(threshold->whole(1, 255));
-    if (invert) reading.image.invert = invert->toggle();
-    if (unknown)
-      reading.unknown = static_cast<UnknownCells>(unknown->one_of({"blocked", "free", "unmapped"}));
-    if (occupied) reading.occupied = occupied->number(-kMaxOccupied, kMaxOccupied);
-    return reading;
-  }
-
-  void read_origin(const JsonNode& node) {
-    const auto parts = node.items(3, 3, "a pose [x, y, yaw]");
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      scenario_.map.origin[i] = parts[i].number(-kMaxOrigin, kMaxOrigin);
-  }
-
-  void read_rows(const JsonNode& node) {
-    const auto rows = node.items(1, static_cast<std::size_t>(kMaxCells), "a list of rows, one text each");
-    if (rows.empty()) return;
-    const auto width = static_cast<std::int64_t>(rows.front().text().size());
-    const auto height = static_cast<std::int64_t>(rows.size());
-    if (width == 0) return rows.front().fail("must have at least one cell");
-    if (width > kMaxCells / height)
-      return node.fail("too large: at most " + std::to_string(kMaxCells) + " cells");
-    GridMap map(static_cast<int>(width), static_cast<int>(height));
-    for (std::size_t y = 0; y < rows.size(); ++y) {
-      const std::string row = rows[y].text();
-      if (row.size() != rows.front().text().size())
-        return rows[y].fail("has " + std::to_string(row.size()) + " cells, the first row has " +
-                            std::to_string(width));
-      for (std::size_t x = 0; x < row.size(); ++x) {
-        const MapLetter letter = map_letter(row[x]);
-        if (letter == MapLetter::unknown && row[x] != '?')
-          return rows[y].fail("column " + std::to_string(x + 1) + ": unknown cell letter " +
-                              shown_letter(std::string_view(row).substr(x)) +
-                              "; known are . G S (free), @ O T W (obstacle) and ? (an obstacle that is on "
-                              "nobody's map)");
-        const std::size_t cell = map.index({static_cast<int>(x), static_cast<int>(y)});
-        map.blocked[cell] = row[x] == '?' ? kUnmapped : letter == MapLetter::blocked ? kObstacle : kFree;
-      }
-    }
-    scenario_.map = std::move(map);
-  }
-
-  /// A cell that must be on the map.
-  [[nodiscard]] Cell cell(const JsonNode& node) const {
-    const auto parts = node.items(2, 2, "a cell [x, y]");
-    if (parts.empty()) return {};
-    const Cell result{static_cast<int>(parts[0].whole(INT32_MIN, INT32_MAX)),
-                      static_cast<int>(parts[1].whole(INT32_MIN, INT32_MAX))};
-    if (!scenario_.map.contains(result))
-      node.fail(cell_text(result) + " is outside the map: x goes from 0 to " +
-                std::to_string(scenario_.map.width - 1) + ", y from 0 to " +
-                std::to_string(scenario_.map.height - 1));
-    return result;
   }
 
   void read_planner(const JsonNode& node) {
@@ -233,14 +145,9 @@ class ScenarioReader {
     if (!node.expect_object({"way", "size", "speed", "at_end", "from"})) return;
     MovingObstacle mover;
     if (const auto way = node.require("way"))
-      for (const JsonNode& item : way->items(1, kMaxWay, "a list of 1 to 1000 cells [x, y]"))
-        mover.way.push_back(cell(item));
-    if (const auto size = node.find("size")) {
-      const auto parts = size->items(2, 2, "a size [width, height]");
-      if (parts.empty()) return;
-      mover.width = static_cast<int>(parts[0].whole(1, kMaxMoverSide));
-      mover.height = static_cast<int>(parts[1].whole(1, kMaxMoverSide));
-    }
+      for (const JsonNode& item : way->items(1, kMaxWay, "a list of 1 to 1000 cells"))
+        mover.way.push_back(places_.cell(item));
+    if (const auto size = node.find("size")) places_.size(*size, mover);
     if (const auto speed = node.find("speed")) mover.speed = speed->number(kMinSpeed, kMaxSpeed);
     if (const auto at_end = node.find("at_end"))
       mover.at_end = static_cast<WayEnd>(at_end->one_of({"back", "loop", "stop"}));
@@ -256,11 +163,11 @@ class ScenarioReader {
     const auto goal = node.find("goal"), robot = node.find("robot");
     if (!add && !removed && !goal && !robot)
       return node.fail("changes nothing: give 'add', 'remove', 'goal' or 'robot'");
-    if (goal) surprise.goal = cell(*goal);
-    if (robot) surprise.robot = cell(*robot);
-    if (add) read_cells(*add, true, surprise.cells);
-    if (removed) read_cells(*removed, false, surprise.cells);
-    tidy(node, surprise.cells);
+    if (goal) surprise.goal = places_.cell(*goal);
+    if (robot) surprise.robot = places_.cell(*robot);
+    if (add) places_.cells(*add, true, surprise.cells);
+    if (removed) places_.cells(*removed, false, surprise.cells);
+    places_.tidy(node, surprise.cells);
     if (const auto announced = node.find("announced")) surprise.announced = announced->toggle();
     scenario_.surprises.push_back(std::move(surprise));
   }
@@ -272,52 +179,10 @@ class ScenarioReader {
     if (move.has_value() == near.has_value()) node.fail("needs exactly one of 'move' and 'near'");
     if (move) trigger.move = move->whole(0, kMaxCount);
     const auto within = near ? node.require("within") : node.find("within");
-    if (near) trigger.near = cell(*near);
+    if (near) trigger.near = places_.cell(*near);
     if (within && !near) within->fail("goes only with 'near'");
     if (within) trigger.within = within->number(0, kMaxReach);
     return trigger;
-  }
-
-  void read_cells(const JsonNode& node, bool blocked, std::vector<CellChange>& changes) {
-    if (!node.expect_object({"cells", "rectangles"})) return;
-    if (const auto cells = node.find("cells"))
-      for (const JsonNode& item : cells->items(0, kMaxListed, "a list of cells [x, y]"))
-        if (take(item, 1)) changes.push_back({cell(item), blocked});
-    if (const auto rectangles = node.find("rectangles"))
-      for (const JsonNode& item :
-           rectangles->items(0, kMaxListed, "a list of rectangles [x, y, width, height]"))
-        read_rectangle(item, blocked, changes);
-  }
-
-  void read_rectangle(const JsonNode& node, bool blocked, std::vector<CellChange>& changes) {
-    const auto parts = node.items(4, 4, "a rectangle [x, y, width, height]");
-    if (parts.empty()) return;
-    const std::int64_t x = parts[0].whole(0, scenario_.map.width - 1),
-                       y = parts[1].whole(0, scenario_.map.height - 1);
-    const std::int64_t width = parts[2].whole(1, scenario_.map.width - x);
-    const std::int64_t height = parts[3].whole(1, scenario_.map.height - y);
-    if (!take(node, static_cast<std::size_t>(width * height))) return;
-    for (std::int64_t row = y; row < y + height; ++row)
-      for (std::int64_t column = x; column < x + width; ++column)
-        changes.push_back({{static_cast<int>(column), static_cast<int>(row)}, blocked});
-  }
-
-  /// Counts listed cells, so that a small file cannot ask for endless memory.
-  bool take(const JsonNode& node, std::size_t count) {
-    listed_ += count;
-    if (listed_ > kMaxListed)
-      node.fail("the surprises list more than " + std::to_string(kMaxListed) + " cells");
-    return listed_ <= kMaxListed;
-  }
-
-  /// Row-major, each cell once.
-  static void tidy(const JsonNode& node, std::vector<CellChange>& changes) {
-    const auto key = [](const CellChange& c) { return std::tuple(c.cell.y, c.cell.x, c.blocked); };
-    std::sort(changes.begin(), changes.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
-    changes.erase(std::unique(changes.begin(), changes.end()), changes.end());
-    const auto twice = std::adjacent_find(changes.begin(), changes.end(),
-                                          [](const auto& a, const auto& b) { return a.cell == b.cell; });
-    if (twice != changes.end()) node.fail("cell " + cell_text(twice->cell) + " is both added and removed");
   }
 
   void read_view(const JsonNode& node) {
@@ -341,12 +206,11 @@ class ScenarioReader {
     if (const auto breakpoints = node.find("breakpoints"))
       for (const JsonNode& item : breakpoints->items(0, kMaxBreakpoints, "a list of at most 64 breakpoints"))
         read_breakpoint(item);
-    const WorldSize size{scenario_.map.width, scenario_.map.height};
     if (const auto watches = node.find("watches"))
       for (const JsonNode& item : watches->items(0, kMaxWatches, "a list of at most 16 watches")) {
         scenario_.debug.watches.push_back(item.text());
         if (!item.value().is_string()) continue;
-        if (const auto read = parse_quantity(scenario_.debug.watches.back(), size); !read)
+        if (const auto read = parse_quantity(scenario_.debug.watches.back(), scenario_.map.box()); !read)
           item.fail(read.error());
       }
   }
@@ -358,9 +222,7 @@ class ScenarioReader {
     Breakpoint breakpoint{condition->text(), true};
     if (const auto enabled = node.find("enabled")) breakpoint.enabled = enabled->toggle();
     if (condition->value().is_string())
-      if (const auto read =
-              parse_condition(breakpoint.condition, {scenario_.map.width, scenario_.map.height});
-          !read)
+      if (const auto read = parse_condition(breakpoint.condition, scenario_.map.box()); !read)
         condition->fail(read.error());
     scenario_.debug.breakpoints.push_back(std::move(breakpoint));
   }
@@ -374,7 +236,7 @@ class ScenarioReader {
   JsonNode root_;
   const std::string& folder_;
   Scenario scenario_;
-  std::size_t listed_ = 0;
+  PlaceReader places_;  // on its map
 };
 
 }  // namespace

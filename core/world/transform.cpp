@@ -24,9 +24,8 @@ void move_places(Scenario& scenario, const Move& move) {
 }
 
 void sort_rows(std::vector<CellChange>& cells) {
-  std::sort(cells.begin(), cells.end(), [](const CellChange& a, const CellChange& b) {
-    return std::pair(a.cell.y, a.cell.x) < std::pair(b.cell.y, b.cell.x);
-  });
+  std::sort(cells.begin(), cells.end(),
+            [](const CellChange& a, const CellChange& b) { return in_node_order(a.cell, b.cell); });
 }
 
 /// Whether the map came with a frame of its own (ROS).
@@ -82,13 +81,13 @@ std::shared_ptr<std::vector<bool>> emptied_unknown(Scenario& after) {
 Cell turned(Cell cell, int width, int height, Turn turn) {
   switch (turn) {
     case Turn::left:
-      return {cell.y, width - 1 - cell.x};
+      return {cell.y, width - 1 - cell.x, cell.z};
     case Turn::right:
-      return {height - 1 - cell.y, cell.x};
+      return {height - 1 - cell.y, cell.x, cell.z};
     case Turn::left_right:
-      return {width - 1 - cell.x, cell.y};
+      return {width - 1 - cell.x, cell.y, cell.z};
     case Turn::top_bottom:
-      return {cell.x, height - 1 - cell.y};
+      return {cell.x, height - 1 - cell.y, cell.z};
   }
   return cell;
 }
@@ -103,12 +102,11 @@ Scenario turned(const Scenario& scenario, Turn turn) {
   }
   const auto move = [&](Cell cell) { return turned(cell, map.width, map.height, turn); };
   const auto unknown = emptied_unknown(after);
-  for (int y = 0; y < map.height; ++y)
-    for (int x = 0; x < map.width; ++x) {
-      const std::size_t from = map.index({x, y}), to = after.map.index(move({x, y}));
-      after.map.blocked[to] = map.blocked[from];
-      if (unknown) (*unknown)[to] = scenario.map_found.is_unknown(map, from);
-    }
+  for (NodeId from = 0; from < map.blocked.size(); ++from) {
+    const std::size_t to = after.map.index(move(map.box().position(from)));
+    after.map.blocked[to] = map.blocked[from];
+    if (unknown) (*unknown)[to] = scenario.map_found.is_unknown(map, from);
+  }
   move_places(after, move);
   for (std::size_t i = 0; i < after.surprises.size(); ++i) {
     Surprise& surprise = after.surprises.edit(i);
@@ -122,7 +120,7 @@ Scenario turned(const Scenario& scenario, Turn turn) {
     const int up = turn == Turn::left || turn == Turn::top_bottom ? mover.height - 1 : 0;
     for (Cell& corner : mover.way)
       corner = {std::clamp(corner.x - left, 0, after.map.width - 1),
-                std::clamp(corner.y - up, 0, after.map.height - 1)};
+                std::clamp(corner.y - up, 0, after.map.height - 1), corner.z};
   }
   if (auto& camera = after.view.camera) {
     const double x = camera->x, y = camera->y;
@@ -139,36 +137,37 @@ Scenario turned(const Scenario& scenario, Turn turn) {
 }
 
 Result<Resized> resized(const Scenario& scenario, const NewSize& size) {
-  if (size.width < 1 || size.height < 1 || std::int64_t{size.width} * size.height > kMaxCells)
-    return Error{"a world cannot have " + std::to_string(size.width) + " x " + std::to_string(size.height) +
-                 " cells: give sides from 1 and at most " + std::to_string(kMaxCells) + " cells in all"};
   const GridMap& map = scenario.map;
+  const std::int64_t most = map.depth == 1 ? kMaxCells : kMaxVoxels / map.depth;
+  if (size.width < 1 || size.height < 1 || std::int64_t{size.width} * size.height > most)
+    return Error{"a world cannot have " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                 " cells: give sides from 1 and at most " + std::to_string(most) + " cells in all"};
   const Cell by{shift(size.across, map.width, size.width), shift(size.down, map.height, size.height)};
   Resized done{scenario, 0, {}, false};
   Scenario& after = done.scenario;
   after.map_file.clear();
   after.map.width = size.width;
   after.map.height = size.height;
-  after.map.blocked.assign(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height),
-                           size.blocked ? kObstacle : kFree);
+  after.map.blocked.assign(after.map.box().node_count(), size.blocked ? kObstacle : kFree);
   const auto unknown = emptied_unknown(after);
-  for (int y = 0; y < map.height; ++y)
-    for (int x = 0; x < map.width; ++x)
-      if (const Cell to{x + by.x, y + by.y}; after.map.contains(to)) {
-        after.map.blocked[after.map.index(to)] = map.blocked[map.index({x, y})];
-        if (unknown) (*unknown)[after.map.index(to)] = scenario.map_found.is_unknown(map, map.index({x, y}));
-      }
+  const auto shifted = [by](Cell cell) { return Cell{cell.x + by.x, cell.y + by.y, cell.z}; };
+  for (NodeId from = 0; from < map.blocked.size(); ++from)
+    if (const Cell to = shifted(map.box().position(from)); after.map.contains(to)) {
+      after.map.blocked[after.map.index(to)] = map.blocked[from];
+      if (unknown) (*unknown)[after.map.index(to)] = scenario.map_found.is_unknown(map, from);
+    }
   if (has_frame(map)) after.map.origin = moved_origin(map, -by.x, map.height - size.height + by.y);
   const auto move = [&](Cell cell) {
-    return Cell{std::clamp(cell.x + by.x, 0, size.width - 1), std::clamp(cell.y + by.y, 0, size.height - 1)};
+    return Cell{std::clamp(cell.x + by.x, 0, size.width - 1), std::clamp(cell.y + by.y, 0, size.height - 1),
+                cell.z};
   };
-  const auto falls_off = [&](Cell cell) { return !after.map.contains({cell.x + by.x, cell.y + by.y}); };
+  const auto falls_off = [&](Cell cell) { return !after.map.contains(shifted(cell)); };
   done.ends_moved = falls_off(scenario.start) || falls_off(scenario.goal);
   move_places(after, move);
   for (std::size_t i = 0; i < after.surprises.size(); ++i) {
     Surprise& surprise = after.surprises.edit(i);
     const std::size_t before = surprise.cells.size();
-    for (CellChange& change : surprise.cells) change.cell = {change.cell.x + by.x, change.cell.y + by.y};
+    for (CellChange& change : surprise.cells) change.cell = shifted(change.cell);
     std::erase_if(surprise.cells, [&](const CellChange& each) { return !after.map.contains(each.cell); });
     done.cells_lost += before - surprise.cells.size();
   }
@@ -187,12 +186,12 @@ Result<Resized> resized(const Scenario& scenario, const NewSize& size) {
 
 std::vector<CellChange> inversion(const GridMap& map, std::span<const Cell> keep_free) {
   std::vector<CellChange> changes;
-  for (int y = 0; y < map.height; ++y)
-    for (int x = 0; x < map.width; ++x) {
-      const bool block = !map.at({x, y});
-      if (block && std::find(keep_free.begin(), keep_free.end(), Cell{x, y}) != keep_free.end()) continue;
-      changes.push_back({{x, y}, block});
-    }
+  for (NodeId node = 0; node < map.blocked.size(); ++node) {
+    const Cell cell = map.box().position(node);
+    const bool block = map.blocked[node] == kFree;
+    if (block && std::find(keep_free.begin(), keep_free.end(), cell) != keep_free.end()) continue;
+    changes.push_back({cell, block});
+  }
   return changes;
 }
 

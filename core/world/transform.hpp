@@ -11,7 +11,7 @@
 
 namespace replan {
 
-/// A way to turn or mirror a world.
+/// A way to turn or mirror a world, each of its layers likewise.
 enum class Turn : std::uint8_t {
   left,        ///< a quarter turn against the clock
   right,       ///< a quarter turn with the clock
@@ -22,7 +22,7 @@ enum class Turn : std::uint8_t {
 /// Where the old world lies in the new one, along one axis.
 enum class Side : std::uint8_t { low, middle, high };
 
-/// Another size of the world.
+/// Another size of the world's layers.
 struct NewSize {
   int width = 1, height = 1;                  ///< cells
   Side across = Side::low, down = Side::low;  ///< low: what is at the left (top) stays there

@@ -16,17 +16,19 @@ namespace {
 constexpr int kLogs = 300;
 constexpr int kConditionsPerLog = 40;
 
-Cell random_cell(Random& random, WorldSize size) {
-  return {random.between(0, size.width - 1), random.between(0, size.height - 1)};
+Cell random_cell(Random& random, const Box& box) {
+  return box.position(random.below(static_cast<std::uint32_t>(box.node_count())));
 }
 
 /// Writes random expressions. Numbers are such as the logs hold.
 struct Writer {
   Random& random;
-  WorldSize size;
+  Box world;
   std::vector<Cell> cells;  // a few, so that several terms read the same vertex
 
-  std::string cell() { return cell_text(cells[random.below(static_cast<std::uint32_t>(cells.size()))]); }
+  std::string cell() {
+    return cell_text(cells[random.below(static_cast<std::uint32_t>(cells.size()))], world.solid());
+  }
   std::string pick(std::initializer_list<const char*> of) {
     return of.begin()[random.below(static_cast<std::uint32_t>(of.size()))];
   }
@@ -86,15 +88,20 @@ struct RandomLog {
   std::vector<std::size_t> breaches, disagreements;
 
   [[nodiscard]] LogView view() const { return {log, lattice, *info, choice.settings}; }
-  [[nodiscard]] WorldSize size() const { return {lattice.width(), lattice.height()}; }
 };
 
 RandomLog random_log(Random& random, const PlannerInfo& info) {
   Scenario scenario;
-  const auto size = random_size<2>(random, {6, 5}, {16, 14});
-  scenario.map = GridMap(size[0], size[1]);
-  scenario.map.blocked = random_cells<2>(random, size);
-  const WorldSize world{size[0], size[1]};
+  if (random.chance(0.3)) {
+    const auto size = random_size<3>(random, {3, 3, 2}, {7, 6, 5});
+    scenario.map = GridMap(size[0], size[1], size[2]);
+    scenario.map.blocked = random_cells<3>(random, size);
+  } else {
+    const auto size = random_size<2>(random, {6, 5}, {16, 14});
+    scenario.map = GridMap(size[0], size[1]);
+    scenario.map.blocked = random_cells<2>(random, size);
+  }
+  const Box world = scenario.map.box();
   scenario.start = random_cell(random, world);
   scenario.goal = random_cell(random, world);
   scenario.map.set(scenario.start, false);
@@ -113,7 +120,7 @@ RandomLog random_log(Random& random, const PlannerInfo& info) {
   RandomLog result;
   result.info = &info;
   result.choice = {std::string(info.id), random_settings(random, info)};
-  result.lattice = Box(size[0], size[1]);
+  result.lattice = world;
   result.log = Timeline(SearchState(initial_knowledge(scenario), initial_truth(scenario)));
   Recorder recorder;
   const auto mission = make_mission(scenario, result.choice, &recorder);
@@ -377,13 +384,13 @@ TEST(Conditions, stopWhereReadingEveryPositionSaysSo) {
     const PlannerInfo& info = planners()[static_cast<std::size_t>(i) % planners().size()];
     const RandomLog log = random_log(random, info);
     events += static_cast<std::int64_t>(log.log.size());
-    Writer writer{random, log.size(), {}};
-    for (int n = 0; n < 3; ++n) writer.cells.push_back(random_cell(random, log.size()));
+    Writer writer{random, log.lattice, {}};
+    for (int n = 0; n < 3; ++n) writer.cells.push_back(random_cell(random, log.lattice));
     for (int k = 0; k < kConditionsPerLog; ++k) {
       const std::string text = writer.truth(3);
-      const auto condition = parse_condition(text, log.size());
+      const auto condition = parse_condition(text, log.lattice);
       ASSERT_TRUE(condition.ok()) << text << ": " << condition.error();
-      const auto again = parse_condition(expression_text(*condition), log.size());
+      const auto again = parse_condition(expression_text(*condition), log.lattice);
       ASSERT_TRUE(again.ok() && *again == *condition) << text << " as " << expression_text(*condition);
       const std::vector<std::size_t> right = Plain(log, *condition).stops();
       ASSERT_EQ(forwards(random, log, *condition, 0), right) << info.id << " " << text;
@@ -414,10 +421,10 @@ TEST(Conditions, quantitiesAreRightEverywhere) {
   Random random(77);
   for (int i = 0; i < 60; ++i) {
     const RandomLog log = random_log(random, planners()[static_cast<std::size_t>(i) % planners().size()]);
-    Writer writer{random, log.size(), {random_cell(random, log.size()), random_cell(random, log.size())}};
+    Writer writer{random, log.lattice, {random_cell(random, log.lattice), random_cell(random, log.lattice)}};
     for (int k = 0; k < 20; ++k) {
       const std::string text = writer.number(2);
-      const auto quantity = parse_quantity(text, log.size());
+      const auto quantity = parse_quantity(text, log.lattice);
       ASSERT_TRUE(quantity.ok()) << text << ": " << quantity.error();
       Probe walking(log.view(), *quantity, 0);
       double value = walking.value().number;

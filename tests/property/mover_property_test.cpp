@@ -43,9 +43,8 @@ class Stepping {
     std::vector<int> counts(map_.blocked.size());
     for (std::size_t i = 0; i < states.size(); ++i) {
       if (states[i].steps < 0) continue;
-      for (int y = 0; y < map_.height; ++y)
-        for (int x = 0; x < map_.width; ++x)
-          counts[map_.index({x, y})] += covers(i, movers_[i].at(states[i].steps), {x, y}) ? 1 : 0;
+      for (NodeId n = 0; n < counts.size(); ++n)
+        counts[n] += covers(i, movers_[i].at(states[i].steps), map_.box().position(n)) ? 1 : 0;
     }
     return counts;
   }
@@ -56,7 +55,7 @@ class Stepping {
   [[nodiscard]] bool covers(std::size_t index, Cell corner, Cell cell) const {
     const MovingObstacle& setup = setups_[index];
     return cell.x >= corner.x && cell.x < corner.x + setup.width && cell.y >= corner.y &&
-           cell.y < corner.y + setup.height;
+           cell.y < corner.y + setup.height && cell.z >= corner.z && cell.z < corner.z + setup.depth;
   }
 
   GridMap map_;
@@ -68,6 +67,8 @@ Scenario random_crowd(Random& random) {
   constexpr double kSpeeds[] = {0.01, 0.7, 3, 25, 1000};
   Scenario scenario;
   scenario.map = GridMap(random.between(1, 14), random.between(1, 10));
+  if (random.chance(0.2))
+    scenario.map = GridMap(random.between(1, 7), random.between(1, 6), random.between(2, 5));
   for (int n = random.between(1, 5); n > 0; --n) {
     scenario.movers.push_back(random_mover(random, scenario.map));
     scenario.movers.back().speed = kSpeeds[random.below(5)];
@@ -101,7 +102,7 @@ TEST(Movers, ComeToTheSamePlacesAtOnceAsStepByStep) {
                                    << scenario_text(scenario);
       std::size_t cells = 0;
       for (const MovingObstacle& setup : scenario.movers)
-        cells += static_cast<std::size_t>(setup.width) * static_cast<std::size_t>(setup.height);
+        cells += Box(setup.width, setup.height, setup.depth).node_count();
       ASSERT_LE(told.size(), 2 * cells) << "seed " << seed;
       for (const Crowd::Change& change : told) counts[scenario.map.index(change.cell)] += change.by;
       ASSERT_EQ(counts, stepping.cover(at_once)) << "seed " << seed << ", clock " << clock;

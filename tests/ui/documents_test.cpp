@@ -327,6 +327,31 @@ TEST(Dropped, TakesTheBestOfWhatCame) {
   EXPECT_EQ(inside.sentence, "");
 }
 
+/// Its views are planes: worlds of more layers stay closed, with what can be done instead.
+TEST(Documents, WorldsOfMoreThanOneLayerAreForTheCommandLine) {
+  const test::TemporaryFolder folder;
+  const std::string decks = REPLAN_SOURCE_DIR "/maps/decks.json",
+                    box = folder.with("box.3dmap", "voxel 4 3 2\n1 0 0\n");
+  const auto scenario = open_document(decks, {}), map = open_document(box, {});
+  ASSERT_FALSE(scenario.ok() || map.ok());
+  EXPECT_NE(scenario.error().find("has 5 layers, and the window shows planes: drive it with 'replan run"),
+            std::string::npos)
+      << scenario.error();
+  EXPECT_NE(scenario.error().find("--slice Z"), std::string::npos) << scenario.error();
+  EXPECT_NE(map.error().find("has 2 layers, and the window shows planes: take one with 'replan convert"),
+            std::string::npos)
+      << map.error();
+  for (const std::string& path : {decks, box})
+    EXPECT_NE(make_preview(path, {}, {}).error.find("the window shows planes"), std::string::npos) << path;
+  EXPECT_TRUE(check_plane(GridMap(3, 3), "").ok());
+  EXPECT_FALSE(check_plane(GridMap(3, 3, 2), "").ok()) << "nor from the clipboard";
+  WorldLibrary library(REPLAN_SOURCE_DIR "/maps");
+  library.refresh();
+  library.update();
+  EXPECT_TRUE(library.found("two decks").empty()) << "and the list of worlds leaves them out";
+  EXPECT_FALSE(library.found("closing").empty());
+}
+
 TEST(WorldLibrary, FindsWorldsAndLooksAtEachOnce) {
   const test::TemporaryFolder folder;
   folder.with("b.json", kWorld);

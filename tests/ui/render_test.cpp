@@ -95,6 +95,17 @@ TEST_P(RenderGolden, Arrival) {
   compare_with_golden(request, std::string("demo_arrival_") + GetParam());
 }
 
+/// The upper deck once the plan is repaired: the path rises into it, and what runs below is faint.
+TEST_P(RenderGolden, SliceOfABox) {
+  RenderRequest request = demo(GetParam());
+  auto decks = read_scenario(std::string(REPLAN_SOURCE_DIR) + "/maps/decks.json");
+  ASSERT_TRUE(decks.ok()) << decks.error();
+  request.scenario = *decks;
+  request.slice = 3;
+  request.at = plan_end(request, 1);
+  compare_with_golden(request, std::string("decks_slice_") + GetParam());
+}
+
 INSTANTIATE_TEST_SUITE_P(Themes, RenderGolden, testing::Values("dark", "light"),
                          [](const auto& theme) { return std::string(theme.param); });
 

@@ -129,6 +129,27 @@ TEST(CaseText, OfALargeWorldAPartIsDrawn) {
   EXPECT_NE(listed.find("\nand 336 more\n"), std::string::npos) << "of 400 cells 64 are listed";
 }
 
+TEST(CaseText, ShowsABoxLayerByLayer) {
+  Scenario scenario = closing_gap();
+  scenario.map = GridMap(6, 3, 3);
+  for (int y = 0; y < 3; ++y)
+    for (int z = 0; z < 2; ++z) scenario.map.set({3, y, z}, true);
+  scenario.start = {0, 1, 0};
+  scenario.goal = {5, 1, 1};
+  scenario.surprises.edit(0).cells = {{{3, 1, 2}, true}};
+  Driven driven(scenario, 1);
+  const std::string text = driven.text(driven.run.timeline().size(), {.pane = 1, .pin = Cell{3, 0, 2}});
+  EXPECT_NE(text.find("6 x 3 x 3 voxels"), std::string::npos) << text;
+  EXPECT_NE(text.find("layer     1\n...@..\n...@.R\n...@..\nlayer     2\n......\n...@..\n......\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("cells     around (3, 0, 2)\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("robot     (5, 1, 1)"), std::string::npos) << text;
+  const auto moment = parse_case_text(text, "the clipboard");
+  ASSERT_TRUE(moment.ok()) << moment.error();
+  EXPECT_EQ(moment->scenario, *driven.scenario);
+}
+
 TEST(CaseText, ReadsWhatMailMadeOfIt) {
   Driven driven(closing_gap(), 1);
   std::string quoted = "Hello,\n> > ";

@@ -10,7 +10,7 @@
 namespace replan::test::condition_test {
 namespace {
 
-constexpr WorldSize kWorld{20, 10};
+const Box kWorld{20, 10};
 
 std::string error_of(const std::string& text) {
   const auto read = parse_condition(text, kWorld);
@@ -38,6 +38,27 @@ TEST(ConditionLanguage, spellsWhatItReadInOneWay) {
   EXPECT_EQ(spelt("changed( g(1,2) ) || event( replan )"), "changed(g(1, 2)) || event(replan)");
   EXPECT_EQ(spelt("0.50 + 1e3 + inf"), "0.5 + 1000 + inf");
   EXPECT_EQ(spelt("(km > 1) == (km > 2)"), "km > 1 == km > 2");
+}
+
+TEST(ConditionLanguage, namesCellsByThreeCoordinatesInSpace) {
+  const Box box(20, 10, 3);
+  for (const char* text :
+       {"g(12, 4, 2) > 30", "taken(0, 0, 0) || robot == (3, 4, 1)", "changed(lp(1, 2, 0))"}) {
+    const auto read = parse_condition(text, box);
+    ASSERT_TRUE(read.ok()) << read.error();
+    EXPECT_EQ(expression_text(*read), text);
+  }
+  const auto error = [&](const char* text) { return parse_condition(text, box).error(); };
+  EXPECT_EQ(error("g > 3"), "character 1: 'g' needs a cell: g(x, y, z)");
+  EXPECT_EQ(error("g(12, 4) > 3"), "character 2: 'g' needs a cell in whole numbers: g(x, y, z)");
+  EXPECT_EQ(error("robot == (3, 4)"), "character 10: a cell needs three whole numbers: (x, y, z)");
+  EXPECT_EQ(
+      error("robot == (3, 4, 3)"),
+      "character 10: (3, 4, 3) is outside the world: x goes from 0 to 19, y from 0 to 9, z from 0 to 2");
+  EXPECT_EQ(error("changed(3)"),
+            "character 9: 'changed' needs a value of the search: changed(g(x, y, z)), changed(km)");
+  EXPECT_EQ(parse_condition("g(1, 2, 0) > 3", kWorld).error(),
+            "character 2: 'g' needs a cell in whole numbers: g(x, y)");
 }
 
 TEST(ConditionLanguage, pointsAtWhatIsWrongAndSaysTheMend) {
@@ -127,9 +148,9 @@ TEST(ConditionLanguage, everyNameReadsAsItsHelpShowsIt) {
 
 /// A log written by hand on the world of 20 x 10.
 struct SmallLog {
-  Box lattice{kWorld.width, kWorld.height};
+  Box lattice = kWorld;
   Settings settings;
-  Timeline log{SearchState(static_cast<std::size_t>(kWorld.width * kWorld.height))};
+  Timeline log{SearchState(kWorld.node_count())};
   Recorder recorder;
 
   LogView view() {

@@ -94,6 +94,21 @@ TEST(Mover, KeepsItsPaceAndWaitsForTheRobot) {
   EXPECT_EQ(states[0].steps, 7) << "and goes on at its pace";
 }
 
+TEST(Mover, GoesThroughLayers) {
+  const Mover lift({.way = {{2, 2, 0}, {2, 2, 3}, {4, 3, 3}}, .width = 2, .depth = 2});
+  EXPECT_EQ(lift.at(3), (Cell{2, 2, 3}));
+  EXPECT_EQ(lift.at(5), (Cell{4, 3, 3}));
+  EXPECT_TRUE(lift.covers({2, 2, 1}, {3, 2, 2}));
+  EXPECT_FALSE(lift.covers({2, 2, 1}, {3, 2, 3}) || lift.covers({2, 2, 1}, {3, 2, 0}));
+  std::vector<Cell> covered;
+  lift.each_cell({2, 2, 3}, Box(3, 4, 4), [&](Cell cell) { covered.push_back(cell); });
+  EXPECT_EQ(covered, (std::vector<Cell>{{2, 2, 3}})) << "what lies outside the world is not there";
+  const Cell above[] = {{3, 2, 3}}, beside[] = {{4, 2, 3}};
+  EXPECT_EQ(lift.open_steps(0, 9, above), 1)
+      << "with two layers it would come onto the cell at its second step";
+  EXPECT_EQ(lift.open_steps(0, 3, beside), 3);
+}
+
 TEST(Mission, WaitsForAnObstacleThatFillsTheCorridorAndGoesOnWhenItHasLeft) {
   Scenario scenario = corridor(8);
   // It stands in the corridor for as long as it takes to go up and down the far room.

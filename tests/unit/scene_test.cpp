@@ -29,6 +29,7 @@ Palette palette() {
   colours.arrow = 0x80FFFFFF;
   colours.warning = 0xFF00FFFF;
   colours.robot = 0xFF123456;
+  colours.goal = 0xFF654321;
   colours.field_opacity = 1;
   for (std::size_t i = 0; i < colours.field.size(); ++i)
     colours.field[i] = 0xFF400000u | static_cast<Colour>(i);
@@ -422,7 +423,7 @@ TEST(Scene, ShowsWhatIsToComeUntilItHasHappened) {
   ASSERT_EQ(ways.size(), 1u);
   EXPECT_GT(ways[0].dash, 0);
   // Through the middle of the box, and home again.
-  EXPECT_EQ(ways[0].points, (std::vector<Point>{{2, 2}, {7, 2}, {7, 5}, {2, 2}}));
+  EXPECT_EQ(ways[0].points, (std::vector<Point>{{2, 2, 0.5}, {7, 2, 0.5}, {7, 5, 0.5}, {2, 2, 0.5}}));
   EXPECT_EQ(ways[0].colour, palette().accent);
   EXPECT_NE(scene_svg(before, palette()).find("stroke-dasharray"), std::string::npos);
   ASSERT_TRUE(session.apply(Step{StepUnit::move, 4}).ok());
@@ -430,6 +431,115 @@ TEST(Scene, ShowsWhatIsToComeUntilItHasHappened) {
   EXPECT_FALSE(after.shows(Sign::to_come));
   EXPECT_TRUE(shapes_of<Label>(after).empty());
   EXPECT_TRUE(after.shows(Sign::mover));
+}
+
+/// Two layers with a wall between them that a hatch leads through, and a goal above.
+Scenario decks() {
+  Scenario scenario;
+  scenario.map = GridMap(9, 5, 3);
+  for (int y = 0; y < 5; ++y)
+    for (int x = 0; x < 9; ++x)
+      if (x != 4 || y != 2) scenario.map.set({x, y, 1}, true);
+  scenario.map.set({1, 0, 2}, true);
+  scenario.start = {0, 2, 0};
+  scenario.goal = {8, 2, 2};
+  scenario.planners = {{"dstar-lite", {}}};
+  scenario.robot.sensor_radius = 2;
+  Surprise surprise;
+  surprise.at.move = 1;
+  surprise.cells = {{{7, 0, 0}, true}, {{7, 4, 2}, true}};
+  scenario.surprises = {surprise};
+  scenario.movers = {{.way = {{2, 0, 0}, {6, 0, 2}}, .width = 1, .height = 1, .depth = 1, .from = 50}};
+  return scenario;
+}
+
+View slice_view(int slice, std::initializer_list<Overlay> overlays) {
+  View view = plain_view();
+  for (const Overlay overlay : overlays) view.overlays.set(overlay, true);
+  view.slice = slice;
+  return view;
+}
+
+TEST(Slice, ShowsTheCellsAndMarksOfOneLayer) {
+  Session session(decks());
+  session.settle();
+  std::vector<Scene> slices;
+  for (int z = 0; z < 3; ++z)
+    slices.push_back(build_scene(session.run(), slice_view(z, {Overlay::lp}), kView, palette()));
+  EXPECT_EQ(texel_at(slices[0], {1.5, 0.5}), palette().free);
+  EXPECT_EQ(texel_at(slices[1], {1.5, 0.5}), palette().obstacle);
+  EXPECT_EQ(texel_at(slices[1], {4.5, 2.5}), palette().free);
+  EXPECT_EQ(texel_at(slices[2], {1.5, 0.5}), palette().obstacle);
+  EXPECT_EQ(texel_at(slices[2], {2.5, 0.5}), palette().free);
+  EXPECT_GT(shapes_of<Arrow>(slices[2]).size(), 5u);
+  EXPECT_LE(shapes_of<Arrow>(slices[1]).size(), 1u) << "of the layer between, the hatch alone is free";
+  const Scene beyond = build_scene(session.run(), slice_view(7, {}), kView, palette());
+  EXPECT_EQ(beyond.raster.texels, slices[2].raster.texels) << "beyond the last layer there is none";
+}
+
+TEST(Slice, CellsSmallerThanAPixelAreThoseOfTheLayerToo) {
+  Scenario scenario = decks();
+  scenario.map = GridMap(400, 300, 2);
+  for (int y = 0; y < 300; ++y)
+    for (int x = 200; x < 400; ++x) scenario.map.set({x, y, 1}, true);
+  scenario.start = {3, 3, 0};
+  scenario.goal = {9, 3, 0};
+  scenario.surprises = {};
+  scenario.movers = {};
+  Session session(scenario);
+  session.settle();
+  SceneMemory memory;
+  View view = slice_view(0, {});
+  view.camera = {200, 150, 0.4};
+  const auto right = [&](int slice) {
+    view.slice = slice;
+    return texel_at(build_scene(session.run(), view, kView, palette(), memory), {300, 150});
+  };
+  EXPECT_EQ(right(0), palette().free);
+  EXPECT_EQ(right(1), palette().obstacle) << "the coverage of the layer before is forgotten";
+  EXPECT_EQ(right(0), palette().free);
+}
+
+TEST(Slice, LinesAndThingsOfOtherLayersAreFaint) {
+  Session session(decks());
+  session.settle();
+  const auto opacity = [](Colour colour) { return colour >> 24; };
+  for (int z = 0; z < 3; ++z) {
+    const Scene scene =
+        build_scene(session.run(), slice_view(z, {Overlay::path, Overlay::script}), kView, palette());
+    std::size_t strong = 0, faint = 0;
+    for (const Polyline& line : shapes_of<Polyline>(scene)) {
+      if (line.dash > 0) continue;
+      const bool here = opacity(line.colour) == 255;
+      ++(here ? strong : faint);
+      for (const Point& point : line.points) {
+        const bool within = here ? point.z >= z && point.z <= z + 1 : point.z <= z || point.z >= z + 1;
+        EXPECT_TRUE(within) << point.z << " in slice " << z;
+      }
+    }
+    EXPECT_GE(strong + faint, 2u);
+    EXPECT_GE(faint, 1u);
+    const auto discs = shapes_of<Disc>(scene);
+    const auto target = std::find_if(discs.begin(), discs.end(),
+                                     [](const Disc& disc) { return disc.glyph == Glyph::target; });
+    ASSERT_NE(target, discs.end());
+    EXPECT_EQ(opacity(target->fill) == 255, z == 2);
+    EXPECT_EQ(scene.shows(Sign::to_come), z != 1) << "the surprise has no cell in the layer between";
+  }
+}
+
+TEST(Slice, TheSensorIsTheCutOfABall) {
+  Session session(decks());
+  session.settle();
+  std::vector<double> radii;
+  for (int z = 0; z < 3; ++z) {
+    const auto rings =
+        shapes_of<Ring>(build_scene(session.run(), slice_view(z, {Overlay::sensor}), kView, palette()));
+    radii.push_back(rings.empty() ? 0 : rings.front().radius);
+  }
+  EXPECT_DOUBLE_EQ(radii[0], 2);
+  EXPECT_DOUBLE_EQ(radii[1], std::sqrt(3));
+  EXPECT_DOUBLE_EQ(radii[2], 0);
 }
 
 }  // namespace

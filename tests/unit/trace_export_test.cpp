@@ -37,16 +37,19 @@ std::shared_ptr<const Scenario> closing_gap() {
   return std::make_shared<const Scenario>(read.ok() ? *read : Scenario{});
 }
 
-/// A world, a robot and surprises by chance, seen and unseen, with something that moves in every third.
-std::shared_ptr<const Scenario> random_mission(std::uint32_t seed, const std::string& planner) {
+/// A world, a robot and surprises by chance, seen and unseen, with something that moves in every third; with
+/// `layers` a box of voxels.
+std::shared_ptr<const Scenario> random_mission(std::uint32_t seed, const std::string& planner,
+                                               int layers = 1) {
   Random random(seed);
   Scenario scenario;
   scenario.name = "mission \"" + std::to_string(seed) + "\"";
-  scenario.map = GridMap(random.between(5, 14), random.between(5, 14));
+  const int width = random.between(5, 14), height = random.between(5, 14);
+  scenario.map = GridMap(width, height, layers);
   for (std::size_t cell = 0; cell < scenario.map.blocked.size(); ++cell)
     scenario.map.blocked[cell] = random.chance(0.25) ? (random.chance(0.2) ? kUnmapped : kObstacle) : kFree;
   scenario.start = {0, 0};
-  scenario.goal = {scenario.map.width - 1, scenario.map.height - 1};
+  scenario.goal = {scenario.map.width - 1, scenario.map.height - 1, layers - 1};
   scenario.map.set(scenario.start, false);
   scenario.map.set(scenario.goal, false);
   const PlannerInfo* info = find_planner(planner);
@@ -57,12 +60,13 @@ std::shared_ptr<const Scenario> random_mission(std::uint32_t seed, const std::st
     Surprise surprise;
     surprise.at.move = random.between(0, 8);
     surprise.announced = random.chance(0.5);
-    for (int y = 0; y < scenario.map.height; ++y)
-      for (int x = 0; x < scenario.map.width; ++x)
-        if (random.chance(0.08)) surprise.cells.push_back({{x, y}, random.chance(0.6)});
+    for (NodeId node = 0; node < scenario.map.blocked.size(); ++node)
+      if (random.chance(0.08))
+        surprise.cells.push_back({scenario.map.box().position(node), random.chance(0.6)});
     if (!surprise.cells.empty()) scenario.surprises.push_back(surprise);
   }
-  if (seed % 3 == 0) scenario.movers.push_back({.way = {{1, 1}, {3, 3}}, .speed = 4});
+  if (seed % 3 == 0)
+    scenario.movers.push_back({.way = {{1, 1}, {3, 3, layers - 1}}, .depth = layers, .speed = 4});
   return std::make_shared<const Scenario>(std::move(scenario));
 }
 
@@ -129,15 +133,15 @@ Cost cost_of(const Json& value) {
 /// A run's states, built from the lines alone.
 class Rebuilt {
  public:
-  explicit Rebuilt(const Json& head) : width_(head["width"]) {
+  explicit Rebuilt(const Json& head)
+      : box_(head["width"], head["height"], head.contains("depth") ? head["depth"].get<int>() : 1) {
     std::vector<std::uint8_t> known, truth;
     for (const auto& row : head["known"])
       for (const char c : row.get<std::string>()) known.push_back(c == '@');
     for (const auto& row : head["walls"])
       for (const char c : row.get<std::string>()) truth.push_back(c == '@');
     for (const auto& moving : head["moving"])
-      truth[node({moving[0], moving[1]})] =
-          static_cast<std::uint8_t>(truth[node({moving[0], moving[1]})] + 2 * moving[2].get<int>());
+      truth[node(moving)] = static_cast<std::uint8_t>(truth[node(moving)] + 2 * moving.back().get<int>());
     state_ = SearchState(known, truth);
   }
 
@@ -168,7 +172,7 @@ class Rebuilt {
     return which;
   }
   [[nodiscard]] NodeId node(const Json& cell) const {
-    return static_cast<NodeId>(cell[1].get<int>() * width_ + cell[0].get<int>());
+    return box_.node({cell[0].get<int>(), cell[1].get<int>(), box_.solid() ? cell[2].get<int>() : 0});
   }
   [[nodiscard]] std::uint64_t raw(const Event& event, const Json& value) const {
     if (value.is_null()) return 0;
@@ -183,7 +187,7 @@ class Rebuilt {
     return static_cast<std::uint64_t>(cost_of(value).raw) + (event.kind == EventKind::queue ? 1 : 0);
   }
 
-  int width_;
+  Box box_;
   SearchState state_;
 };
 
@@ -224,6 +228,43 @@ TEST(JsonLines, HoldMissionsWithAllThatCanHappen) {
     const PlannerInfo& info = planners()[seed % planners().size()];
     SCOPED_TRACE(std::string(info.id) + ", seed " + std::to_string(seed));
     expect_rebuilds(random_mission(seed, std::string(info.id)));
+  }
+}
+
+TEST(JsonLines, HoldMissionsInBoxesOfVoxels) {
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    const PlannerInfo& info = planners()[seed % planners().size()];
+    SCOPED_TRACE(std::string(info.id) + ", seed " + std::to_string(seed));
+    expect_rebuilds(random_mission(seed, std::string(info.id), 2 + static_cast<int>(seed % 3)));
+  }
+}
+
+TEST(JsonLines, TellTheDepthOfABoxAndNoneOfAPlane) {
+  const auto head = [](int layers) {
+    std::istringstream lines(trace(random_mission(3, "dstar-lite", layers), "run.jsonl"));
+    std::string line;
+    std::getline(lines, line);
+    return Json::parse(line);
+  };
+  const Json box = head(3), plane = head(1);
+  EXPECT_EQ(box["depth"], 3);
+  EXPECT_EQ(box["known"].size(), 3 * box["height"].get<std::size_t>());
+  EXPECT_EQ(box["start"], Json({0, 0, 0}));
+  EXPECT_EQ(box["moving"].front().size(), 4u);
+  EXPECT_FALSE(plane.contains("depth"));
+  EXPECT_EQ(plane["start"], Json({0, 0}));
+  EXPECT_EQ(plane["moving"].front().size(), 3u);
+}
+
+TEST(TraceFile, PosthocIsRefusedInSpaceWithTheMend) {
+  const test::TemporaryFolder folder;
+  replan::Run run(random_mission(1, "dstar-lite", 4), 0);
+  for (const std::string name : {"a.trace.yaml", "a.trace.json"}) {
+    const auto written = write_trace(folder.file(name), trace_run(run));
+    ASSERT_FALSE(written.ok());
+    EXPECT_NE(written.error().find("Posthoc draws planes, and this world has 4 layers: end the name of"),
+              std::string::npos)
+        << written.error();
   }
 }
 

@@ -135,6 +135,34 @@ TEST(Transform, ImpossibleSizesAreRefused) {
   }
 }
 
+TEST(Transform, TheLayersOfABoxAreTurnedAlike) {
+  Scenario before;
+  before.map = GridMap(4, 3, 2);
+  before.map.set({1, 0, 0}, true);
+  before.map.set({3, 2, 1}, true);
+  before.start = {0, 0, 1};
+  before.goal = {3, 1, 0};
+  Surprise surprise;
+  surprise.at.move = 1;
+  surprise.cells = {{{2, 1, 0}, true}, {{0, 0, 1}, false}};
+  before.surprises = {surprise};
+  before.movers = {{.way = {{1, 1, 0}, {2, 0, 1}}, .depth = 2}};
+  const Scenario left = turned(before, Turn::left);
+  EXPECT_EQ(left.map.box(), Box(3, 4, 2));
+  EXPECT_TRUE(left.map.at({0, 2, 0}) && left.map.at({2, 0, 1}));
+  EXPECT_EQ(left.start, (Cell{0, 3, 1}));
+  EXPECT_EQ(left.surprises[0].cells, (std::vector<CellChange>{{{1, 1, 0}, true}, {{0, 3, 1}, false}}));
+  EXPECT_EQ(left.movers[0].way, (std::vector<Cell>{{1, 2, 0}, {0, 1, 1}}));
+  EXPECT_EQ(turned(left, Turn::right), before);
+  const Result<Resized> wider = resized(before, {5, 3, Side::high, Side::low, true});
+  ASSERT_TRUE(wider.ok()) << wider.error();
+  EXPECT_EQ(wider->scenario.map.box(), Box(5, 3, 2));
+  EXPECT_TRUE(wider->scenario.map.at({4, 2, 1}) && wider->scenario.map.at({0, 1, 1}));
+  EXPECT_EQ(wider->scenario.start, (Cell{1, 0, 1}));
+  EXPECT_EQ(wider->scenario.surprises[0].cells[1].cell, (Cell{1, 0, 1}));
+  EXPECT_EQ(inversion(before.map, {}).size(), 24u);
+}
+
 TEST(Transform, AnInversionSparesWhatStandsThere) {
   const Scenario scenario = furnished();
   const std::vector<Cell> keep = {scenario.start, scenario.goal};

@@ -81,7 +81,12 @@ TEST(Scenario, ReadsEveryKey) {
   ASSERT_EQ(scenario->surprises.size(), 4u);
   EXPECT_EQ(scenario->surprises[3].goal, (Cell{0, 2}));
   EXPECT_EQ(scenario->surprises[3].robot, (Cell{3, 0}));
-  EXPECT_EQ(scenario->movers, (std::vector<MovingObstacle>{{{{0, 0}, {3, 1}}, 2, 1, 0.5, WayEnd::loop, 3}}));
+  EXPECT_EQ(scenario->movers, (std::vector<MovingObstacle>{{.way = {{0, 0}, {3, 1}},
+                                                            .width = 2,
+                                                            .height = 1,
+                                                            .speed = 0.5,
+                                                            .at_end = WayEnd::loop,
+                                                            .from = 3}}));
   EXPECT_EQ(scenario->surprises[0].at.move, 12);
   EXPECT_TRUE(scenario->surprises[0].announced);
   const std::vector<CellChange> cells = {
@@ -294,8 +299,10 @@ TEST(Scenario, RefusesWhatIsOutOfPlace) {
   EXPECT_NE(error_with("/replan", 2).find("replan: must be 1, the only version"), std::string::npos);
   EXPECT_NE(error_with("/planners", json::array()).find("must be a list of 1 to 16 planners"),
             std::string::npos);
-  EXPECT_NE(error_with("/map", json::object()).find("needs either 'file' or 'rows'"), std::string::npos);
-  EXPECT_NE(error_with("/map/file", "x.map").find("needs either 'file' or 'rows'"), std::string::npos);
+  EXPECT_NE(error_with("/map", json::object()).find("needs exactly one of 'file', 'rows' and 'layers'"),
+            std::string::npos);
+  EXPECT_NE(error_with("/map/file", "x.map").find("needs exactly one of 'file', 'rows' and 'layers'"),
+            std::string::npos);
   EXPECT_NE(error_with("/map/rows", json::array()).find("must be a list of rows"), std::string::npos);
   EXPECT_NE(error_with("/map/rows/0", "").find("at least one cell"), std::string::npos);
   EXPECT_NE(error_with("/surprises/0/at", json::object()).find("needs exactly one of"), std::string::npos);

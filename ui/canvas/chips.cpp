@@ -189,6 +189,7 @@ ImVec2 draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scen
   std::string figures = grouped(memory.expansions(run, cursor)) + " expansions";
   if (mark != nullptr && !mark->plan->path->empty())
     figures += " · " + grouped(static_cast<std::int64_t>(mark->plan->path->size())) + " nodes";
+  if (run.lattice().solid()) figures += " · layer " + std::to_string(state.view.slice);
   const std::string name = std::string(run.info().name) + distinction(run);
   const std::array<TextRun, 3> title = {{{name, theme.text, look.fonts.title},
                                          {figures, theme.dim, look.fonts.small},

@@ -32,11 +32,17 @@ bool map_file_holds(const Scenario& scenario, const std::string& folder) {
 Result<Scenario> open_document(const std::string& path, const Scenario& current, const MapReading& reading,
                                const std::stop_token& stop) {
   if (path.empty()) return Error{"Type the path of a scenario (.json), a map (.map) or a picture (.png)."};
-  if (file_extension(path) == ".json") return read_scenario(path);
+  if (file_extension(path) == ".json") {
+    Result<Scenario> scenario = read_scenario(path);
+    if (!scenario) return scenario;
+    if (const auto plane = check_plane(scenario->map, path); !plane) return Error{plane.error()};
+    return scenario;
+  }
   if (file_extension(path) == ".scen")
     return Error{path + ": a .scen file lists problems, not a world; open the .map that it is for"};
-  Result<MapFile> file = read_plane_file(path, reading);
+  Result<MapFile> file = read_map_file(path, reading);
   if (!file) return Error{file.error()};
+  if (const auto plane = check_plane(file->map, path); !plane) return Error{plane.error()};
   Scenario scenario = world_of(std::move(file->map), current);
   scenario.map_found = std::move(file->found);
   scenario.name = file_stem(path);
@@ -44,6 +50,23 @@ Result<Scenario> open_document(const std::string& path, const Scenario& current,
   if (file->start) scenario.start = *file->start;
   if (file->goal) scenario.goal = *file->goal;
   return scenario;
+}
+
+Result<void> check_plane(const GridMap& map, const std::string& path) {
+  if (map.depth == 1) return {};
+  const std::string depth = std::to_string(map.depth);
+  if (path.empty())
+    return Error{
+        "This world has " + depth +
+        " layers, and the window shows planes: save its scenario as a file, and drive it with 'replan run "
+        "FILE' or draw a layer with 'replan render FILE --slice Z -o layer.png'."};
+  if (file_extension(path) == ".json")
+    return Error{"'" + path + "' has " + depth +
+                 " layers, and the window shows planes: drive it with 'replan run " + path +
+                 "', or draw a layer with 'replan render " + path + " --slice Z -o layer.png'."};
+  return Error{"'" + path + "' has " + depth +
+               " layers, and the window shows planes: take one with 'replan convert " + path +
+               " plane.map --slice Z', or drive through all of them with 'replan run --map " + path + "'."};
 }
 
 Scenario empty_world(int width, int height, const Scenario& current) {

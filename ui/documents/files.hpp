@@ -16,6 +16,9 @@ namespace replan::ui {
 /// say what now. Slow for a large map: not for the drawing thread.
 Result<Scenario> open_document(const std::string& path, const Scenario& current,
                                const MapReading& reading = {}, const std::stop_token& stop = {});
+/// A world as the window takes it: a plane. The error tells what can be done with one of more layers; `path` names
+/// it, empty for one without a file.
+Result<void> check_plane(const GridMap& map, const std::string& path);
 /// An all-free world with the planners and the robot of `current`.
 Scenario empty_world(int width, int height, const Scenario& current);
 /// Whether save_document() keeps everything that this file held, so that Ctrl+S may write to it without

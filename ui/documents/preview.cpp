@@ -7,6 +7,7 @@
 #include "core/plan/registry.hpp"
 #include "core/world/map_file.hpp"
 #include "ui/documents/file_list.hpp"
+#include "ui/documents/files.hpp"
 #include "ui/shell/format.hpp"
 
 namespace replan::ui {
@@ -100,12 +101,16 @@ Preview make_preview(const std::string& path, const MapReading& reading, const s
     const Result<Scenario> scenario = read_scenario(path);
     if (!scenario)
       preview.error = scenario.error();
+    else if (const auto plane = check_plane(scenario->map, path); !plane)
+      preview.error = plane.error();
     else if (!stop.stop_requested())
       describe(*scenario, preview);
   } else if (kind == FileKind::map || kind == FileKind::picture) {
-    const Result<MapFile> file = read_plane_file(path, reading);
+    const Result<MapFile> file = read_map_file(path, reading);
     if (!file)
       preview.error = file.error();
+    else if (const auto plane = check_plane(file->map, path); !plane)
+      preview.error = plane.error();
     else if (!stop.stop_requested())
       describe(file->map, file->start, file->goal, preview);
     if (file) preview.notes = file->found.notes;

@@ -58,8 +58,7 @@ std::string when_line(int number) {
 }
 
 std::string language_error(const Session& session, const std::string& text, bool quantity) {
-  const GridMap& map = session.scenario().map;
-  const WorldSize world{map.width, map.height};
+  const Box world = session.scenario().map.box();
   const Result<Condition> read = quantity ? parse_quantity(text, world) : parse_condition(text, world);
   return read ? "" : read.error();
 }

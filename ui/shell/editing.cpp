@@ -4,6 +4,7 @@
 #include "core/base/words.hpp"
 #include "core/export/case_text.hpp"
 #include "core/world/formats/ascii_map.hpp"
+#include "ui/documents/files.hpp"
 #include "ui/shell/actions.hpp"
 #include "ui/tools/select.hpp"
 
@@ -106,6 +107,8 @@ void ActionContext::paste() {
   if (is_case_text(text)) {
     Result<CaseMoment> moment = parse_case_text(text, "the clipboard");
     if (!moment) return say(panels, moment.error(), true);
+    if (const auto plane = check_plane(moment->scenario.map, ""); !plane)
+      return say(panels, plane.error(), true);
     panels.pasted = std::make_shared<const CaseMoment>(std::move(moment.value()));
     wish = Wish::go_to_pasted;
     return;

@@ -1,6 +1,7 @@
 #include "core/scene/script.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "core/scene/overlay.hpp"
 
@@ -10,20 +11,25 @@ namespace {
 /// More cells than this in sight are shown by the rectangle around them.
 constexpr std::size_t kMostOutlined = 20'000;
 
-/// The cells of a surprise, by row and column.
+/// The cells of a surprise in one layer, in the order of nodes.
 class CellSet {
  public:
-  explicit CellSet(const std::vector<CellChange>& cells) : cells_(cells) {}
-  [[nodiscard]] bool has(Cell cell) const {
-    const auto before = [](const CellChange& a, Cell b) {
-      return std::pair(a.cell.y, a.cell.x) < std::pair(b.y, b.x);
+  CellSet(std::span<const CellChange> cells, int layer) {
+    const auto from = [&](int z) {
+      return std::partition_point(cells.begin(), cells.end(),
+                                  [z](const CellChange& each) { return each.cell.z < z; });
     };
+    cells_ = {from(layer), from(layer + 1)};
+  }
+  [[nodiscard]] std::span<const CellChange> all() const { return cells_; }
+  [[nodiscard]] bool has(Cell cell) const {
+    const auto before = [](const CellChange& a, Cell b) { return in_node_order(a.cell, b); };
     const auto found = std::lower_bound(cells_.begin(), cells_.end(), cell, before);
     return found != cells_.end() && found->cell == cell;
   }
 
  private:
-  const std::vector<CellChange>& cells_;
+  std::span<const CellChange> cells_;
 };
 
 /// One surprise that is to come.
@@ -36,15 +42,15 @@ class ComingSurprise {
         width_(context.pixels(selected ? 2.2 : 1.4)) {}
 
   void add() {
-    if (surprise_.cells.empty()) return;
+    if (cells_.all().empty()) return;
     const auto visible = static_cast<std::size_t>(
-        std::count_if(surprise_.cells.begin(), surprise_.cells.end(),
+        std::count_if(cells_.all().begin(), cells_.all().end(),
                       [this](const CellChange& each) { return context_.in_sight(each.cell); }));
     if (visible > 0) context_.scene.show(Sign::to_come);
     if (visible > kMostOutlined || context_.grown(3, 4) <= 0) {
       add_bounds();
     } else {
-      for (const CellChange& each : surprise_.cells)
+      for (const CellChange& each : cells_.all())
         if (context_.in_sight(each.cell)) add_cell(each);
     }
     add_trigger();
@@ -54,7 +60,7 @@ class ComingSurprise {
   void add_cell(const CellChange& change) {
     const auto x = static_cast<double>(change.cell.x), y = static_cast<double>(change.cell.y);
     const auto edge = [&](int dx, int dy, Point from, Point to) {
-      if (!cells_.has({change.cell.x + dx, change.cell.y + dy}))
+      if (!cells_.has({change.cell.x + dx, change.cell.y + dy, change.cell.z}))
         context_.add(Line{from, to, colour_, width_});
     };
     edge(0, -1, {x, y}, {x + 1, y});
@@ -70,8 +76,8 @@ class ComingSurprise {
   }
 
   void add_bounds() {
-    Cell low = surprise_.cells.front().cell, high = low;
-    for (const CellChange& each : surprise_.cells) {
+    Cell low = cells_.all().front().cell, high = low;
+    for (const CellChange& each : cells_.all()) {
       low = {std::min(low.x, each.cell.x), std::min(low.y, each.cell.y)};
       high = {std::max(high.x, each.cell.x), std::max(high.y, each.cell.y)};
     }
@@ -82,10 +88,11 @@ class ComingSurprise {
   /// What sets it off: the step beside it, or a ring around the place.
   void add_trigger() {
     const Trigger& at = surprise_.at;
-    if (at.near && at.within * context_.zoom > context_.pixels(4))
-      context_.add(Ring{SceneContext::centre(*at.near), at.within, faded(colour_, 0.7), context_.pixels(1),
-                        context_.pixels(4)});
-    const CellChange* first = &surprise_.cells.front();
+    const Point place = SceneContext::centre(at.near.value_or(Cell{}));
+    const double radius = at.near ? context_.cut_radius(place, at.within) : 0;
+    if (radius * context_.zoom > context_.pixels(4))
+      context_.add(Ring{place, radius, faded(colour_, 0.7), context_.pixels(1), context_.pixels(4)});
+    const CellChange* first = &cells_.all().front();
     if (!context_.in_sight(first->cell)) return;
     const std::string words = at.move ? "step " + std::to_string(*at.move) : "when near";
     // A ground of its own, or it could not be read over a field. The small digits are less than seven pixels
@@ -100,7 +107,7 @@ class ComingSurprise {
 
   SceneContext& context_;
   const Surprise& surprise_;
-  CellSet cells_{surprise_.cells};
+  CellSet cells_{surprise_.cells, context_.slice};
   Colour colour_;
   float width_;
 };
@@ -111,14 +118,16 @@ void add_way(SceneContext& context, const MovingObstacle& mover, bool selected) 
   const std::vector<Point> corners = way.points;
   if (mover.at_end == WayEnd::loop && corners.size() > 2) way.points.push_back(corners.front());
   context.scene.show(Sign::mover);
-  if (way.points.size() > 1) context.add(std::move(way));
+  if (way.points.size() > 1) add_through_layers(context, std::move(way), mover.depth);
   for (std::size_t i = 1; i < corners.size(); ++i)
-    context.add(Disc{corners[i], context.pixels(selected ? 4.5 : 3), colour, context.palette.outline,
-                     context.pixels(1)});
+    context.add(Disc{corners[i], context.pixels(selected ? 4.5 : 3),
+                     context.seen_at(corners[i], colour, mover.depth),
+                     context.seen_at(corners[i], context.palette.outline, mover.depth), context.pixels(1)});
   const Cell box = mover.way.front();
   context.add(Outline{static_cast<double>(box.x), static_cast<double>(box.y),
                       static_cast<double>(mover.width), static_cast<double>(mover.height),
-                      OutlineShape::square, colour, context.pixels(selected ? 2.4 : 1.6), 0});
+                      OutlineShape::square, context.seen_at(corners.front(), colour, mover.depth),
+                      context.pixels(selected ? 2.4 : 1.6), 0});
 }
 
 void draw_script(SceneContext& context) {

@@ -204,7 +204,7 @@ Result<GridMap> generate_from_spec(std::string_view spec, std::span<const Cell> 
 
 Result<MapFile> open_map(const std::string& source, const MapReading& reading,
                          std::span<const Cell> keep_free) {
-  if (!is_generator_spec(source)) return read_plane_file(source, reading);
+  if (!is_generator_spec(source)) return read_map_file(source, reading);
   Result<GridMap> map = generate_from_spec(source, keep_free);
   if (!map) return Error{map.error()};
   return MapFile{std::move(map.value())};

@@ -7,12 +7,12 @@ namespace {
 
 using namespace replan;
 
-constexpr WorldSize kWorld{8, 6};
+const Box kWorld{8, 6};
 
 /// A log of every kind of event, made up: what an expression reads must not depend on its making sense.
 const Timeline& some_log() {
   static const Timeline log = [] {
-    Timeline made{SearchState(static_cast<std::size_t>(kWorld.width * kWorld.height))};
+    Timeline made{SearchState(kWorld.node_count())};
     std::vector<Event> events;
     for (std::uint32_t i = 0; i < 300; ++i) {
       const auto kind = static_cast<EventKind>(i % static_cast<std::uint32_t>(kEventKinds));
@@ -30,10 +30,9 @@ const Timeline& some_log() {
 
 /// Counts the stops in both directions; they are the same ones.
 void walk(const Condition& condition) {
-  static const Box lattice(kWorld.width, kWorld.height);
   static const Settings settings;
   const Timeline& log = some_log();
-  const LogView view{log, lattice, planners().front(), settings};
+  const LogView view{log, kWorld, planners().front(), settings};
   const std::size_t breaches[] = {3, 200};
   std::size_t there = 0, back = 0;
   Probe forwards(view, condition, 0, {breaches, breaches});

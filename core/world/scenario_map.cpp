@@ -1,0 +1,153 @@
+#include "core/world/scenario_map.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/world/formats/movingai.hpp"
+#include "core/world/formats/text_lines.hpp"
+#include "core/world/map_file.hpp"
+
+namespace replan {
+namespace {
+
+using Rows = std::vector<JsonNode>;
+
+/// How a map file is to be read.
+MapReading read_reading(const JsonNode& node, bool inline_map) {
+  MapReading reading;
+  const auto threshold = node.find("threshold"), invert = node.find("invert"), unknown = node.find("unknown"),
+             occupied = node.find("occupied");
+  for (const auto& option : {threshold, invert, unknown, occupied})
+    if (inline_map && option) option->fail("goes with 'file'");
+  if (threshold) reading.image.threshold = static_cast<int>(threshold->whole(1, 255));
+  if (invert) reading.image.invert = invert->toggle();
+  if (unknown) reading.unknown = static_cast<UnknownCells>(unknown->one_of({"blocked", "free", "unmapped"}));
+  if (occupied) reading.occupied = occupied->number(-kMaxOccupied, kMaxOccupied);
+  return reading;
+}
+
+void read_origin(const JsonNode& node, GridMap& map) {
+  const auto parts = node.items(3, 3, "a pose [x, y, yaw]");
+  for (std::size_t i = 0; i < parts.size(); ++i) map.origin[i] = parts[i].number(-kMaxOrigin, kMaxOrigin);
+}
+
+Rows rows_of(const JsonNode& node) {
+  return node.items(1, static_cast<std::size_t>(kMaxCells), "a list of rows, one text each");
+}
+
+/// The rows of each layer; none after an error.
+std::vector<Rows> layers_of(const JsonNode& node) {
+  std::vector<Rows> layers;
+  for (const JsonNode& item :
+       node.items(1, static_cast<std::size_t>(kMaxVoxels), "a list of layers, each a list of rows")) {
+    layers.push_back(rows_of(item));
+    if (layers.back().empty()) return {};
+    if (layers.back().size() == layers.front().size()) continue;
+    item.fail("has " + std::to_string(layers.back().size()) + " rows, the first layer has " +
+              std::to_string(layers.front().size()));
+    return {};
+  }
+  return layers;
+}
+
+void read_row(const JsonNode& node, Cell first, GridMap& map) {
+  const std::string row = node.text();
+  if (row.size() != static_cast<std::size_t>(map.width))
+    return node.fail("has " + std::to_string(row.size()) + " cells, the first row has " +
+                     std::to_string(map.width));
+  for (std::size_t x = 0; x < row.size(); ++x) {
+    const MapLetter letter = map_letter(row[x]);
+    if (letter == MapLetter::unknown && row[x] != '?')
+      return node.fail("column " + std::to_string(x + 1) + ": unknown cell letter " +
+                       shown_letter(std::string_view(row).substr(x)) +
+                       "; known are . G S (free), @ O T W (obstacle) and ? (an obstacle that is on "
+                       "nobody's map)");
+    map.blocked[map.index(first) + x] = row[x] == '?'                  ? kUnmapped
+                                        : letter == MapLetter::blocked ? kObstacle
+                                                                       : kFree;
+  }
+}
+
+/// A map of these layers, whose rows are as many in each. `most` cells are the limit for such a map.
+void read_cells(const JsonNode& node, const std::vector<Rows>& layers, std::int64_t most, GridMap& map) {
+  if (layers.empty() || layers.front().empty()) return;
+  const JsonNode& first = layers.front().front();
+  const auto width = static_cast<std::int64_t>(first.text().size());
+  const auto height = static_cast<std::int64_t>(layers.front().size()),
+             depth = static_cast<std::int64_t>(layers.size());
+  if (width == 0) return first.fail("must have at least one cell");
+  if (width > most / height || depth > most / (width * height))
+    return node.fail("too large: at most " + std::to_string(most) + " cells");
+  map = GridMap(static_cast<int>(width), static_cast<int>(height), static_cast<int>(depth));
+  for (int z = 0; z < map.depth; ++z)
+    for (int y = 0; y < map.height; ++y)
+      read_row(layers[static_cast<std::size_t>(z)][static_cast<std::size_t>(y)], {0, y, z}, map);
+}
+
+void read_file_of(const JsonNode& file, const std::string& folder, Scenario& scenario) {
+  scenario.map_file = file.text();
+  if (scenario.map_file.empty()) return file.fail("must name a file");
+  Result<MapFile> map =
+      read_map_file((std::filesystem::path(folder) / scenario.map_file).string(), scenario.map_reading);
+  if (!map) return file.fail(map.error());
+  scenario.map = std::move(map->map);
+  scenario.map_found = std::move(map->found);
+}
+
+Json rows_json(const GridMap& map, int z) {
+  Json rows = Json::array();
+  for (int y = 0; y < map.height; ++y) {
+    std::string row;
+    for (int x = 0; x < map.width; ++x) row += ".@?"[map.blocked[map.index({x, y, z})]];
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace
+
+void read_map_of(const JsonNode& node, const std::string& folder, Scenario& scenario) {
+  if (!node.expect_object(
+          {"file", "rows", "layers", "resolution", "origin", "threshold", "invert", "unknown", "occupied"}))
+    return;
+  const auto file = node.find("file"), rows = node.find("rows"), layers = node.find("layers");
+  const auto resolution = node.find("resolution"), origin = node.find("origin");
+  if (int{file.has_value()} + int{rows.has_value()} + int{layers.has_value()} != 1)
+    return node.fail("needs exactly one of 'file', 'rows' and 'layers'");
+  GridMap& map = scenario.map;
+  if (rows) read_cells(*rows, {rows_of(*rows)}, kMaxCells, map);
+  if (layers) read_cells(*layers, layers_of(*layers), kMaxVoxels, map);
+  if (!file && resolution) map.resolution = resolution->number(kMinResolution, kMaxResolution);
+  if (!file && origin) read_origin(*origin, map);
+  const MapReading reading = read_reading(node, !file);
+  if (!file) return;
+  if (resolution) return resolution->fail("goes with 'rows' or 'layers'; a map file has its own");
+  if (origin) return origin->fail("goes with 'rows' or 'layers'; a map file has its own");
+  scenario.map_reading = reading;
+  read_file_of(*file, folder, scenario);
+}
+
+Json map_json(const Scenario& scenario) {
+  Json map = Json::object();
+  if (!scenario.map_file.empty()) {
+    const MapReading& reading = scenario.map_reading;
+    constexpr const char* kUnknown[] = {"blocked", "free", "unmapped"};
+    map["file"] = scenario.map_file;
+    if (reading.image.threshold != ImageMapOptions{}.threshold) map["threshold"] = reading.image.threshold;
+    if (reading.image.invert) map["invert"] = true;
+    if (reading.unknown != UnknownCells::blocked)
+      map["unknown"] = kUnknown[static_cast<std::size_t>(reading.unknown)];
+    if (reading.occupied) map["occupied"] = plain_number(*reading.occupied);
+    return map;
+  }
+  if (scenario.map.depth == 1)
+    map["rows"] = rows_json(scenario.map, 0);
+  else
+    for (int z = 0; z < scenario.map.depth; ++z) map["layers"].push_back(rows_json(scenario.map, z));
+  if (scenario.map.resolution != 1) map["resolution"] = plain_number(scenario.map.resolution);
+  if (scenario.map.origin != std::array<double, 3>{})
+    for (const double part : scenario.map.origin) map["origin"].push_back(plain_number(part));
+  return map;
+}
+
+}  // namespace replan
