@@ -44,6 +44,26 @@ TEST(Actions, EveryOverlayHasOne) {
   }
 }
 
+TEST(Actions, EveryToolHasOneAndOneToolIsChosenAtFirst) {
+  int at_first = 0;
+  for (const ToolKind& kind : tool_kinds()) {
+    EXPECT_EQ(action(tool_action(kind.id)).label, kind.label);
+    EXPECT_NE(kind.make(), nullptr) << kind.id;
+    at_first += kind.at_first ? 1 : 0;
+  }
+  EXPECT_EQ(at_first, 1);
+}
+
+TEST(Actions, EveryTabHasOneAndOneTabShowsAtFirst) {
+  int at_first = 0;
+  for (const TabKind& kind : tab_kinds()) {
+    EXPECT_EQ(action(tab_action(kind.id)).label, kind.label);
+    EXPECT_NE(kind.make(), nullptr) << kind.id;
+    at_first += kind.at_first ? 1 : 0;
+  }
+  EXPECT_EQ(at_first, 1);
+}
+
 TEST(Actions, PromisedKeysLeadWhereTheyShould) {
   const auto keys = [](ActionId id) { return action(id).keys; };
   EXPECT_EQ(keys(ActionId::play), "Space");

@@ -182,7 +182,6 @@ void Canvas::Parts::point(const Session& session, const Run& run, ViewState& sta
                         .left_down = ImGui::IsMouseDown(ImGuiMouseButton_Left),
                         .right_down = ImGui::IsMouseDown(ImGuiMouseButton_Right),
                         .reach = std::max(0.5, radius)};
-  if (inside) ImGui::SetMouseCursor(state.tools.kind().cursor);
   if (hand.holds() || hand.could_hold(run, state, pointer)) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   hand.update(session, run, state, pointer, commands);
 }
@@ -249,6 +248,7 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
     if (hovered && state.tools.kind().leads && ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
         pane != session.lead())
       commands.emplace_back(Lead{pane});
+    if (hovered) ImGui::SetMouseCursor(state.tools.kind().cursor);
     parts.navigate(run, state, min, hovered);
     parts.glide(state, min);
     if (parts.panning)
