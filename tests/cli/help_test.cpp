@@ -103,16 +103,11 @@ TEST(Manual, namesNothingThatIsNotThere) {
     EXPECT_TRUE(names(helps, found->str())) << found->str();
 }
 
-TEST(Manual, namesEveryPlannerAndSetting) {
+/// Planners and their settings come and go; the page says who lists them.
+TEST(Manual, leadsToPlannersAndTheirSettings) {
   const std::string page = manual();
-  for (const PlannerInfo& info : planners()) {
-    EXPECT_TRUE(names(page, std::string(info.id))) << info.id;
-    for (const Parameter& parameter : info.parameters) {
-      EXPECT_TRUE(names(page, std::string(parameter.key))) << parameter.key;
-      for (const std::string_view choice : parameter.choices)
-        EXPECT_TRUE(names(page, std::string(choice))) << parameter.key << " " << choice;
-    }
-  }
+  for (const char* command : {"replan list planners", "replan list stages", "replan list robots", "replan run"})
+    EXPECT_NE(page.find(command), std::string::npos) << command;
 }
 
 /// What bash would offer for a command line, one per line.
