@@ -35,7 +35,9 @@ KindSet shared_kinds(const PlannerInfo& a, const PlannerInfo& b) {
   KindSet kinds{known,     truth,   scalar,  pop,     plan_begin, plan_end, move,      sensed, surprise,
                 collision, waiting, arrival, gave_up, new_goal,   put_down, forgotten, aim};
   for (const Field& field : a.values.fields)
-    if (!is_own_field(field.kind) && b.values.declares(field.kind)) kinds.add(field.kind);
+    if (const Field* other = b.values.find(field.kind);
+        other != nullptr && !is_own_field(field.kind) && field.shown && other->shown)
+      kinds.add(field.kind);
   if (a.sight && b.sight)
     for (const EventKind kind : {sight, unchecked}) kinds.add(kind);
   return kinds;

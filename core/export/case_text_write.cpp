@@ -239,7 +239,7 @@ std::vector<const Field*> columns(const Source& from) {
   std::vector<const Field*> columns;
   for (const FieldType type : kOrder)
     for (const Field& field : from.view.info.values.fields)
-      if (field.type == type) columns.push_back(&field);
+      if (field.shown && field.type == type) columns.push_back(&field);
   return columns;
 }
 

@@ -18,7 +18,8 @@ inline PlannerInfo describe(DStarLiteSwitches switches) {
   PlannerInfo info;
   info.incremental = info.from_goal = true;
   info.values = lookahead_values();
-  if (switches.sight) info.values.fields.push_back(fields::kRp);
+  info.values.fields.push_back(fields::kRp);
+  info.values.fields.back().shown = switches.sight;  // without sight it is the local one and nothing reads it
   if (switches.clearance) info.values.fields.push_back(fields::kDist);
   info.any_angle = info.sight = switches.sight;
   info.clearance = switches.clearance;

@@ -32,6 +32,7 @@ struct Field {
   std::uint64_t initial = 0;
   bool forgotten = true;                         ///< an epoch makes it `initial` again
   std::span<const std::string_view> names = {};  ///< of FieldType::name
+  bool shown = true;  ///< off: the planner writes it, and neither it nor a user has any use for it
 };
 
 /// The id of the i-th value of a planner's own, besides those below; at most kOwnFields.

@@ -121,10 +121,10 @@ TEST_F(OwnFields, CanBeStoppedAt) {
   EXPECT_EQ(stops("changed(tag(3, 0))"), (std::vector<std::size_t>{1, 4, 5, 6}));
   EXPECT_EQ(expression_text(*parse_condition("changed( tag(3,0) )", {5, 4}, info_.values.fields)),
             "changed(tag(3, 0))");
-  EXPECT_EQ(parse_condition("tga(3, 0) == 2", {5, 4}, info_.values.fields).error(),
-            "character 1: unknown name 'tga'; did you mean 'tag'?");
+  EXPECT_EQ(parse_condition("lowets(3, 0) == 2", {5, 4}, info_.values.fields).error(),
+            "character 1: unknown name 'lowets'; did you mean 'lowest'?");
   EXPECT_EQ(parse_condition("tag == 2", {5, 4}, info_.values.fields).error(),
-            "character 4: 'tag' needs a cell in whole numbers: tag(x, y)");
+            "character 5: 'tag' needs a cell in whole numbers: tag(x, y)");
 }
 
 TEST_F(OwnFields, OfAnotherPlannerAreUnset) {

@@ -66,7 +66,7 @@ std::string key_text(const CellView& view) {
 /// The rows of the declared values of one type.
 void add_rows(std::vector<ValueRow>& rows, const CellView& view, FieldType type) {
   for (const Field& field : view.run.info().values.fields)
-    if (field.type == type)
+    if (field.shown && field.type == type)
       rows.push_back({std::string(field.label),
                       value_text(view.run.lattice(), field, view.state.value(field.kind, view.node)),
                       field.kind});
