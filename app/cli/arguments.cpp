@@ -7,7 +7,6 @@
 
 #include "app/cli/output.hpp"
 #include "core/base/file.hpp"
-#include "core/lattice/box_words.hpp"
 #include "core/plan/registry.hpp"
 #include "core/plan/stage.hpp"
 #include "core/world/generator_list.hpp"
@@ -118,6 +117,14 @@ Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids,
   return result;
 }
 
+std::string cell_range(const Box& world) {
+  const auto to = [](const char* axis, int side) {
+    return std::string(axis) + " from 0 to " + std::to_string(side - 1);
+  };
+  return to("x", world.width()) + ", " + to("y", world.height()) +
+         (world.solid() ? ", " + to("z", world.depth()) : "");
+}
+
 /// How a cell of the world is typed.
 const char* cell_form(bool solid) {
   return solid ? "X,Y,Z" : "X,Y";
@@ -130,7 +137,7 @@ Result<Scenario> plain_world(const WorldArguments& arguments) {
   for (const auto& [option, cell] : {std::pair{"--start", &file->start}, std::pair{"--goal", &file->goal}})
     if (!cell->has_value())
       return Error{std::string(option) + " is missing: give " + option + " " +
-                   cell_form(file->map.depth > 1) + "; " + range_text(file->map.box())};
+                   cell_form(file->map.depth > 1) + " with " + cell_range(file->map.box())};
   Scenario world;
   world.map = std::move(file->map);
   world.start = *file->start;
@@ -343,8 +350,8 @@ Result<Cell> parse_cell_in(const Box& world, std::string_view option, std::strin
                            const std::string& where) {
   const auto cell = parse_cell(option, text, world.solid());
   if (!cell || world.contains(*cell)) return cell;
-  return Error{std::string(option) + " " + std::string(text) + " is outside " + where + ": " +
-               range_text(world)};
+  return Error{std::string(option) + " " + std::string(text) + " is outside " + where + ": give " +
+               cell_range(world)};
 }
 
 Result<std::int64_t> parse_count(std::string_view option, std::string_view text, std::int64_t low) {
