@@ -7,7 +7,6 @@
 
 #include "app/cli/output.hpp"
 #include "core/base/file.hpp"
-#include "core/lattice/box_words.hpp"
 #include "core/plan/registry.hpp"
 #include "core/plan/stage.hpp"
 #include "core/world/formats/number_cells.hpp"
@@ -118,19 +117,13 @@ Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids,
   return result;
 }
 
-/// How a cell of the world is typed.
-const char* cell_form(bool solid) {
-  return solid ? "X,Y,Z" : "X,Y";
-}
-
 /// The world on a map, whose start and goal must be given or stand in its file.
 Result<Scenario> plain_world(const WorldArguments& arguments) {
   Result<MapFile> file = arguments.load_map();
   if (!file) return Error{file.error()};
   for (const auto& [option, cell] : {std::pair{"--start", &file->start}, std::pair{"--goal", &file->goal}})
     if (!cell->has_value())
-      return Error{std::string(option) + " is missing: give " + option + " " +
-                   cell_form(file->map.depth > 1) + "; " + range_text(file->map.box())};
+      return Error{std::string(option) + " is missing: give " + option + " " + cell_wanted(file->map.box())};
   Scenario world;
   world.map = std::move(file->map);
   world.start = *file->start;
@@ -320,31 +313,6 @@ Result<Scenario> WorldArguments::load() const {
   if (!choices) return Error{choices.error()};
   world->planners = std::move(choices.value());
   return world;
-}
-
-Result<Cell> parse_cell(std::string_view option, std::string_view text, bool solid) {
-  std::vector<int> numbers;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', from), text.size());
-    if (const auto number = number_from<int>(text.substr(from, comma - from)))
-      numbers.push_back(*number);
-    else
-      break;
-    from = comma + 1;
-    if (from > text.size() && numbers.size() == (solid ? 3u : 2u))
-      return Cell{numbers[0], numbers[1], solid ? numbers[2] : 0};
-  }
-  return Error{std::string(option) + " cannot be '" + std::string(text) + "': give a cell as " +
-               cell_form(solid) + " in whole numbers, for example " + std::string(option) +
-               (solid ? " 3,4,0" : " 3,4")};
-}
-
-Result<Cell> parse_cell_in(const Box& world, std::string_view option, std::string_view text,
-                           const std::string& where) {
-  const auto cell = parse_cell(option, text, world.solid());
-  if (!cell || world.contains(*cell)) return cell;
-  return Error{std::string(option) + " " + std::string(text) + " is outside " + where + ": " +
-               range_text(world)};
 }
 
 Result<std::int64_t> parse_count(std::string_view option, std::string_view text, std::int64_t low) {

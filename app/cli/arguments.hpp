@@ -67,6 +67,8 @@ struct WorldArguments {
   [[nodiscard]] const std::string& source() const { return scenario.empty() ? map : scenario; }
 };
 
+/// "X,Y with x from 0 to 39, y from 0 to 29": how a cell of the world is typed.
+std::string cell_wanted(const Box& world);
 /// Reads "X,Y", or "X,Y,Z" if the world is `solid`: has more than one layer. `option` names it in errors.
 Result<Cell> parse_cell(std::string_view option, std::string_view text, bool solid);
 /// As parse_cell(); the cell must lie in `world`, which errors call `where`: "the map arena.map".
