@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/cli/arguments.hpp"
-#include "core/world/text_lines.hpp"
+#include "core/world/formats/text_lines.hpp"
 
 namespace replan::cli {
 namespace {

@@ -47,9 +47,7 @@ void Run::begin_log() {
   if (timeline_) retire_log();
   if (reexecution_) dispose(std::move(reexecution_));
   const bool mapped = all_mapped();
-  timeline_ = std::make_shared<Timeline>(SearchState(initial_knowledge(*scenario_, mapped),
-                                                     initial_truth(*scenario_, mapped), info_->values.fields),
-                                         limits_.log);
+  timeline_ = std::make_shared<Timeline>(initial_state(*scenario_, choice(), mapped), limits_.log);
   timeline_->set_source(
       [this](std::size_t position, const KeyFrame& frame, std::size_t from, std::size_t to) {
         if (!reexecution_)

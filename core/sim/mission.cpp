@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "core/trace/search_state.hpp"
+#include "core/plan/registry.hpp"
 
 namespace replan {
 namespace {
@@ -59,6 +59,11 @@ SharedBytes initial_knowledge(const Scenario& scenario, bool all_mapped) {
   // It feels where it stands.
   if (scenario.map.at(scenario.start)) known[scenario.map.index(scenario.start)] = 1;
   return known;
+}
+
+SearchState initial_state(const Scenario& scenario, const PlannerChoice& choice, bool all_mapped) {
+  return {initial_knowledge(scenario, all_mapped), initial_truth(scenario, all_mapped),
+          find_planner(choice.id)->values.fields};
 }
 
 Mission::Mission(const Scenario& scenario, const PlannerChoice& choice, Recorder* recorder)

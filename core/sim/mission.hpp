@@ -10,6 +10,7 @@
 #include "core/sim/mover.hpp"
 #include "core/sim/route.hpp"
 #include "core/sim/senses.hpp"
+#include "core/trace/search_state.hpp"
 #include "core/trace/tracer.hpp"
 #include "core/world/scenario.hpp"
 
@@ -215,6 +216,9 @@ class Mission {
 
 /// The map that the robot starts with.
 SharedBytes initial_knowledge(const Scenario& scenario, bool all_mapped = false);
+
+/// The state before the first event of a mission's log.
+SearchState initial_state(const Scenario& scenario, const PlannerChoice& choice, bool all_mapped = false);
 
 /// The mission of the scenario's robot with one planner. `recorder`, if there is one, is told of it and must outlive
 /// it. `scenario` may go after this.

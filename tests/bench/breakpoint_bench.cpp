@@ -25,7 +25,7 @@ struct LongLog {
     scenario.map.set(scenario.start, false);
     scenario.map.set(scenario.goal, false);
     scenario.robot.knowledge = Knowledge::map;
-    log = Timeline(SearchState(initial_knowledge(scenario), initial_truth(scenario)));
+    log = Timeline(initial_state(scenario, choice));
     Recorder recorder;
     const auto mission = make_mission(scenario, choice, &recorder);
     while (mission->advance(20000)) log.append(recorder.take());

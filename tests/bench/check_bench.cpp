@@ -38,7 +38,7 @@ Scenario with_surprise(const Worlds& worlds, const PlannerInfo& info) {
 Timeline record(const Scenario& scenario) {
   Recorder recorder;
   const auto mission = make_mission(scenario, scenario.planners[0], &recorder);
-  Timeline log(SearchState(initial_knowledge(scenario), initial_truth(scenario)));
+  Timeline log(initial_state(scenario, scenario.planners.front()));
   while (mission->advance(20000)) log.append(recorder.take());
   log.append(recorder.take());
   return log;

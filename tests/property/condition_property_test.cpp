@@ -121,7 +121,7 @@ RandomLog random_log(Random& random, const PlannerInfo& info) {
   result.info = &info;
   result.choice = {std::string(info.id), random_settings(random, info)};
   result.lattice = world;
-  result.log = Timeline(SearchState(initial_knowledge(scenario), initial_truth(scenario)));
+  result.log = Timeline(initial_state(scenario, result.choice));
   Recorder recorder;
   const auto mission = make_mission(scenario, result.choice, &recorder);
   while (mission->advance(100) && recorder.buffer().size() < 6000) {

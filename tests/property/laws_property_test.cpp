@@ -26,7 +26,7 @@ struct Log {
   std::vector<Event> events;
 
   [[nodiscard]] Timeline timeline() const {
-    Timeline timeline(SearchState(initial_knowledge(scenario), initial_truth(scenario)));
+    Timeline timeline(initial_state(scenario, scenario.planners.front()));
     timeline.append(events);
     return timeline;
   }

@@ -24,7 +24,7 @@ void ask_all(const Scenario& scenario, const PlannerInfo& info, Tally& tally) {
   const auto mission = make_mission(scenario, choice, &recorder);
   for (int slices = 0; mission->advance(64) && slices < 2000; ++slices) {
   }
-  Timeline log(SearchState(initial_knowledge(scenario), initial_truth(scenario)));
+  Timeline log(initial_state(scenario, choice));
   log.append(recorder.take());
   const LogView view{log, lattice, info, choice.settings};
   std::size_t plan = 0;

@@ -71,7 +71,7 @@ void take_up(Random& random, const Scenario& scenario, const std::vector<Event>&
   }
   const std::vector<Event> before = first.take();
   ASSERT_TRUE(before.size() <= whole.size() && std::equal(before.begin(), before.end(), whole.begin()));
-  SearchState state(initial_knowledge(scenario), initial_truth(scenario));
+  SearchState state = initial_state(scenario, choice);
   for (const Event& event : before) state.apply(event);
   const auto again = make_mission(scenario, choice, &second);
   again->restore(mission->checkpoint(), state);
@@ -91,7 +91,7 @@ void drive(Random& random, const Scenario& scenario, const PlannerInfo& info, Ta
   ASSERT_TRUE(driven_on(*make_mission(scenario, scenario.planners.front(), &recorder), recorder) ==
               witness.log())
       << "the second time it is another log";
-  Timeline log(SearchState(initial_knowledge(scenario), initial_truth(scenario)));
+  Timeline log(initial_state(scenario, scenario.planners.front()));
   log.append(witness.log());
   const Box world = scenario.map.box();
   const LogView view{log, world, info, scenario.planners.front().settings};

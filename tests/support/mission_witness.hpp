@@ -50,7 +50,7 @@ class MissionWitness {
       : scenario_(scenario),
         rules_(move_rules(scenario.planners[0].settings)),
         mission_(make_mission(scenario, scenario.planners[0], &recorder_)),
-        state_(initial_knowledge(scenario), initial_truth(scenario)) {
+        state_(initial_state(scenario, scenario.planners[0])) {
     if (info.any_angle) rules_.diagonals = true;
     world_.dimensions = scenario.map.depth > 1 ? 3 : 2;
     world_.size = {scenario.map.width, scenario.map.height, scenario.map.depth};

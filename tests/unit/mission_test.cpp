@@ -34,7 +34,7 @@ struct Driven {
   explicit Driven(const Scenario& scenario)
       : made(make_mission(scenario, scenario.planners[0], &recorder)),
         mission(*made),
-        state(initial_knowledge(scenario), initial_truth(scenario)) {}
+        state(initial_state(scenario, scenario.planners.front())) {}
 
   bool step() {
     const bool more = mission.advance(1 << 20);

@@ -315,7 +315,7 @@ void check_restore(const PlannerInfo& info, std::uint64_t seed) {
   std::vector<Marks> marks;
   for (std::size_t i = 0; i < script.steps.size(); ++i) marks.push_back(player.play(i));
   const std::span<const Event> log = player.log();
-  SearchState state(player.lattice().node_count());
+  SearchState state(player.lattice().node_count(), script.info->values.fields);
   WorkMeter meter;
   for (std::size_t at = 0, i = 0; at <= log.size(); ++at) {
     while (i + 1 < marks.size() && at > marks[i].done) ++i;
@@ -352,6 +352,19 @@ INSTANTIATE_TEST_SUITE_P(Planners, EveryLog, ::testing::ValuesIn(every_planner()
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });
+
+TEST_P(EveryLog, holdsNoValueThatThePlannerHasNotDeclared) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Script<2> script = random_script<2>(*GetParam(), seed, 4);
+    Player<2> player(script);
+    for (std::size_t i = 0; i < script.steps.size(); ++i) player.play(i);
+    for (const Event& event : player.log()) {
+      if (!is_wide(event.kind)) continue;
+      ASSERT_TRUE(GetParam()->values.declares(event.kind))
+          << static_cast<int>(event.kind) << ", seed " << seed;
+    }
+  }
+}
 
 // Also after the search was taken up in between: the log does not show how the open list is laid out.
 TEST_P(EveryLog, anotherBeginAfterTakingUpIsRecordedTheSame) {

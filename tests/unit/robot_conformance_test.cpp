@@ -46,7 +46,7 @@ Drive driven(const Scenario& scenario, const PlannerChoice& choice) {
   Drive drive;
   Recorder recorder;
   const auto mission = make_mission(scenario, choice, &recorder);
-  SearchState state(initial_knowledge(scenario), initial_truth(scenario));
+  SearchState state = initial_state(scenario, choice);
   for (bool more = true; more;) {
     more = mission->advance(200);
     for (const Event& event : recorder.buffer()) state.apply(event);
