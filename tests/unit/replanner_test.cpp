@@ -81,12 +81,13 @@ void check_replans(const PlannerInfo& info, std::uint64_t seed) {
     }
     std::vector<Replanner::Change> changes;
     for (const CellEdit& edit : random_edits<D>(trial.random, trial.world, 5)) {
-      // Told twice, the first time wrongly; and a cell that stays as it is.
-      changes.push_back({box.position(edit.node), !edit.blocked});
       changes.push_back({box.position(edit.node), edit.blocked});
       trial.world.blocked[edit.node] = edit.blocked ? 1 : 0;
     }
-    changes.push_back({box.position(goal), trial.world.blocked[goal] != 0});
+    // A cell that is told twice, the first time wrongly.
+    const bool goal_blocked = trial.world.blocked[goal] != 0;
+    changes.push_back({box.position(goal), !goal_blocked});
+    changes.push_back({box.position(goal), goal_blocked});
     const bool moves = trial.random.chance(0.5);
     if (moves) start = trial.free();
     const auto status = moves ? grid.change(changes, box.position(start)) : grid.change(changes);
