@@ -13,7 +13,7 @@
 namespace replan::test::voxel_mission_property_test {
 namespace {
 
-constexpr int kMissions = 720;  // of all planners together
+constexpr int kMissions = 480;  // of all planners together
 
 struct Tally {
   MissionTotals missions;
