@@ -68,17 +68,18 @@ Result<void> dump_state(const Session& session, const std::string& path) {
   const SearchState& state = log.state();
   std::size_t obstacles = 0;
   for (NodeId n = 0; n < state.node_count(); ++n) obstacles += state.truly_blocked(n) ? 1 : 0;
-  const replan::Mark* mark = session.run().mark_at(log.cursor());
-  const nlohmann::json json = {{"file", session.file()},
-                               {"modified", session.modified()},
-                               {"unsaved", session.unsaved_edits()},
-                               {"undo", session.undo_text()},
-                               {"obstacles", obstacles},
-                               {"cursor", log.cursor()},
-                               {"events", log.size()},
-                               {"moves", state.scalar(Scalar::moves)},
-                               {"playing", session.playback().direction},
-                               {"mission", mark == nullptr ? "planning" : mission_state_name(mark->state)}};
+  const Decision* decision = session.run().decision_at(log.cursor());
+  const nlohmann::json json = {
+      {"file", session.file()},
+      {"modified", session.modified()},
+      {"unsaved", session.unsaved_edits()},
+      {"undo", session.undo_text()},
+      {"obstacles", obstacles},
+      {"cursor", log.cursor()},
+      {"events", log.size()},
+      {"moves", state.scalar(Scalar::moves)},
+      {"playing", session.playback().direction},
+      {"mission", decision == nullptr ? "planning" : mission_state_name(decision->state)}};
   return write_file_atomically(path, json.dump(2) + "\n");
 }
 

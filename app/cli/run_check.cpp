@@ -51,9 +51,9 @@ Result<Verdict> check(const std::shared_ptr<const Scenario>& scenario, std::size
     verdict.line = line_of(view.info, view.log, *verdict.laws.first);
   }
   verdict.oracle = {.on = true, .exact = claims_cheapest(view.info, view.settings), .first = {}};
-  for (const Marker& marker : run.markers()) {
-    if (marker.kind != EventKind::plan_end) continue;
-    const PlanQuestion question = ask_about(view, verdict.oracle.asked++, marker.event + 1);
+  for (const Milestone& milestone : run.milestones()) {
+    if (milestone.kind != EventKind::plan_end) continue;
+    const PlanQuestion question = ask_about(view, verdict.oracle.asked++, milestone.event + 1);
     const auto wrong = judge(question, right_cost(question));
     if (wrong && verdict.oracle.disagreements++ == 0) verdict.oracle.first = wrong;
   }

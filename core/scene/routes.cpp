@@ -19,24 +19,24 @@ Point goal_point(const SceneContext& context) {
 }
 
 Point robot_point(const SceneContext& context) {
-  const Mark* mark = context.run.mark_at(context.cursor);
-  if (mark == nullptr) return context.centre(robot_node(context));
+  const Decision* decision = context.run.decision_at(context.cursor);
+  if (decision == nullptr) return context.centre(robot_node(context));
   const double travel = std::min(context.run.travel(), 1.0);
   const auto between = [travel](double from, double to) { return to + (1 - travel) * (from - to); };
-  return {between(mark->before.x, mark->at.x), between(mark->before.y, mark->at.y),
-          between(mark->before.z, mark->at.z)};
+  return {between(decision->before.x, decision->at.x), between(decision->before.y, decision->at.y),
+          between(decision->before.z, decision->at.z)};
 }
 
 /// The path from the robot on.
-std::vector<Point> ahead(const SceneContext& context, const Mark& mark) {
-  const Path& path = *mark.plan->path;
+std::vector<Point> ahead(const SceneContext& context, const Decision& decision) {
+  const Path& path = *decision.plan->path;
   std::vector<Point> rest;
   if (path.empty()) return rest;
   rest.push_back(robot_point(context));
   double walked = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
     walked += distance(path.point(i - 1), path.point(i));
-    if (walked > mark.along_plan + 1e-9) rest.push_back(path.point(i));
+    if (walked > decision.along_plan + 1e-9) rest.push_back(path.point(i));
   }
   return rest;
 }
@@ -61,10 +61,10 @@ void add_path(SceneContext& context) {
   const RunDigest& digest = context.memory.digest;
   const std::size_t plans = digest.plans_before(context.cursor);
   const bool searching = plans > 0 && digest.plans()[plans - 1].end > context.cursor;
-  const Mark* mark = context.run.mark_at(context.cursor);
-  const std::vector<Point> points = mark != nullptr ? ahead(context, *mark)
-                                    : searching     ? chain_of_parents(context)
-                                                    : std::vector<Point>();
+  const Decision* decision = context.run.decision_at(context.cursor);
+  const std::vector<Point> points = decision != nullptr ? ahead(context, *decision)
+                                    : searching         ? chain_of_parents(context)
+                                                        : std::vector<Point>();
   if (points.size() < 2) return;
   Polyline line{points, context.palette.path, context.pixels(3), 0};
   if (searching) line.colour = faded(line.colour, 0.4);
@@ -81,10 +81,10 @@ void add_path(SceneContext& context) {
 
 void add_trail(SceneContext& context) {
   Polyline line{{}, faded(context.palette.robot, 0.75), context.pixels(2), 0};
-  for (const Mark& mark : context.run.marks()) {
-    if (mark.event > context.cursor) break;
-    if (mark.plan->path->empty()) continue;  // it stood still
-    if (line.points.empty() || line.points.back() != mark.at) line.points.push_back(mark.at);
+  for (const Decision& decision : context.run.decisions()) {
+    if (decision.event > context.cursor) break;
+    if (decision.plan->path->empty()) continue;  // it stood still
+    if (line.points.empty() || line.points.back() != decision.at) line.points.push_back(decision.at);
   }
   if (context.run.travel() < 1 && !line.points.empty()) line.points.back() = robot_point(context);
   if (line.points.size() < 2) return;
@@ -127,10 +127,10 @@ void add_sight(SceneContext& context) {
 }
 
 double heading(const SceneContext& context) {
-  const Mark* mark = context.run.mark_at(context.cursor);
-  if (mark == nullptr || mark->after == mark->at) return 0;
+  const Decision* decision = context.run.decision_at(context.cursor);
+  if (decision == nullptr || decision->after == decision->at) return 0;
   const Point from = robot_point(context);
-  return std::atan2(mark->after.y - from.y, mark->after.x - from.x);
+  return std::atan2(decision->after.y - from.y, decision->after.x - from.x);
 }
 
 void add_sensor(SceneContext& context) {
@@ -197,9 +197,9 @@ void build_things(SceneContext& context) {
   add_thing(context,
             {goal_point(context), radius * 1.15f, palette.goal, palette.outline, rim, Glyph::target});
   const NodeId robot = robot_node(context);
-  const Mark* mark = context.run.mark_at(context.cursor);
+  const Decision* decision = context.run.decision_at(context.cursor);
   // Before it has moved, the robot would only hide the start.
-  if (mark == nullptr || (robot == context.lattice.node(scenario.start) && mark->clock == 0)) return;
+  if (decision == nullptr || (robot == context.lattice.node(scenario.start) && decision->clock == 0)) return;
   context.scene.show(Sign::robot);
   add_thing(context, {robot_point(context), radius, palette.robot, palette.outline, rim, Glyph::heading,
                       heading(context)});

@@ -76,7 +76,7 @@ RepairFigures SceneMemory::repair(const Run& run, std::size_t position) {
   const PlanSpan& plan = digest.plans()[count - 1];
   figures.touched = static_cast<std::int64_t>(digest.touches_before(plan, position).size());
   figures.cause = plan.cause;
-  const Mark *before = run.mark_at(plan.begin), *after = run.mark_at(position);
+  const Decision *before = run.decision_at(plan.begin), *after = run.decision_at(position);
   if (before != nullptr) figures.clock = before->clock;
   if (plan.end <= position && before != nullptr && after != nullptr)
     figures.ms = after->figures.replan_ms - before->figures.replan_ms;

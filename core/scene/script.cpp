@@ -4,14 +4,14 @@ namespace replan {
 
 bool is_to_come(const Run& run, std::size_t surprise) {
   const std::size_t cursor = run.timeline().cursor();
-  const Mark* mark = run.mark_at(cursor);
-  if (mark == nullptr) return true;
-  if (surprise < mark->fired.size() && mark->fired[surprise]) return false;
+  const Decision* decision = run.decision_at(cursor);
+  if (decision == nullptr) return true;
+  if (surprise < decision->fired.size() && decision->fired[surprise]) return false;
   // It may have happened since, with the repair still under way.
-  const auto markers = run.markers();
-  for (std::size_t i = markers.size(); i-- > 0 && markers[i].event >= mark->event;)
-    if (markers[i].kind == EventKind::surprise && markers[i].event < cursor &&
-        run.timeline().event(markers[i].event).delta == surprise)
+  const auto milestones = run.milestones();
+  for (std::size_t i = milestones.size(); i-- > 0 && milestones[i].event >= decision->event;)
+    if (milestones[i].kind == EventKind::surprise && milestones[i].event < cursor &&
+        run.timeline().event(milestones[i].event).delta == surprise)
       return false;
   return true;
 }

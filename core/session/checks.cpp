@@ -30,7 +30,7 @@ struct Checks::Pane {
 
   // The oracle, one plan after the other.
   bool exact = true;
-  std::size_t marker = 0;             // of the run's, the next to be looked at
+  std::size_t next_milestone = 0;     // of the run's, the next to be looked at
   std::size_t plan = 0;               // the next to be asked about
   std::vector<std::size_t> answered;  // by plan, where it stands
   std::vector<Disagreement> disagreements;
@@ -39,10 +39,11 @@ struct Checks::Pane {
   std::unique_ptr<Background<Answer>> job;
 
   /// The next plan that nobody asked about; nullptr if all were.
-  const Marker* next_plan(const Run& run) {
-    const auto markers = run.markers();
-    while (marker < markers.size() && markers[marker].kind != EventKind::plan_end) ++marker;
-    return marker < markers.size() ? &markers[marker] : nullptr;
+  const Milestone* next_plan(const Run& run) {
+    const auto milestones = run.milestones();
+    while (next_milestone < milestones.size() && milestones[next_milestone].kind != EventKind::plan_end)
+      ++next_milestone;
+    return next_milestone < milestones.size() ? &milestones[next_milestone] : nullptr;
   }
   [[nodiscard]] bool asking() const { return job && job->busy(); }
   /// The question under way is not waited for: it may be in the middle of a large map.
@@ -52,9 +53,9 @@ struct Checks::Pane {
 
   /// The next question, if there is one.
   std::optional<PlanQuestion> question(const Run& run) {
-    const Marker* stands = next_plan(run);
+    const Milestone* stands = next_plan(run);
     if (stands == nullptr) return std::nullopt;
-    ++marker;
+    ++next_milestone;
     return ask_about(run.log_view(), plan++, stands->event + 1);
   }
   void ask(const Run& run) {
@@ -93,13 +94,13 @@ struct Checks::Pane {
     std::erase_if(disagreements, [position](const Disagreement& each) { return each.position > position; });
     wrong = disagreements.size();
     plan = answered.size();
-    marker = 0;
+    next_milestone = 0;
     for (std::size_t i = 0; i < plan; ++i)
-      if (next_plan(run) != nullptr) ++marker;
+      if (next_plan(run) != nullptr) ++next_milestone;
   }
   void forget_oracle() {
     give_up();
-    marker = plan = wrong = 0;
+    next_milestone = plan = wrong = 0;
     answered.clear();
     disagreements.clear();
   }
@@ -258,7 +259,7 @@ bool Checks::compare_on(Runs runs) {
       return false;
     }
     Run& run = *runs[pane];
-    const bool over = !run.marks().empty() && run.marks().back().state != MissionState::driving;
+    const bool over = !run.decisions().empty() && run.decisions().back().state != MissionState::driving;
     ended[i] = !run.busy() && (over || !run.failure().empty());
     if (!ended[i] && !run.busy()) run.go(Target::end());  // something else had set it a nearer target
   }

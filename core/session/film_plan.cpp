@@ -26,16 +26,16 @@ bool takes_time(EventKind kind) {
 }
 
 /// The moment after a step that was told of at `event`.
-auto mark_after(const Run& run, std::size_t event) {
-  return std::upper_bound(run.marks().begin(), run.marks().end(), event,
-                          [](std::size_t at, const Mark& mark) { return at < mark.event; });
+auto decision_after(const Run& run, std::size_t event) {
+  return std::upper_bound(run.decisions().begin(), run.decisions().end(), event,
+                          [](std::size_t at, const Decision& decision) { return at < decision.event; });
 }
 
-/// Where a marker's doing is done. A move is told by an event and carried out by those that follow it.
-std::size_t position_after(const Run& run, const Marker& marker) {
-  if (!takes_time(marker.kind)) return marker.event + 1;
-  const auto after = mark_after(run, marker.event);
-  return after != run.marks().end() ? after->event : marker.event + 1;
+/// Where a milestone's doing is done. A move is told by an event and carried out by those that follow it.
+std::size_t position_after(const Run& run, const Milestone& milestone) {
+  if (!takes_time(milestone.kind)) return milestone.event + 1;
+  const auto after = decision_after(run, milestone.event);
+  return after != run.decisions().end() ? after->event : milestone.event + 1;
 }
 
 /// Collects the frames between two positions of a run.
@@ -68,29 +68,29 @@ class Cutter {
 
   void every_so_many_events() {
     const auto step = static_cast<std::size_t>(options_.speed.number);
-    auto marker = run_.markers().begin();
+    auto milestone = run_.milestones().begin();
     for (std::size_t at = from_; at < to_ && !too_long(); at += std::min(step, to_ - at)) {
-      for (; marker != run_.markers().end() && marker->event < at; ++marker)
-        if (is_read(marker->kind)) add(marker->event + 1, frames_in(options_.hold));
+      for (; milestone != run_.milestones().end() && milestone->event < at; ++milestone)
+        if (is_read(milestone->kind)) add(milestone->event + 1, frames_in(options_.hold));
       if (at > from_) add(at, 1);
     }
-    for (; marker != run_.markers().end(); ++marker)
-      if (is_read(marker->kind)) add(marker->event + 1, frames_in(options_.hold));
+    for (; milestone != run_.milestones().end(); ++milestone)
+      if (is_read(milestone->kind)) add(milestone->event + 1, frames_in(options_.hold));
   }
 
   void along_markers() {
     std::size_t begun = 0;
     bool searching = false;
-    for (const Marker& marker : run_.markers()) {
-      if (marker.event >= to_ || too_long()) break;
-      if (marker.kind == EventKind::plan_begin) begun = marker.event;
-      if (marker.kind == EventKind::plan_end) search(begun, marker.event);
-      if (marker.kind == EventKind::plan_begin || marker.kind == EventKind::plan_end)
-        searching = marker.kind == EventKind::plan_begin;
-      if (takes_time(marker.kind))
-        step(marker);
-      else if (is_read(marker.kind))
-        add(marker.event + 1, frames_in(options_.hold));
+    for (const Milestone& milestone : run_.milestones()) {
+      if (milestone.event >= to_ || too_long()) break;
+      if (milestone.kind == EventKind::plan_begin) begun = milestone.event;
+      if (milestone.kind == EventKind::plan_end) search(begun, milestone.event);
+      if (milestone.kind == EventKind::plan_begin || milestone.kind == EventKind::plan_end)
+        searching = milestone.kind == EventKind::plan_begin;
+      if (takes_time(milestone.kind))
+        step(milestone);
+      else if (is_read(milestone.kind))
+        add(milestone.event + 1, frames_in(options_.hold));
     }
     if (searching) search(begun, to_);  // the film ends within it
   }
@@ -108,9 +108,9 @@ class Cutter {
   }
 
   /// A move of the robot, or a wait.
-  void step(const Marker& marker) {
-    const std::size_t after = position_after(run_, marker);
-    const double seconds = seconds_of(marker);
+  void step(const Milestone& milestone) {
+    const std::size_t after = position_after(run_, milestone);
+    const double seconds = seconds_of(milestone);
     if (seconds == 0) {
       add(after, 1);
       return;
@@ -127,13 +127,13 @@ class Cutter {
   }
 
   /// How long the film shows a step of the robot; 0: for one frame.
-  [[nodiscard]] double seconds_of(const Marker& marker) const {
+  [[nodiscard]] double seconds_of(const Milestone& milestone) const {
     if (options_.speed.kind == FilmSpeed::Kind::moves_per_second) return 1 / options_.speed.number;
     const bool timed =
         options_.speed.kind == FilmSpeed::Kind::automatic && run_.scenario().robot.motion == Motion::smooth;
-    const auto after = mark_after(run_, marker.event);
-    const Mark* before = run_.mark_at(marker.event);
-    if (!timed || after == run_.marks().end() || before == nullptr) return 0;
+    const auto after = decision_after(run_, milestone.event);
+    const Decision* before = run_.decision_at(milestone.event);
+    if (!timed || after == run_.decisions().end() || before == nullptr) return 0;
     const double seconds = static_cast<double>(after->time - before->time) / static_cast<double>(kSecond);
     return std::min(seconds, kLongestWait);
   }
@@ -152,15 +152,16 @@ std::optional<std::string_view> number_of(std::string_view moment, std::string_v
   return moment.substr(kind.size() + 1);
 }
 
-/// The position after the n-th marker of a kind, counted from 1; `skipped` of them before do not count.
+/// The position after the n-th milestone of a kind, counted from 1; `skipped` of them before do not count.
 Result<std::size_t> nth(const Run& run, EventKind kind, std::size_t skipped, std::string_view number,
                         const char* what) {
   const auto n = whole<std::size_t>(number);
   if (!n || *n == 0)
     return Error{"'" + std::string(number) + "' is no number of a " + what + "; they count from 1"};
   std::size_t seen = 0;
-  for (const Marker& marker : run.markers())
-    if (marker.kind == kind && ++seen > skipped && seen - skipped == *n) return position_after(run, marker);
+  for (const Milestone& milestone : run.milestones())
+    if (milestone.kind == kind && ++seen > skipped && seen - skipped == *n)
+      return position_after(run, milestone);
   return Error{"the run has only " + counted(seen - std::min(seen, skipped), what) + ", so there is no " +
                what + " " + std::string(number)};
 }

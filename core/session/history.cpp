@@ -15,7 +15,7 @@ void History::begin(std::size_t scripted, std::size_t unsaved) {
 }
 
 bool History::add(const std::string& label, std::uint64_t stroke, const Scenario& before,
-                  const Scenario& after, std::size_t scripted, RunPlaces now) {
+                  const Scenario& after, std::size_t scripted, RunPositions now) {
   Edit edit;
   edit.label = label;
   edit.stroke = stroke;
@@ -36,7 +36,7 @@ bool History::add(const std::string& label, std::uint64_t stroke, const Scenario
   return true;
 }
 
-RunPlaces History::undo(Scenario& scenario, RunPlaces now) {
+RunPositions History::undo(Scenario& scenario, RunPositions now) {
   Edit edit = std::move(done_.back());
   done_.pop_back();
   edit.undone = std::move(now);
@@ -46,7 +46,7 @@ RunPlaces History::undo(Scenario& scenario, RunPlaces now) {
   return undone_.back().left;
 }
 
-RunPlaces History::redo(Scenario& scenario, RunPlaces now) {
+RunPositions History::redo(Scenario& scenario, RunPositions now) {
   Edit edit = std::move(undone_.back());
   undone_.pop_back();
   edit.left = std::move(now);

@@ -10,7 +10,7 @@
 namespace replan {
 
 /// How far the runs of a session had come and where their cursors stood.
-struct RunPlaces {
+struct RunPositions {
   std::vector<std::size_t> lengths, cursors;
   bool follow = true;  ///< the cursors stood at the ends of the logs, and went with them
 };
@@ -28,7 +28,7 @@ class History {
   /// that are no edits. What was taken back before is forgotten. False if it goes on with a stroke, as part of the
   /// edit before.
   bool add(const std::string& label, std::uint64_t stroke, const Scenario& before, const Scenario& after,
-           std::size_t scripted, RunPlaces now);
+           std::size_t scripted, RunPositions now);
   /// Whether an edit of that stroke would be part of the last one; 0 is no stroke.
   [[nodiscard]] bool goes_on(std::uint64_t stroke) const {
     return stroke != 0 && !done_.empty() && done_.back().stroke == stroke;
@@ -37,8 +37,8 @@ class History {
 
   /// Takes the last edit back, or brings the last one back that was; there must be one. `now` is where the runs
   /// stand; where they shall stand is returned.
-  RunPlaces undo(Scenario& scenario, RunPlaces now);
-  RunPlaces redo(Scenario& scenario, RunPlaces now);
+  RunPositions undo(Scenario& scenario, RunPositions now);
+  RunPositions redo(Scenario& scenario, RunPositions now);
 
   /// How many edits are made, of all that there are.
   [[nodiscard]] std::size_t position() const { return done_.size(); }
@@ -66,7 +66,7 @@ class History {
     std::uint64_t serial = 0;  // of the document's state after it
     DocumentChange change;
     std::size_t scripted_before = 0, scripted_after = 0;
-    RunPlaces left, undone;  // when it was made, and when it was taken back
+    RunPositions left, undone;  // when it was made, and when it was taken back
   };
 
   std::vector<Edit> done_, undone_;

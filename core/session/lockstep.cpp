@@ -11,32 +11,32 @@ namespace {
 /// How many steps of the robot a run that has to go on is taken ahead, so that it is there when play comes.
 constexpr std::int64_t kAhead = 4;
 
-bool clock_before(const Mark& mark, std::int64_t clock) {
-  return mark.clock < clock;
+bool clock_before(const Decision& decision, std::int64_t clock) {
+  return decision.clock < clock;
 }
 
-std::size_t index_of(std::span<const Mark> marks, std::span<const Mark>::iterator mark) {
-  return static_cast<std::size_t>(mark - marks.begin());
+std::size_t index_of(std::span<const Decision> decisions, std::span<const Decision>::iterator decision) {
+  return static_cast<std::size_t>(decision - decisions.begin());
 }
 
 /// How many decisions come before the robot's clock shows `clock`.
 std::size_t decisions_before(const Run& run, std::int64_t clock) {
-  const auto marks = run.marks();
-  return index_of(marks, std::lower_bound(marks.begin(), marks.end(), clock, clock_before));
+  const auto decisions = run.decisions();
+  return index_of(decisions, std::lower_bound(decisions.begin(), decisions.end(), clock, clock_before));
 }
 
 std::size_t decisions_until(const Run& run, std::size_t position) {
-  const Mark* mark = run.mark_at(position);
-  return mark == nullptr ? 0 : static_cast<std::size_t>(mark - run.marks().data()) + 1;
+  const Decision* decision = run.decision_at(position);
+  return decision == nullptr ? 0 : static_cast<std::size_t>(decision - run.decisions().data()) + 1;
 }
 
 /// The robot's clock after so many decisions.
 std::int64_t clock_after(const Run& run, std::size_t decisions) {
-  return decisions == 0 ? -1 : run.marks()[decisions - 1].clock;
+  return decisions == 0 ? -1 : run.decisions()[decisions - 1].clock;
 }
 
 std::size_t begin_after(const Run& run, std::size_t decisions) {
-  return decisions == 0 ? 0 : run.marks()[decisions - 1].event;
+  return decisions == 0 ? 0 : run.decisions()[decisions - 1].event;
 }
 
 /// Goes over the events from `from` on until `end`, or until behind expansion number `most` if that comes
@@ -86,7 +86,7 @@ std::optional<std::size_t> decision_at(const Run& run, const Progress& wanted) {
   if (reached == 0) return std::nullopt;
   const std::int64_t clock = clock_after(run, reached);
   // A robot that waits may pass over a step: it stood at the earlier one all that time.
-  if (clock < wanted.clock) return reached < run.marks().size() ? std::optional(reached) : std::nullopt;
+  if (clock < wanted.clock) return reached < run.decisions().size() ? std::optional(reached) : std::nullopt;
   return std::min(decisions_before(run, clock) + 1 + static_cast<std::size_t>(wanted.plan), reached);
 }
 
@@ -96,7 +96,7 @@ std::size_t position_by_expansions(const Run& run, const Progress& wanted) {
   const std::size_t begin = begin_after(run, *decision);
   if (!wanted.begun) return begin;
   const std::size_t end =
-      *decision == run.marks().size() ? run.timeline().size() : run.marks()[*decision].event;
+      *decision == run.decisions().size() ? run.timeline().size() : run.decisions()[*decision].event;
   // If nothing but a step of the robot follows the decision, the plan stands and the step is still to come.
   const bool searches = *decision == 0 || next_iteration(run, begin, end) < end;
   if (!searches || clock_after(run, *decision) < wanted.clock) return begin;
@@ -105,7 +105,8 @@ std::size_t position_by_expansions(const Run& run, const Progress& wanted) {
 
 std::size_t position_by_moves(const Run& run, const Progress& wanted) {
   if (wanted.clock < 0 && !wanted.begun) return 0;
-  if (wanted.clock < 0) return run.marks().empty() ? run.timeline().size() : run.marks().front().event;
+  if (wanted.clock < 0)
+    return run.decisions().empty() ? run.timeline().size() : run.decisions().front().event;
   const auto decision = decision_at(run, wanted);
   if (!decision) return run.timeline().size();
   return begin_after(run, decisions_before(run, clock_after(run, *decision) + 1));
@@ -114,7 +115,7 @@ std::size_t position_by_moves(const Run& run, const Progress& wanted) {
 /// What a run has to go on to before its position at `wanted` is final.
 std::optional<Target> lacking_for(const Run& run, const Progress& wanted, Lockstep by) {
   if (run.over()) return std::nullopt;
-  const std::int64_t clock = run.marks().empty() ? -1 : run.marks().back().clock;
+  const std::int64_t clock = run.decisions().empty() ? -1 : run.decisions().back().clock;
   if (wanted.clock < 0) {
     const bool at_start = !wanted.begun;
     return clock >= 0 || at_start ? std::nullopt : std::optional(Target::plan());
@@ -125,25 +126,25 @@ std::optional<Target> lacking_for(const Run& run, const Progress& wanted, Lockst
 }
 
 /// As many expansions, and as many steps of the robot since the last of them.
-Place place_in_race(const Run& leader, const Run& run) {
+Standing standing_in_race(const Run& leader, const Run& run) {
   const std::size_t cursor = leader.timeline().cursor(), size = run.timeline().size();
   if (cursor == 0) return {0};
   const std::int64_t count = expansions_until(leader, cursor);
   const std::size_t leader_behind = behind_expansions(leader, 0, cursor, count);
   const std::int64_t steps = clock_after(leader, decisions_until(leader, cursor)) -
                              clock_after(leader, decisions_until(leader, leader_behind));
-  Place place{size};
+  Standing standing{size};
   if (expansions_until(run, size) >= count) {
     const std::size_t behind = behind_expansions(run, 0, size, count);
     const std::int64_t clock = clock_after(run, decisions_until(run, behind)) + steps;
-    const auto marks = run.marks();
-    const auto mark = std::partition_point(marks.begin(), marks.end(), [&](const Mark& each) {
+    const auto decisions = run.decisions();
+    const auto decision = std::partition_point(decisions.begin(), decisions.end(), [&](const Decision& each) {
       return each.event < behind || each.clock < clock;
     });
-    place.position = next_iteration(run, behind, mark == marks.end() ? size : mark->event);
+    standing.position = next_iteration(run, behind, decision == decisions.end() ? size : decision->event);
   }
-  if (place.position == size && !run.over()) place.lacking = Target::end();
-  return place;
+  if (standing.position == size && !run.over()) standing.lacking = Target::end();
+  return standing;
 }
 
 }  // namespace
@@ -161,13 +162,13 @@ std::int64_t expansions_until(const Run& run, std::size_t position) {
   return expansions_between(run, 0, position);
 }
 
-Place place_beside(const Run& leader, const Run& follower, Lockstep by) {
+Standing standing_beside(const Run& leader, const Run& follower, Lockstep by) {
   const std::size_t cursor = leader.timeline().cursor();
   if (leader.over() && cursor == leader.timeline().size()) {
     const std::size_t end = follower.timeline().size();
-    return follower.over() ? Place{end} : Place{end, Target::end()};
+    return follower.over() ? Standing{end} : Standing{end, Target::end()};
   }
-  if (by == Lockstep::race) return place_in_race(leader, follower);
+  if (by == Lockstep::race) return standing_in_race(leader, follower);
   const Progress wanted = progress(leader, cursor);
   const std::size_t position =
       by == Lockstep::moves ? position_by_moves(follower, wanted) : position_by_expansions(follower, wanted);

@@ -28,8 +28,8 @@ Progress progress(const Run& run, std::size_t position);
 /// Expansions among the first `position` events.
 std::int64_t expansions_until(const Run& run, std::size_t position);
 
-/// A position in a run that may not have come far enough yet.
-struct Place {
+/// Where a pane stands, in a run that may not have come far enough yet.
+struct Standing {
   std::size_t position = 0;
   std::optional<Target> lacking = {};  ///< where the run has to go on to before the position is final
 };
@@ -38,6 +38,6 @@ struct Place {
 /// depends on nothing but the two logs and that cursor. Where a plan has ended sooner than the leader's the
 /// follower stands at its end. Where the leader's run is over, and the cursor at its end, all stand at their
 /// ends.
-Place place_beside(const Run& leader, const Run& follower, Lockstep by);
+Standing standing_beside(const Run& leader, const Run& follower, Lockstep by);
 
 }  // namespace replan

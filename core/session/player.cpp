@@ -11,13 +11,13 @@ double Player::seconds_of(const Run& run, std::size_t from, std::size_t to) cons
   if (kind != EventKind::move && kind != EventKind::waiting) return speed < kFullSpeed ? 1 / speed : 0;
   const double step = 1 / std::min(speed, kMovesPerSecond);
   if (run.scenario().robot.motion == Motion::steps) return step;
-  const Mark *before = run.mark_at(std::min(from, to)), *after = run.mark_at(std::max(from, to));
+  const Decision *before = run.decision_at(std::min(from, to)), *after = run.decision_at(std::max(from, to));
   if (before == nullptr || after == nullptr) return step;
   const double driven = static_cast<double>(after->time - before->time) / static_cast<double>(kSecond);
   return std::min(driven, 1.0) / std::clamp(speed / kRealTimeSpeed, 0.125, 8.0);
 }
 
-Player::Place Player::advance(const Run& run, double seconds) {
+Player::Shown Player::advance(const Run& run, double seconds) {
   owed_ = std::min(owed_ + seconds, 0.1);  // after a stall, go on instead of leaping
   std::size_t cursor = run.timeline().cursor();
   bool moves = forwards() && run.travel() < 1;

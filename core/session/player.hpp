@@ -22,7 +22,7 @@ class Player {
   static constexpr double kRealTimeSpeed = 240;
 
   /// Where the cursor comes to, and how much of the robot's last step is shown: see Run::travel().
-  struct Place {
+  struct Shown {
     std::size_t cursor = 0;
     double travel = 1;
   };
@@ -40,7 +40,7 @@ class Player {
     state_.expansions_per_second = std::clamp(expansions_per_second, 0.1, kFullSpeed);
   }
   /// Plays on from the run's cursor by `seconds`.
-  [[nodiscard]] Place advance(const Run& run, double seconds);
+  [[nodiscard]] Shown advance(const Run& run, double seconds);
 
  private:
   [[nodiscard]] double seconds_of(const Run& run, std::size_t from, std::size_t to) const;

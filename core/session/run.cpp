@@ -55,8 +55,8 @@ void Run::begin_log() {
         return reexecution_->events(position, frame, from, to);
       });
   lends_ = false;
-  dispose(std::exchange(marks_, {}));
-  markers_.clear();
+  dispose(std::exchange(decisions_, {}));
+  milestones_.clear();
   curve_.clear();
   earlier_.clear();
   handover_.reset();
@@ -100,7 +100,7 @@ bool Run::busy() const {
 }
 
 bool Run::over() const {
-  return !busy() && !marks_.empty() && marks_.back().state != MissionState::driving;
+  return !busy() && !decisions_.empty() && decisions_.back().state != MissionState::driving;
 }
 
 bool Run::pump() {
@@ -172,9 +172,10 @@ void Run::take_over_part() {
   note_events(events);
   timeline_->append(events, to_checkpoint ? batch.checkpoints[from.checkpoints++].second : nullptr);
   from.events = end;
-  for (; from.marks < batch.marks.size() && batch.marks[from.marks].event <= end; ++from.marks) {
-    marks_.push_back(std::move(batch.marks[from.marks]));
-    marks_.back().event += from.base;
+  for (; from.decisions < batch.decisions.size() && batch.decisions[from.decisions].event <= end;
+       ++from.decisions) {
+    decisions_.push_back(std::move(batch.decisions[from.decisions]));
+    decisions_.back().event += from.base;
   }
   if (end < batch.events.size()) return;
   worker_->give_back(std::move(batch.events));
@@ -187,15 +188,16 @@ void Run::note_events(std::span<const Event> events) {
     const std::size_t bucket = position / kCurveChunk;
     if (bucket >= curve_.size()) curve_.resize(bucket + 1);
     if (counter_.take(event)) ++curve_[bucket];
-    if (kMarkers.has(event.kind)) markers_.push_back({position, event.kind});
+    if (kMilestones.has(event.kind)) milestones_.push_back({position, event.kind});
     ++position;
   }
 }
 
-const Mark* Run::mark_at(std::size_t position) const {
-  const auto after = std::upper_bound(marks_.begin(), marks_.end(), position,
-                                      [](std::size_t p, const Mark& mark) { return p < mark.event; });
-  return after == marks_.begin() ? nullptr : &*std::prev(after);
+const Decision* Run::decision_at(std::size_t position) const {
+  const auto after =
+      std::upper_bound(decisions_.begin(), decisions_.end(), position,
+                       [](std::size_t p, const Decision& decision) { return p < decision.event; });
+  return after == decisions_.begin() ? nullptr : &*std::prev(after);
 }
 
 }  // namespace replan

@@ -19,11 +19,11 @@
 namespace replan {
 
 /// Events that a timeline shows and that steps stop at.
-inline constexpr KindSet kMarkers{
+inline constexpr KindSet kMilestones{
     EventKind::plan_begin, EventKind::plan_end, EventKind::move,    EventKind::surprise, EventKind::collision,
     EventKind::waiting,    EventKind::arrival,  EventKind::gave_up, EventKind::new_goal, EventKind::put_down};
 /// One of them.
-struct Marker {
+struct Milestone {
   std::size_t event;  ///< index in the log
   EventKind kind;
 };
@@ -54,19 +54,19 @@ class Run {
   [[nodiscard]] double travel() const { return travel_; }
   void set_travel(double travel) { travel_ = travel; }
   /// Where the run can branch, in order; the last one is the latest decision.
-  [[nodiscard]] std::span<const Mark> marks() const { return marks_; }
-  [[nodiscard]] std::span<const Marker> markers() const { return markers_; }
+  [[nodiscard]] std::span<const Decision> decisions() const { return decisions_; }
+  [[nodiscard]] std::span<const Milestone> milestones() const { return milestones_; }
   /// Changes whenever events are cut off, and differs between runs: while it stays the same, the log has only
   /// grown.
   [[nodiscard]] std::uint64_t log_id() const { return log_id_; }
   /// How many first events this log has in common with what it was when it had that id: all of them if it has
   /// it still, none if it never had it. What was read of them need not be read again.
   [[nodiscard]] std::size_t common_with(std::uint64_t log_id) const;
-  /// The last mark at or before a position, or nullptr before the first plan stands.
-  [[nodiscard]] const Mark* mark_at(std::size_t position) const;
+  /// The last decision at or before a position, or nullptr before the first plan stands.
+  [[nodiscard]] const Decision* decision_at(std::size_t position) const;
   /// Where an edit that is made at the cursor happens: the first decision of the robot at its step there at
   /// which all that was due before has happened. nullptr before the first plan stands.
-  [[nodiscard]] const Mark* mark_for_edit() const;
+  [[nodiscard]] const Decision* decision_for_edit() const;
   /// Expansions in each of the log's chunks of kCurveChunk events: the curve under the timeline.
   [[nodiscard]] std::span<const std::uint32_t> expansion_curve() const { return curve_; }
   static constexpr std::size_t kCurveChunk = 256;
@@ -108,7 +108,7 @@ class Run {
   struct Handover {
     RunWorker::Batch batch;
     std::size_t base = 0;  // the log's size before it
-    std::size_t events = 0, marks = 0, checkpoints = 0;
+    std::size_t events = 0, decisions = 0, checkpoints = 0;
   };
   /// A scenario that waits to be put in, and how far to go then.
   struct Rebase {
@@ -125,12 +125,13 @@ class Run {
   void note_events(std::span<const Event> events);
   bool carry_out_rebase();
   [[nodiscard]] bool branch(std::shared_ptr<const Scenario> scenario, std::size_t common);
-  [[nodiscard]] static const Mark* place_of_surprise(std::span<const Mark> marks, std::int64_t clock);
-  [[nodiscard]] std::size_t marks_kept(const Scenario& scenario, std::size_t common) const;
-  [[nodiscard]] std::span<const Mark> lasting_marks() const;
+  [[nodiscard]] static const Decision* decision_of_surprise(std::span<const Decision> decisions,
+                                                            std::int64_t clock);
+  [[nodiscard]] std::size_t decisions_kept(const Scenario& scenario, std::size_t common) const;
+  [[nodiscard]] std::span<const Decision> lasting_decisions() const;
   [[nodiscard]] std::size_t foreseen(const Scenario& scenario) const;
   [[nodiscard]] bool repairs_for_surprise(std::size_t common) const;
-  void cut(std::size_t mark_count);
+  void cut(std::size_t count);
   void tidy();
   void retire_log();
 
@@ -143,8 +144,8 @@ class Run {
   std::shared_ptr<Timeline> timeline_;  // shared with the worker while that reads a state of it
   bool lends_ = false;
   std::vector<std::shared_ptr<Timeline>> retired_;  // of earlier logs, until nothing is left of them
-  std::vector<Mark> marks_;
-  std::vector<Marker> markers_;
+  std::vector<Decision> decisions_;
+  std::vector<Milestone> milestones_;
   std::vector<std::uint32_t> curve_;
   std::uint64_t log_id_;
   std::map<std::uint64_t, std::size_t> earlier_;  // ids that the log had, and what is left of it since

@@ -57,10 +57,10 @@ void RunWorker::set_script(std::shared_ptr<const Scenario> scenario) {
   orders_.script = std::move(scenario);
 }
 
-void RunWorker::go_back(const Mark& mark, std::shared_ptr<Timeline> log) {
+void RunWorker::go_back(const Decision& decision, std::shared_ptr<Timeline> log) {
   const SearchState* head = &log->lend_head();
   const std::scoped_lock lock(mutex_);
-  orders_.back = Back{mark, std::move(log), head};
+  orders_.back = Back{decision, std::move(log), head};
   lent_ = true;
 }
 
@@ -117,7 +117,7 @@ void RunWorker::work(const std::stop_token& stop) {
     at_work_ = false;
     if (!orders_.back) lent_ = false;
     if (begun == begun_) {
-      if (!batch.events.empty() || !batch.marks.empty()) ready_.push_back(std::move(batch));
+      if (!batch.events.empty() || !batch.decisions.empty()) ready_.push_back(std::move(batch));
       if (!orders_.any() && (!failure.empty() || reached(target_))) wanted_ = false;
       failure_ = std::move(failure);
     }
@@ -153,8 +153,8 @@ void RunWorker::carry_out(Orders orders) {
   if (orders.back) {
     set_out();
     recorder_.clear();
-    mission_->restore(orders.back->mark, *orders.back->head);
-    recorded_ = orders.back->mark.event;
+    mission_->restore(orders.back->decision, *orders.back->head);
+    recorded_ = orders.back->decision.event;
   }
   if (orders.script) {
     scenario_ = std::move(orders.script);
@@ -175,8 +175,8 @@ void RunWorker::fill(Batch& batch, Target target) {
   for (int i = 0; i < kBatchDecisions && recorded() < kBatchEvents && !hurry_ && !reached(target); ++i) {
     if (!mission_->advance(limits_.slice_iterations)) i = kBatchDecisions;
     if (mission_->standing()) {
-      batch.marks.push_back(mission_->now());
-      batch.marks.back().event = recorded();
+      batch.decisions.push_back(mission_->now());
+      batch.decisions.back().event = recorded();
     }
     if (recorded() < next_checkpoint) continue;
     auto checkpoint = std::make_shared<Checkpoint>(mission_->checkpoint());

@@ -46,7 +46,7 @@ class RunWorker {
   /// Some milliseconds of recorded work.
   struct Batch {
     std::vector<Event> events;
-    std::vector<Mark> marks;  ///< their `event` counts from the batch's first
+    std::vector<Decision> decisions;  ///< their `event` counts from the batch's first
     std::vector<std::pair<std::size_t, std::shared_ptr<const Checkpoint>>> checkpoints;  ///< as do these
   };
 
@@ -64,9 +64,9 @@ class RunWorker {
   void begin_afresh(std::shared_ptr<const Scenario> scenario);
   /// Puts another script in place. Only while at_rest().
   void set_script(std::shared_ptr<const Scenario> scenario);
-  /// Takes the mission back to a mark of the log, whose end has been cut off there. `log` stays alive, and
+  /// Takes the mission back to a decision of the log, whose end has been cut off there. `log` stays alive, and
   /// its head is lent, until head_returned(). Only while at_rest().
-  void go_back(const Mark& mark, std::shared_ptr<Timeline> log);
+  void go_back(const Decision& decision, std::shared_ptr<Timeline> log);
   /// Whether nobody reads a log's head any more that was lent for go_back().
   [[nodiscard]] bool head_returned() const;
 
@@ -84,7 +84,7 @@ class RunWorker {
  private:
   /// Where the mission is to be taken up.
   struct Back {
-    Mark mark;
+    Decision decision;
     std::shared_ptr<Timeline> log;
     const SearchState* head;
   };

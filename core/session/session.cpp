@@ -116,11 +116,12 @@ Result<void> Session::run_command(const Step& command) {
     const std::size_t cursor = run.timeline().cursor();
     run.pump();
     // A first plan goes on in the background; a repair is waited for.
-    const bool may_wait = !run.busy() || !run.marks().empty();
+    const bool may_wait = !run.busy() || !run.decisions().empty();
     if (command.count > 0 && cursor == run.timeline().size() && may_wait) {
-      const Mark* mark = run.mark_at(cursor);
-      run.finish(command.unit == StepUnit::replan ? Target::end()
-                                                  : Target::clock_at(mark == nullptr ? 0 : mark->clock + 1));
+      const Decision* decision = run.decision_at(cursor);
+      run.finish(command.unit == StepUnit::replan
+                     ? Target::end()
+                     : Target::clock_at(decision == nullptr ? 0 : decision->clock + 1));
     }
     seek(command.count > 0 ? next_stop(run, cursor, command.unit) : previous_stop(run, cursor, command.unit));
   }
@@ -185,14 +186,14 @@ bool Session::play(double seconds) {
   Run& run = leading();
   const std::size_t begin = run.timeline().cursor();
   const double travel_before = run.travel();
-  const Player::Place place = player_.advance(run, seconds);
-  const std::size_t cursor = may_play_to(begin, place.cursor);
+  const Player::Shown shown = player_.advance(run, seconds);
+  const std::size_t cursor = may_play_to(begin, shown.cursor);
   if (const auto stop = stop_between(begin, cursor)) {
     stop_at(*stop);
     return true;
   }
-  seek(cursor, place.travel);
-  const Mark* last = run.marks().empty() ? nullptr : &run.marks().back();
+  seek(cursor, shown.travel);
+  const Decision* last = run.decisions().empty() ? nullptr : &run.decisions().back();
   const bool can_go_on = (last == nullptr || last->state == MissionState::driving) && run.failure().empty();
   if (player_.forwards() && can_go_on && run.timeline().size() - cursor < 64 && !run.busy())
     run.go(last == nullptr ? Target::plan() : Target::clock_at(last->clock + 4));

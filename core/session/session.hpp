@@ -96,10 +96,10 @@ class Session {
 #include "core/session/commands.def"
 #undef REPLAN_COMMAND
 
-  [[nodiscard]] std::set<NodeId> turned_between(std::size_t mark) const;
+  [[nodiscard]] std::set<NodeId> turned_between(std::size_t decision) const;
   [[nodiscard]] std::vector<CellChange> real_changes(const std::vector<CellChange>& cells,
-                                                     const Mark* mark) const;
-  [[nodiscard]] std::map<NodeId, bool> cells_to_come(const Mark& mark,
+                                                     const Decision* decision) const;
+  [[nodiscard]] std::map<NodeId, bool> cells_to_come(const Decision& decision,
                                                      const std::vector<CellChange>& cells) const;
   Result<void> edit_cells(const std::vector<CellChange>& cells, bool announced, std::uint64_t stroke,
                           std::string label = {});
@@ -112,8 +112,8 @@ class Session {
   Result<void> replace_map(std::string label, GridMap map, std::optional<Cell> start,
                            std::optional<Cell> goal);
   void replace(std::shared_ptr<const Scenario> scenario);
-  [[nodiscard]] RunPlaces places() const;
-  void return_to(RunPlaces places);
+  [[nodiscard]] RunPositions positions() const;
+  void return_to(RunPositions positions);
   bool arrive();
   void match_panes();
   [[nodiscard]] Run& leading() {
@@ -160,7 +160,8 @@ class Session {
   std::shared_ptr<const Scenario> scenario_;
   std::vector<std::unique_ptr<Run>> runs_;
   RunLimits limits_;
-  std::optional<RunPlaces> returning_;  // to which an undo leads back, while the runs are on their way there
+  std::optional<RunPositions>
+      returning_;  // to which an undo leads back, while the runs are on their way there
   std::size_t lead_ = 0;
   History history_;
   std::string file_;

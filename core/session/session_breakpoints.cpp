@@ -72,9 +72,9 @@ CheckedLog Session::checked_log() const {
   if (laws.on) result.laws = laws.checked;
   if (!oracle.on) return result;
   std::size_t plans = 0;
-  for (const Marker& marker : run().markers())
-    if (marker.kind == EventKind::plan_end && plans++ == oracle.asked) {
-      result.oracle = marker.event;
+  for (const Milestone& milestone : run().milestones())
+    if (milestone.kind == EventKind::plan_end && plans++ == oracle.asked) {
+      result.oracle = milestone.event;
       break;
     }
   return result;

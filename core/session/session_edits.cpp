@@ -8,7 +8,7 @@
 
 namespace replan {
 void Session::commit(std::string label, std::uint64_t stroke, Scenario changed, std::size_t scripted) {
-  if (history_.add(label, stroke, *scenario_, changed, scripted, places())) say(std::move(label));
+  if (history_.add(label, stroke, *scenario_, changed, scripted, positions())) say(std::move(label));
   replace(std::make_shared<const Scenario>(std::move(changed)));
 }
 
@@ -27,16 +27,18 @@ void Session::relabel(const std::string& label) {
 }
 
 /// What the script is still going to write into the rows of `cells` before an edit that is added to it
-/// happens at the robot's step at a mark.
-std::map<NodeId, bool> Session::cells_to_come(const Mark& mark, const std::vector<CellChange>& cells) const {
+/// happens at the robot's step at a decision.
+std::map<NodeId, bool> Session::cells_to_come(const Decision& decision,
+                                              const std::vector<CellChange>& cells) const {
   const auto row = [](const CellChange& change) { return std::pair(change.cell.z, change.cell.y); };
   const auto [top, bottom] = std::minmax_element(
       cells.begin(), cells.end(), [&](const CellChange& a, const CellChange& b) { return row(a) < row(b); });
   std::map<NodeId, bool> coming;
   for (std::size_t i = 0; i < scenario_->surprises.size() && !cells.empty(); ++i) {
     const Surprise& surprise = scenario_->surprises[i];
-    const bool happened = i < mark.fired.size() && mark.fired[i];
-    if (happened || !surprise.at.move || *surprise.at.move > mark.clock || surprise.cells.empty()) continue;
+    const bool happened = i < decision.fired.size() && decision.fired[i];
+    if (happened || !surprise.at.move || *surprise.at.move > decision.clock || surprise.cells.empty())
+      continue;
     // Row by row, so that most surprises of a large world are passed over by their first and last cell.
     if (row(surprise.cells.back()) < row(*top) || row(surprise.cells.front()) > row(*bottom)) continue;
     for (const CellChange& change : surprise.cells)
@@ -45,20 +47,20 @@ std::map<NodeId, bool> Session::cells_to_come(const Mark& mark, const std::vecto
   return coming;
 }
 
-/// The cells of which the world is another one at a mark than at the cursor: those that surprises between the
+/// The cells of which the world is another one at a decision than at the cursor: those that surprises between the
 /// two have changed, an odd number of times. Only these events are read; going there could mean millions.
-std::set<NodeId> Session::turned_between(std::size_t mark) const {
+std::set<NodeId> Session::turned_between(std::size_t decision) const {
   const Timeline& log = run().timeline();
-  const auto [from, to] = std::minmax({mark, log.cursor()});
+  const auto [from, to] = std::minmax({decision, log.cursor()});
   std::set<NodeId> turned;
-  const auto markers = run().markers();
-  auto marker = std::lower_bound(markers.begin(), markers.end(), from,
-                                 [](const Marker& m, std::size_t event) { return m.event < event; });
+  const auto milestones = run().milestones();
+  auto milestone = std::lower_bound(milestones.begin(), milestones.end(), from,
+                                    [](const Milestone& m, std::size_t event) { return m.event < event; });
   // One whose cells are being written at `from` stands before it.
-  if (marker != markers.begin()) --marker;
-  for (; marker != markers.end() && marker->event < to; ++marker) {
-    if (marker->kind != EventKind::surprise) continue;
-    for (std::size_t i = marker->event + 1; i < to && log.event(i).kind == EventKind::truth; ++i) {
+  if (milestone != milestones.begin()) --milestone;
+  for (; milestone != milestones.end() && milestone->event < to; ++milestone) {
+    if (milestone->kind != EventKind::surprise) continue;
+    for (std::size_t i = milestone->event + 1; i < to && log.event(i).kind == EventKind::truth; ++i) {
       const Event event = log.event(i);
       if (i < from || (event.delta & kWallBit) == 0) continue;
       if (!turned.insert(event.node).second) turned.erase(event.node);
@@ -67,18 +69,19 @@ std::set<NodeId> Session::turned_between(std::size_t mark) const {
   return turned;
 }
 
-/// Of `cells` those that differ from the world where the edit will happen, row by row. `mark` is where;
+/// Of `cells` those that differ from the world where the edit will happen, row by row. `decision` is where;
 /// nullptr is in the map.
-std::vector<CellChange> Session::real_changes(const std::vector<CellChange>& cells, const Mark* mark) const {
+std::vector<CellChange> Session::real_changes(const std::vector<CellChange>& cells,
+                                              const Decision* decision) const {
   std::map<NodeId, bool> to_come;
   std::set<NodeId> turned;
-  if (mark != nullptr) {
-    to_come = cells_to_come(*mark, cells);
-    turned = turned_between(mark->event);
+  if (decision != nullptr) {
+    to_come = cells_to_come(*decision, cells);
+    turned = turned_between(decision->event);
   }
   const SearchState& state = run().timeline().state();
   const auto blocked_then = [&](Cell cell) {
-    if (mark == nullptr) return scenario_->map.at(cell);
+    if (decision == nullptr) return scenario_->map.at(cell);
     const NodeId node = run().lattice().node(cell);
     const auto coming = to_come.find(node);
     return coming == to_come.end() ? state.wall(node) != turned.contains(node) : coming->second;
@@ -96,8 +99,8 @@ Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool anno
   for (const CellChange& change : cells)
     if (!scenario_->map.contains(change.cell))
       return Error{"cell " + cell_text(change.cell, box().solid()) + " lies outside the world"};
-  const Mark* mark = run().mark_for_edit();
-  const std::vector<CellChange> real = real_changes(cells, mark);
+  const Decision* decision = run().decision_for_edit();
+  const std::vector<CellChange> real = real_changes(cells, decision);
   if (real.empty()) return {};
   Scenario changed = *scenario_;
   const bool goes_on = history_.goes_on(stroke);
@@ -106,11 +109,11 @@ Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool anno
     label = (announced ? real.front().blocked ? "paint " : "erase " : "surprise of ") +
             counted(stroke_cells_, "cell");
   if (goes_on) relabel(label);
-  if (mark == nullptr) {
+  if (decision == nullptr) {
     for (const CellChange& change : real) changed.map.set(change.cell, change.blocked);
   } else {
     Surprise& edit = changed.surprises.emplace_back();
-    edit.at.move = mark->clock;
+    edit.at.move = decision->clock;
     edit.cells = real;
     edit.announced = announced;
   }

@@ -5,8 +5,8 @@
 
 namespace replan {
 
-RunPlaces Session::places() const {
-  RunPlaces now;
+RunPositions Session::positions() const {
+  RunPositions now;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     const Timeline& log = runs_[i]->timeline();
     // On the way back to a moment the runs are not yet what they are going to be.
@@ -18,11 +18,12 @@ RunPlaces Session::places() const {
 }
 
 /// The runs are carried out again until they are as long as they were.
-void Session::return_to(RunPlaces places) {
-  if (places.lengths.size() != runs_.size()) return;  // there were more or fewer panes
+void Session::return_to(RunPositions positions) {
+  if (positions.lengths.size() != runs_.size()) return;  // there were more or fewer panes
   for (std::size_t i = 0; i < runs_.size(); ++i)
-    if (runs_[i]->timeline().size() < places.lengths[i]) runs_[i]->go(Target::length_of(places.lengths[i]));
-  returning_ = std::move(places);
+    if (runs_[i]->timeline().size() < positions.lengths[i])
+      runs_[i]->go(Target::length_of(positions.lengths[i]));
+  returning_ = std::move(positions);
   catching_up_ = false;
   arrive();
 }
@@ -55,7 +56,7 @@ Result<void> Session::run_command(const Undo&) {
   if (history_.position() == 0) return Error{"there is nothing to undo"};
   say("undo: " + history_.undo_text());
   Scenario before = *scenario_;
-  RunPlaces there = history_.undo(before, places());
+  RunPositions there = history_.undo(before, positions());
   replace(std::make_shared<const Scenario>(std::move(before)));
   return_to(std::move(there));
   return {};
@@ -65,7 +66,7 @@ Result<void> Session::run_command(const Redo&) {
   if (history_.position() == history_.size()) return Error{"there is nothing to redo"};
   say("redo: " + history_.redo_text());
   Scenario after = *scenario_;
-  RunPlaces there = history_.redo(after, places());
+  RunPositions there = history_.redo(after, positions());
   replace(std::make_shared<const Scenario>(std::move(after)));
   return_to(std::move(there));
   return {};
@@ -77,7 +78,7 @@ Result<void> Session::run_command(const GoToHistory& command) {
   const bool back = command.position < history_.position();
   Scenario there = *scenario_;
   // On the way each edit leads to where the runs stood when it was left last.
-  RunPlaces now = places();
+  RunPositions now = positions();
   while (history_.position() > command.position) now = history_.undo(there, std::move(now));
   while (history_.position() < command.position) now = history_.redo(there, std::move(now));
   say(command.position == 0 ? "back to the beginning"

@@ -86,8 +86,8 @@ std::optional<std::size_t> Session::next_change(const GoToChange& command, std::
 }
 
 std::optional<std::size_t> Session::next_arrival(std::size_t from) const {
-  for (const Marker& marker : run().markers())
-    if (marker.kind == EventKind::arrival && marker.event >= from) return marker.event;
+  for (const Milestone& milestone : run().milestones())
+    if (milestone.kind == EventKind::arrival && milestone.event >= from) return milestone.event;
   return std::nullopt;
 }
 
@@ -184,7 +184,7 @@ void Session::find_nothing(const std::string& words) {
 void Session::settle_hunt() {
   while (hunting_) {
     if (hunting_->direction > 0) {
-      const Mark* last = run().marks().empty() ? nullptr : &run().marks().back();
+      const Decision* last = run().decisions().empty() ? nullptr : &run().decisions().back();
       leading().finish(last == nullptr ? Target::plan() : Target::clock_at(last->clock + 1));
     }
     update(0);
@@ -201,7 +201,7 @@ void Session::settle_hunt() {
 bool Session::run_on() {
   Run& run = leading();
   if (run.busy()) return true;
-  const Mark* last = run.marks().empty() ? nullptr : &run.marks().back();
+  const Decision* last = run.decisions().empty() ? nullptr : &run.decisions().back();
   if ((last != nullptr && last->state != MissionState::driving) || !run.failure().empty()) return false;
   run.go(last == nullptr ? Target::plan() : Target::clock_at(last->clock + kStepsAhead));
   return true;

@@ -107,12 +107,12 @@ void Session::follow_lead() {
   const Run& first = run();
   for (const auto& each : runs_) {
     if (each.get() == &first) continue;
-    const Place place = place_beside(first, *each, lockstep_);
-    if (place.lacking && each->failure().empty()) {
+    const Standing standing = standing_beside(first, *each, lockstep_);
+    if (standing.lacking && each->failure().empty()) {
       catching_up_ = true;
-      if (!each->busy()) each->go(*place.lacking);
+      if (!each->busy()) each->go(*standing.lacking);
     }
-    each->timeline().seek(place.position);
+    each->timeline().seek(standing.position);
   }
 }
 

@@ -27,7 +27,7 @@ Result<void> Session::edit_script(std::string label, std::uint64_t stroke, Surpr
     surprise.at.move = changed.surprises.back().at.move;
     changed.surprises.pop_back();
   } else {
-    surprise.at.move = run().mark_for_edit()->clock;
+    surprise.at.move = run().decision_for_edit()->clock;
   }
   changed.surprises.push_back(std::move(surprise));
   commit(std::move(label), stroke, std::move(changed));
@@ -36,8 +36,8 @@ Result<void> Session::edit_script(std::string label, std::uint64_t stroke, Surpr
 
 /// Whether the robot has set out at the cursor: what is moved now is moved on the way.
 bool Session::under_way() const {
-  const Mark* mark = run().mark_for_edit();
-  return mark != nullptr && mark->clock > 0;
+  const Decision* decision = run().decision_for_edit();
+  return decision != nullptr && decision->clock > 0;
 }
 
 Result<void> Session::run_command(const SetStart& command) {
@@ -77,8 +77,8 @@ Result<void> Session::run_command(const PutRobot& command) {
 /// Moving obstacles belong to a run from its beginning, so the runs start afresh and go to where the robot
 /// was.
 void Session::commit_movers(std::string label, std::uint64_t stroke, std::vector<MovingObstacle> movers) {
-  const Mark* mark = run().mark_at(run().timeline().cursor());
-  const std::int64_t clock = mark == nullptr ? 0 : mark->clock;
+  const Decision* decision = run().decision_at(run().timeline().cursor());
+  const std::int64_t clock = decision == nullptr ? 0 : decision->clock;
   Scenario changed = *scenario_;
   changed.movers = std::move(movers);
   commit(std::move(label), stroke, std::move(changed));
@@ -93,7 +93,8 @@ Result<void> Session::run_command(const AddMover& command) {
     return Error{"there are " + std::to_string(kMaxMovers) +
                  " moving obstacles already, the most there can be"};
   movers.push_back(command.mover);
-  if (const Mark* mark = run().mark_at(run().timeline().cursor())) movers.back().from = mark->clock;
+  if (const Decision* decision = run().decision_at(run().timeline().cursor()))
+    movers.back().from = decision->clock;
   commit_movers("add a moving obstacle", 0, std::move(movers));
   return {};
 }

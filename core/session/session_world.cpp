@@ -43,7 +43,7 @@ const char* turn_text(Turn turn) {
 GridMap Session::world() const {
   GridMap map = scenario_->map;
   const SearchState& state = run().timeline().state();
-  if (run().mark_at(run().timeline().cursor()) == nullptr) return map;
+  if (run().decision_at(run().timeline().cursor()) == nullptr) return map;
   for (std::size_t i = 0; i < map.blocked.size(); ++i) {
     const bool wall = state.wall(static_cast<NodeId>(i));
     if (wall != (map.blocked[i] != kFree)) map.blocked[i] = wall ? kObstacle : kFree;
@@ -56,10 +56,10 @@ GridMap Session::world() const {
 void Session::commit_in_place(std::string label, Scenario changed, std::size_t scripted) {
   const std::size_t cursor = run().timeline().cursor();
   const bool follow = follow_;
-  const Mark* mark = run().mark_at(cursor);
-  const std::int64_t clock = mark == nullptr ? 0 : mark->clock;
+  const Decision* decision = run().decision_at(cursor);
+  const std::int64_t clock = decision == nullptr ? 0 : decision->clock;
   commit(std::move(label), 0, std::move(changed), scripted);
-  if (!run().marks().empty() && run().timeline().size() >= cursor) {
+  if (!run().decisions().empty() && run().timeline().size() >= cursor) {
     if (follow) return;  // it stood at the end, and still does
     seek(cursor);
     follow_ = false;

@@ -49,8 +49,9 @@ struct MissionFigures {
   std::size_t peak_bytes = 0;  ///< held by the planner at most, the map not counted
 };
 
-/// A moment between two decisions of the robot, from which a mission can be taken up again.
-struct Mark {
+/// A moment at which the robot can decide something, and how the mission stands then: it can be taken up again from
+/// there.
+struct Decision {
   std::size_t event = 0;    ///< position in the event log
   std::int64_t clock = 0;   ///< steps of the robot: moves, and waits while there is no path
   SimTime time = 0;         ///< that these took
@@ -73,7 +74,7 @@ struct Mark {
 /// A moment between two calls of Mission::advance(), in the middle of a search too, from which a mission can
 /// be taken up again. What the planner needs is in the log's state there.
 struct Checkpoint {
-  Mark now;
+  Decision now;
   Counters planner;      ///< its counters
   Counters before_plan;  ///< and what they were when the latest plan began
   int line = 0;          ///< the recorder's, for the owner of the log
@@ -129,12 +130,12 @@ class Mission {
   bool advance(std::int64_t iterations);
 
   [[nodiscard]] MissionState state() const { return now_.state; }
-  /// True while the robot could decide something: the moment that a Mark records.
+  /// True while the robot could decide something: the moment that a `Decision` tells of.
   [[nodiscard]] bool standing() const { return now_.state != MissionState::planning; }
   /// True if the robot's next decision would be to move or to wait: nothing is due, nothing new is in sight.
   [[nodiscard]] bool settled() const;
   /// This moment; its `event` is left to the owner of the log.
-  [[nodiscard]] const Mark& now() const { return now_; }
+  [[nodiscard]] const Decision& now() const { return now_; }
   [[nodiscard]] const Plan& plan() const { return *now_.plan; }
   [[nodiscard]] const Route& route() const { return route_; }
   [[nodiscard]] const Navigator& navigator() const { return *navigator_; }
@@ -151,8 +152,8 @@ class Mission {
   [[nodiscard]] Checkpoint checkpoint() const { return {now_, navigator_->counters(), before_plan_, 0}; }
   /// Goes to a moment of this scenario's own run, `state` being the log's state there.
   void restore(const Checkpoint& checkpoint, const SearchState& state);
-  void restore(const Mark& mark, const SearchState& state) {
-    restore({mark, mark.figures.counters - mark.before_goal, {}, 0}, state);
+  void restore(const Decision& decision, const SearchState& state) {
+    restore({decision, decision.figures.counters - decision.before_goal, {}, 0}, state);
   }
 
  protected:
@@ -211,7 +212,7 @@ class Mission {
   bool begun_ = false;
   Counters before_plan_;
   Route route_;  // of the plan that stands
-  Mark now_;
+  Decision now_;
 };
 
 /// The map that the robot starts with.

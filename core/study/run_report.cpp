@@ -40,13 +40,13 @@ std::optional<double> finite(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-RobotReport robot_report(const Mark& mark) {
-  return {.ending = mark.state,
-          .moves = mark.figures.moves,
-          .travelled = mark.figures.travelled,
-          .collisions = mark.figures.collisions,
-          .replans = mark.figures.replans,
-          .last_plan = mark.plan->status};
+RobotReport robot_report(const Decision& decision) {
+  return {.ending = decision.state,
+          .moves = decision.figures.moves,
+          .travelled = decision.figures.travelled,
+          .collisions = decision.figures.collisions,
+          .replans = decision.figures.replans,
+          .last_plan = decision.plan->status};
 }
 
 /// Why the robot did not arrive, where its ending alone does not say it: how things stood in the end.
@@ -155,18 +155,18 @@ std::string explanation(const RunReport& report) {
   return {};
 }
 
-RunReport report_at(const Mark& mark, const PathFigures& figures, const PlannerChoice& choice) {
+RunReport report_at(const Decision& decision, const PathFigures& figures, const PlannerChoice& choice) {
   RunReport report;
   report.planner = choice.id;
-  report.status = status_name(mark.plan->status);
+  report.status = status_name(decision.plan->status);
   report.figures = figures;
-  report.plan_ms = mark.figures.plan_ms;
-  report.replan_ms = mark.figures.replan_ms;
-  report.replans = mark.figures.replans;
-  report.counters = mark.figures.counters;
-  report.last_plan = mark.figures.last_plan;
-  report.memory_bytes = static_cast<std::int64_t>(mark.figures.peak_bytes);
-  report.robot = robot_report(mark);
+  report.plan_ms = decision.figures.plan_ms;
+  report.replan_ms = decision.figures.replan_ms;
+  report.replans = decision.figures.replans;
+  report.counters = decision.figures.counters;
+  report.last_plan = decision.figures.last_plan;
+  report.memory_bytes = static_cast<std::int64_t>(decision.figures.peak_bytes);
+  report.robot = robot_report(decision);
   return report;
 }
 

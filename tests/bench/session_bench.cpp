@@ -137,8 +137,8 @@ void session_branches(benchmark::State& state) {
     one_cell.time([&] { (void)session.apply(PaintCells{{{robot, true}}}); });
     wait();
     for (int i = 0; i < 8; ++i) {
-      const std::size_t mark = session.run().marks().size() / 2;
-      (void)session.apply(Seek{session.run().marks()[mark].event});
+      const std::size_t decision = session.run().decisions().size() / 2;
+      (void)session.apply(Seek{session.run().decisions()[decision].event});
       std::vector<CellChange> cells;
       const Cell at = session.run().lattice().position(session.run().timeline().state().node(Scalar::robot));
       for (int k = 4; k < 14; ++k) cells.push_back({{at.x + k, at.y + k - i}, true});
@@ -236,7 +236,7 @@ void run_memory(benchmark::State& state) {
     run.finish(Target::plan());
     const double grown = resident() - before;
     constexpr double kMiB = 1 << 20;
-    const double planner = static_cast<double>(run.marks().back().figures.peak_bytes) / kMiB;
+    const double planner = static_cast<double>(run.decisions().back().figures.peak_bytes) / kMiB;
     const double states = static_cast<double>(run.timeline().head().page_bytes()) / kMiB;
     const double cells = static_cast<double>(size) * size / kMiB;
     state.counters["planner_MiB"] = planner;

@@ -54,11 +54,11 @@ struct Counted {
 Counted count(const Run& run, std::size_t position) {
   Counted counted;
   std::size_t begin = 0;
-  for (const Mark& mark : run.marks()) {
-    if (mark.event > position) break;
-    counted.plan = mark.clock == counted.clock ? counted.plan + 1 : 0;
-    counted.clock = mark.clock;
-    begin = mark.event;
+  for (const Decision& decision : run.decisions()) {
+    if (decision.event > position) break;
+    counted.plan = decision.clock == counted.clock ? counted.plan + 1 : 0;
+    counted.clock = decision.clock;
+    begin = decision.event;
   }
   for (const std::size_t p : expansions_of(run)) {
     if (p >= position) break;
@@ -69,12 +69,12 @@ Counted count(const Run& run, std::size_t position) {
 }
 
 std::int64_t last_clock(const Run& run) {
-  return run.marks().back().clock;
+  return run.decisions().back().clock;
 }
 /// The number of the last decision at a step, and -1 if the run passed over that step.
 std::int64_t last_plan(const Run& run, std::int64_t clock) {
   std::int64_t plan = -1;
-  for (const Mark& mark : run.marks()) plan += mark.clock == clock ? 1 : 0;
+  for (const Decision& decision : run.decisions()) plan += decision.clock == clock ? 1 : 0;
   return plan;
 }
 /// Whether the robot waited through a step: it is at an earlier one before, and at a later one after.
@@ -87,13 +87,13 @@ struct Search {
   std::int64_t next_clock = -1;  ///< of the robot, once the plan stands; a wait may come before the search
 };
 Search search_after(const Run& run, std::int64_t clock, std::int64_t plan) {
-  const auto marks = run.marks();
+  const auto decisions = run.decisions();
   std::size_t next = clock < 0 ? 0 : static_cast<std::size_t>(plan) + 1;
-  for (std::size_t i = 0; clock >= 0 && i < marks.size() && marks[i].clock < clock; ++i) ++next;
-  if (next >= marks.size()) return {0, clock};
-  Search search{0, marks[next].clock};
+  for (std::size_t i = 0; clock >= 0 && i < decisions.size() && decisions[i].clock < clock; ++i) ++next;
+  if (next >= decisions.size()) return {0, clock};
+  Search search{0, decisions[next].clock};
   for (const std::size_t p : expansions_of(run))
-    search.length += p >= (next == 0 ? 0 : marks[next - 1].event) && p < marks[next].event ? 1 : 0;
+    search.length += p >= (next == 0 ? 0 : decisions[next - 1].event) && p < decisions[next].event ? 1 : 0;
   return search;
 }
 
@@ -140,7 +140,7 @@ void expect_same_step(const Run& leader, const Run& other) {
     if (wanted.clock >= 0) {
       EXPECT_EQ(got.plan, last_plan(other, got.clock));
     }
-    EXPECT_EQ(other.mark_at(cursor)->event, cursor) << "its plan stands";
+    EXPECT_EQ(other.decision_at(cursor)->event, cursor) << "its plan stands";
   }
 }
 
@@ -183,9 +183,9 @@ std::vector<std::size_t> places(Random& random, const Run& run) {
   for (int i = 0; i < 12; ++i) {
     all.push_back(static_cast<std::size_t>(random.between(0, static_cast<int>(run.timeline().size()))));
     all.push_back(next_stop(run, all.back(), StepUnit::expansion));
-    all.push_back(
-        run.marks()[static_cast<std::size_t>(random.between(0, static_cast<int>(run.marks().size()) - 1))]
-            .event);
+    all.push_back(run.decisions()[static_cast<std::size_t>(
+                                      random.between(0, static_cast<int>(run.decisions().size()) - 1))]
+                      .event);
   }
   return all;
 }
@@ -199,7 +199,7 @@ TEST(LockstepProperty, EachModeKeepsItsPromiseWhicheverWayAPlaceIsReached) {
     run_to_the_end(session);
     for (const auto& run : session.runs())
       EXPECT_EQ(expansions_until(*run, run->timeline().size()),
-                run->marks().back().figures.counters.expansions)
+                run->decisions().back().figures.counters.expansions)
           << run->choice().id << " counts them itself";
     ASSERT_TRUE(session.apply(Lead{random.below(static_cast<std::uint32_t>(scenario.planners.size()))}).ok());
     std::vector<std::size_t> order = places(random, session.run());
@@ -268,9 +268,9 @@ TEST(LockstepProperty, ATwinStandsWhereTheLeaderStands) {
           std::minmax({session.runs()[0]->timeline().cursor(), session.runs()[1]->timeline().cursor()});
       for (const std::size_t p : expansions_of(session.run()))
         EXPECT_FALSE(low <= p && p < high) << "one has expanded more";
-      const auto marks = session.run().marks();
-      for (const Mark& mark : marks)
-        if (low < mark.event && mark.event < high) ADD_FAILURE() << "one has decided more often";
+      const auto decisions = session.run().decisions();
+      for (const Decision& decision : decisions)
+        if (low < decision.event && decision.event < high) ADD_FAILURE() << "one has decided more often";
       if (HasFailure()) FAIL() << "mission " << mission << " at " << stop;
     }
   }

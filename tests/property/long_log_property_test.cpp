@@ -193,7 +193,8 @@ void check_undo(std::uint64_t seed, const PlannerInfo& info, std::size_t panes, 
       (void)session.apply(
           Seek{random.below(static_cast<std::uint32_t>(session.run().timeline().size()) + 1)});
     for (const auto& run : session.runs())
-      run->finish(run->marks().empty() ? Target::plan() : Target::clock_at(run->marks().back().clock));
+      run->finish(run->decisions().empty() ? Target::plan()
+                                           : Target::clock_at(run->decisions().back().clock));
     session.settle();
   };
   for (int edit = 0; edit < 4; ++edit) {

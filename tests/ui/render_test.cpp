@@ -31,8 +31,8 @@ std::size_t plan_end(const RenderRequest& request, int n) {
   Session session(request.scenario);
   EXPECT_TRUE(session.apply(RunToEnd{}).ok());
   for (const auto& run : session.runs()) run->finish(Target::end());
-  for (const Marker& marker : session.run().markers())
-    if (marker.kind == EventKind::plan_end && n-- == 0) return marker.event + 1;
+  for (const Milestone& milestone : session.run().milestones())
+    if (milestone.kind == EventKind::plan_end && n-- == 0) return milestone.event + 1;
   return session.run().timeline().size();
 }
 

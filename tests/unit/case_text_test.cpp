@@ -67,8 +67,8 @@ TEST(CaseText, ShowsWorldValuesAndOpenList) {
   Driven driven(closing_gap(), 1);
   // In the middle of the repair: the robot has seen that the gap is shut.
   std::size_t position = 0;
-  for (const Marker& marker : driven.run.markers())
-    if (marker.kind == EventKind::plan_begin) position = marker.event;
+  for (const Milestone& milestone : driven.run.milestones())
+    if (milestone.kind == EventKind::plan_begin) position = milestone.event;
   while (driven.run.timeline().event(position).kind != EventKind::pop) ++position;
   const std::string text = driven.text(position + 2, {.pane = 1});
   EXPECT_NE(text.find("planner   dld-star-lite (DLD* Lite) "), std::string::npos) << text;

@@ -34,8 +34,8 @@ void run_to_end(Session& session) {
 
 std::size_t plans_of(const Run& run) {
   return static_cast<std::size_t>(
-      std::count_if(run.markers().begin(), run.markers().end(),
-                    [](const Marker& marker) { return marker.kind == EventKind::plan_end; }));
+      std::count_if(run.milestones().begin(), run.milestones().end(),
+                    [](const Milestone& milestone) { return milestone.kind == EventKind::plan_end; }));
 }
 
 TEST(Checks, HoldSmallWorldsToTheirLawsUnlessSwitchedOff) {
@@ -100,7 +100,7 @@ TEST(Checks, NameTheFirstBadPlanOfAPrintedRemoteParent) {
     // The plan that follows the surprise: the laws held for the first one.
     const replan::Run& run = *session.runs()[0];
     EXPECT_EQ(run.timeline().event(printed.first->position - 1).kind, EventKind::plan_end) << file;
-    EXPECT_GT(printed.first->position, run.marks().front().event) << file;
+    EXPECT_GT(printed.first->position, run.decisions().front().event) << file;
     for (std::size_t pane = 1; pane < session.runs().size(); ++pane)
       EXPECT_EQ(session.checks().laws(pane).breaches, 0u) << file;
   }
@@ -113,7 +113,7 @@ TEST(Checks, ForgetWhatAnEditTookBackAndKeepWhatStays) {
   const LawReport whole = session.checks().laws(0);
   ASSERT_GT(whole.breaches, 0u);
   // Back to before the breach, and another way from there.
-  ASSERT_TRUE(session.apply(Seek{session.run().marks().front().event}).ok());
+  ASSERT_TRUE(session.apply(Seek{session.run().decisions().front().event}).ok());
   ASSERT_TRUE(session.apply(DropSurprise{{{{0, 0}, true}}}).ok());
   run_to_end(session);
   LawChecker fresh(session.run().log_view());
@@ -176,7 +176,7 @@ TEST(Checks, SayWhenTwoPanesAreAlikeToTheEnd) {
   EXPECT_FALSE(session.checks().difference());
   EXPECT_EQ(session.checks().comparison().rfind("alike to the end: ", 0), 0u)
       << session.checks().comparison();
-  EXPECT_NE(session.run().marks().back().state, MissionState::driving) << "both were run to their ends";
+  EXPECT_NE(session.run().decisions().back().state, MissionState::driving) << "both were run to their ends";
 }
 
 TEST(Checks, StopComparingOnCancelAndWhenTheWorldIsEdited) {

@@ -130,7 +130,7 @@ TEST(FirstDifference, IsFoundAfterManyReplansToo) {
   for (const Compare what : {Compare::events, Compare::expansions}) {
     const auto found = pair.difference(what);
     ASSERT_TRUE(found);
-    EXPECT_GT(found->positions[0], pair.a->marks().front().event) << found->words;
+    EXPECT_GT(found->positions[0], pair.a->decisions().front().event) << found->words;
     // Until just before it the logs are the same, event for event.
     for (std::size_t i = 0; what == Compare::events && i + 1 < found->positions[0]; ++i)
       ASSERT_EQ(pair.a->timeline().event(i), pair.b->timeline().event(i));

@@ -28,8 +28,8 @@ class Film : public testing::Test {
   [[nodiscard]] const replan::Run& run() const { return session_.run(); }
   [[nodiscard]] std::size_t size() const { return run().timeline().size(); }
   [[nodiscard]] std::size_t count(EventKind kind) const {
-    return static_cast<std::size_t>(std::count_if(run().markers().begin(), run().markers().end(),
-                                                  [&](const Marker& m) { return m.kind == kind; }));
+    return static_cast<std::size_t>(std::count_if(run().milestones().begin(), run().milestones().end(),
+                                                  [&](const Milestone& m) { return m.kind == kind; }));
   }
   [[nodiscard]] std::vector<FilmFrame> plan(const FilmOptions& options) const {
     auto frames = plan_film(run(), options);

@@ -30,7 +30,7 @@ TEST(FreshPlan, OfTheFirstPlanIsThatPlan) {
   for (const auto& run : session.runs()) {
     const FreshPlan fresh = plan_from_scratch(FreshPlanTask(*run), {});
     SceneMemory memory;
-    EXPECT_EQ(fresh.expansions, run->marks().front().figures.counters.expansions) << run->choice().id;
+    EXPECT_EQ(fresh.expansions, run->decisions().front().figures.counters.expansions) << run->choice().id;
     EXPECT_EQ(fresh.expansions, memory.expansions(*run, run->timeline().size())) << run->choice().id;
     EXPECT_GE(fresh.touched, fresh.expansions);
     EXPECT_GT(fresh.ms, 0);
@@ -43,9 +43,9 @@ TEST(FreshPlan, OfAReplanCostsWhatANewRunFromThereDoes) {
   SceneMemory memory;
   FreshPlans plans;
   const replan::Run& run = session.run();
-  for (const Marker& marker : run.markers()) {
-    if (marker.kind != EventKind::plan_end) continue;
-    ASSERT_TRUE(session.apply(Seek{marker.event + 1}).ok());
+  for (const Milestone& milestone : run.milestones()) {
+    if (milestone.kind != EventKind::plan_end) continue;
+    ASSERT_TRUE(session.apply(Seek{milestone.event + 1}).ok());
     const RepairFigures repair = memory.repair(run, run.timeline().cursor());
     if (repair.number == 0) continue;
     const auto fresh = plans.of(run, static_cast<std::size_t>(repair.number), true);
@@ -58,7 +58,7 @@ TEST(FreshPlan, OfAReplanCostsWhatANewRunFromThereDoes) {
       there.map.set(run.lattice().position(n), run.timeline().state().known_blocked(n));
     Session other(there);
     other.settle();
-    EXPECT_EQ(fresh->expansions, other.run().marks().front().figures.counters.expansions);
+    EXPECT_EQ(fresh->expansions, other.run().decisions().front().figures.counters.expansions);
     EXPECT_GT(repair.cause.blocked, 0);
     EXPECT_TRUE(repair.ms.has_value());
   }

@@ -219,9 +219,9 @@ TEST(Mission, KeepsThePathOnceForAllPlansThatHaveIt) {
   }
   Driven driven(scenario);
   while (!driven.mission.standing()) driven.step();
-  const Mark first = driven.mission.now();
+  const Decision first = driven.mission.now();
   while (!driven.mission.settled()) driven.step();
-  const Mark third = driven.mission.now();
+  const Decision third = driven.mission.now();
   ASSERT_EQ(third.figures.replans, 2);
   EXPECT_EQ(third.plan->path.get(), first.plan->path.get());
   EXPECT_NE(third.plan.get(), first.plan.get()) << "figures of a plan are told apart by it";

@@ -120,7 +120,7 @@ TEST(Scene, PathRunsThroughTheRoutesVertices) {
   const auto lines = shapes_of<Polyline>(build_scene(session.run(), view, kView, palette()));
   ASSERT_EQ(lines.size(), 1u);
   const auto& run = session.run();
-  const auto nodes = run.mark_at(run.timeline().cursor())->plan->path->nodes();
+  const auto nodes = run.decision_at(run.timeline().cursor())->plan->path->nodes();
   ASSERT_EQ(lines[0].points.size(), nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Cell cell = run.lattice().position(nodes[i]);
@@ -208,13 +208,14 @@ TEST(Scene, TrailAndRepairFollowTheRun) {
   const Scene scene = build_scene(run, view, kView, palette());
   const auto lines = shapes_of<Polyline>(scene);
   ASSERT_EQ(lines.size(), 1u);
-  EXPECT_EQ(lines[0].points.size(), static_cast<std::size_t>(run.marks().back().figures.moves) + 1);
+  EXPECT_EQ(lines[0].points.size(), static_cast<std::size_t>(run.decisions().back().figures.moves) + 1);
   EXPECT_TRUE(scene.shows(Sign::repair));
   SceneMemory memory;
   const RepairFigures figures = memory.repair(run, run.timeline().size());
-  EXPECT_EQ(figures.number, run.marks().back().figures.replans);
+  EXPECT_EQ(figures.number, run.decisions().back().figures.replans);
   EXPECT_GT(figures.touched, 0);
-  EXPECT_EQ(memory.expansions(run, run.timeline().size()), run.marks().back().figures.counters.expansions);
+  EXPECT_EQ(memory.expansions(run, run.timeline().size()),
+            run.decisions().back().figures.counters.expansions);
 }
 
 TEST(Scene, ObstaclesNeverVanishFromFarAway) {

@@ -115,8 +115,8 @@ TEST(SessionBreakpoints, hitsFollowALogThatIsCut) {
   at.go(Step{StepUnit::mission, 1});
   const auto replans = [&] {
     std::vector<std::size_t> found;
-    for (const Marker& marker : at.session.run().markers())
-      if (marker.kind == EventKind::plan_begin) found.push_back(marker.event + 1);
+    for (const Milestone& milestone : at.session.run().milestones())
+      if (milestone.kind == EventKind::plan_begin) found.push_back(milestone.event + 1);
     return found;
   };
   const auto hits = [&] {
@@ -158,7 +158,7 @@ TEST(SessionBreakpoints, playingStopsAtThemInBothDirections) {
   at.go(SwitchBreakpoint{0, false});
   at.play(1);
   EXPECT_EQ(at.cursor(), at.session.run().timeline().size());
-  EXPECT_EQ(at.session.run().marks().back().state, MissionState::arrived);
+  EXPECT_EQ(at.session.run().decisions().back().state, MissionState::arrived);
 }
 
 TEST(SessionBreakpoints, aStopTellsTheValues) {
@@ -195,7 +195,8 @@ TEST(SessionBreakpoints, aHuntRunsTheMissionOnAndStopsThere) {
   at.go(GoToBreakpoint{1});
   EXPECT_EQ(at.cursor(), last);
   EXPECT_EQ(at.session.log().back(), "no breakpoint after here");
-  EXPECT_EQ(at.session.run().marks().back().state, MissionState::arrived) << "it was run to its end to know";
+  EXPECT_EQ(at.session.run().decisions().back().state, MissionState::arrived)
+      << "it was run to its end to know";
 }
 
 TEST(SessionBreakpoints, aHuntGoesOnOverUpdatesAndCanBeCancelled) {
@@ -286,7 +287,7 @@ TEST(SessionBreakpoints, withoutAnArrivalTheStepGoesToTheEnd) {
   ASSERT_TRUE(session.apply(Seek{0}).ok());
   ASSERT_TRUE(session.apply(Step{StepUnit::mission, 1}).ok());
   session.settle();
-  EXPECT_EQ(session.run().marks().back().state, MissionState::no_path);
+  EXPECT_EQ(session.run().decisions().back().state, MissionState::no_path);
   EXPECT_EQ(session.run().timeline().cursor(), session.run().timeline().size());
 }
 

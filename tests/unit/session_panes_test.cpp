@@ -67,7 +67,7 @@ TEST(SessionPanes, TheRunsThatStayAreKeptAndTheNewOneCatchesUp) {
   EXPECT_EQ(kept->log_id(), log) << "nothing was cut";
   EXPECT_EQ(kept->timeline().cursor(), cursor);
   const replan::Run& added = *session.runs()[1];
-  EXPECT_EQ(added.mark_at(added.timeline().cursor())->clock, 7);
+  EXPECT_EQ(added.decision_at(added.timeline().cursor())->clock, 7);
   EXPECT_EQ(&added.scenario(), &session.scenario());
   EXPECT_EQ(&kept->scenario(), &session.scenario());
 }
@@ -78,8 +78,8 @@ TEST(SessionPanes, SettlingPutsANewPaneInItsPlace) {
   ASSERT_TRUE(session.apply(SetPanes{2}).ok());
   session.settle();
   const replan::Run& added = *session.runs()[1];
-  ASSERT_FALSE(added.marks().empty());
-  EXPECT_EQ(added.timeline().cursor(), added.marks().front().event) << "its plan stands";
+  ASSERT_FALSE(added.decisions().empty());
+  EXPECT_EQ(added.timeline().cursor(), added.decisions().front().event) << "its plan stands";
 }
 
 TEST(SessionPanes, ComeAndGoWithUndoAndRedo) {
@@ -96,7 +96,7 @@ TEST(SessionPanes, ComeAndGoWithUndoAndRedo) {
   test::settle_panes(session);
   ASSERT_EQ(session.runs().size(), 2u);
   EXPECT_EQ(session.runs()[0].get(), kept);
-  EXPECT_EQ(kept->mark_at(kept->timeline().cursor())->clock, 3);
+  EXPECT_EQ(kept->decision_at(kept->timeline().cursor())->clock, 3);
 }
 
 TEST(SessionPanes, AnotherPlannerInOnePaneLeavesTheOthersAlone) {
@@ -110,7 +110,7 @@ TEST(SessionPanes, AnotherPlannerInOnePaneLeavesTheOthersAlone) {
   test::settle_panes(session);
   const replan::Run& other = *session.runs()[1];
   EXPECT_EQ(other.choice().id, "astar");
-  EXPECT_EQ(other.mark_at(other.timeline().cursor())->clock, 4);
+  EXPECT_EQ(other.decision_at(other.timeline().cursor())->clock, 4);
 }
 
 TEST(SessionPanes, TheLeadGoesOverWhenItsPaneGoes) {
@@ -147,9 +147,9 @@ TEST(SessionPanes, AnEditReachesAllPanesAtTheSameStep) {
   ASSERT_TRUE(session.apply(PaintCells{{{{8, 6}, true}, {{8, 7}, true}}, 1}).ok());
   test::settle_panes(session);
   for (const auto& run : session.runs()) {
-    const Mark* mark = run->mark_at(run->timeline().cursor());
-    ASSERT_NE(mark, nullptr);
-    EXPECT_EQ(mark->clock, 2) << run->choice().id;
+    const Decision* decision = run->decision_at(run->timeline().cursor());
+    ASSERT_NE(decision, nullptr);
+    EXPECT_EQ(decision->clock, 2) << run->choice().id;
     EXPECT_TRUE(run->timeline().state().wall(run->lattice().node(Cell{8, 6}))) << run->choice().id;
   }
 }

@@ -43,8 +43,8 @@ void run_to_end(Session& session) {
   session.update(0);
 }
 
-const Mark& last_mark(const Session& session) {
-  return session.run().marks().back();
+const Decision& last_decision(const Session& session) {
+  return session.run().decisions().back();
 }
 
 class SessionOf : public testing::TestWithParam<const char*> {};
@@ -52,11 +52,11 @@ class SessionOf : public testing::TestWithParam<const char*> {};
 TEST_P(SessionOf, OpensWithAPlanAndDrivesToTheGoal) {
   Session session(wall_with_gap(GetParam()));
   session.settle();
-  EXPECT_EQ(last_mark(session).state, MissionState::driving);
+  EXPECT_EQ(last_decision(session).state, MissionState::driving);
   EXPECT_EQ(session.run().timeline().cursor(), session.run().timeline().size());
   run_to_end(session);
-  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
-  EXPECT_EQ(last_mark(session).figures.collisions, 0);
+  EXPECT_EQ(last_decision(session).state, MissionState::arrived);
+  EXPECT_EQ(last_decision(session).figures.collisions, 0);
 }
 
 TEST_P(SessionOf, AnEditWhileAPlanStandsIsRepairedAndTheRunRepeatsFromItsScenario) {
@@ -64,12 +64,12 @@ TEST_P(SessionOf, AnEditWhileAPlanStandsIsRepairedAndTheRunRepeatsFromItsScenari
   session.settle();
   ASSERT_TRUE(session.apply(PaintCells{block(6, 4, 2, 6), 1}).ok());
   session.settle();
-  EXPECT_EQ(last_mark(session).figures.replans, 1);
+  EXPECT_EQ(last_decision(session).figures.replans, 1);
   ASSERT_TRUE(session.apply(Step{StepUnit::move, 5}).ok());
   ASSERT_TRUE(session.apply(DropSurprise{block(12, 5, 1, 1), 2}).ok());
   ASSERT_TRUE(session.apply(PaintCells{block(12, 10, 1, 1, false), 3}).ok());
   run_to_end(session);
-  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
+  EXPECT_EQ(last_decision(session).state, MissionState::arrived);
 
   Session again(session.scenario());
   run_to_end(again);
@@ -98,14 +98,14 @@ TEST_P(SessionOf, StepsBackBeforeASurpriseAndForwardAgainWithEqualHashes) {
 TEST_P(SessionOf, AnEditInThePastBranchesFromThatMoment) {
   Session session(wall_with_gap(GetParam()));
   run_to_end(session);
-  const auto marks = session.run().marks();
-  ASSERT_TRUE(session.apply(Seek{marks[marks.size() / 2].event}).ok());
-  const std::int64_t clock = session.run().mark_at(session.run().timeline().cursor())->clock;
+  const auto decisions = session.run().decisions();
+  ASSERT_TRUE(session.apply(Seek{decisions[decisions.size() / 2].event}).ok());
+  const std::int64_t clock = session.run().decision_at(session.run().timeline().cursor())->clock;
   ASSERT_TRUE(session.apply(PaintCells{block(18, 2, 1, 10), 1}).ok());
   session.settle();
-  EXPECT_EQ(last_mark(session).clock, clock);
+  EXPECT_EQ(last_decision(session).clock, clock);
   run_to_end(session);
-  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
+  EXPECT_EQ(last_decision(session).state, MissionState::arrived);
   Session again(session.scenario());
   run_to_end(again);
   EXPECT_EQ(again.run().timeline().log_hash(), session.run().timeline().log_hash());
@@ -148,11 +148,11 @@ TEST(Session, ASurpriseOnTheDemoWorldIsRepairedSteppedBackAndForthWithEqualHashe
   const std::uint64_t planned = log.state().hash();
   ASSERT_TRUE(
       session.apply(DropSurprise{block(8, 12, 4, 2), 1}).ok());  // beside the start, on the path ahead
-  for (int moves = 0; last_mark(session).figures.replans == 0 && moves < 20; ++moves)
+  for (int moves = 0; last_decision(session).figures.replans == 0 && moves < 20; ++moves)
     ASSERT_TRUE(session.apply(Step{StepUnit::move, 1}).ok());
   session.settle();
   ASSERT_TRUE(session.apply(Seek{log.size()}).ok());
-  EXPECT_GE(last_mark(session).figures.replans, 1);  // the sensor may see it piece by piece
+  EXPECT_GE(last_decision(session).figures.replans, 1);  // the sensor may see it piece by piece
   const std::size_t repaired_at = log.cursor();
   const std::uint64_t repaired = log.state().hash();
   while (log.cursor() > planned_at) ASSERT_TRUE(session.apply(Step{StepUnit::expansion, -1}).ok());
@@ -299,8 +299,8 @@ TEST(Session, WaitingForAFarStepTakesNoTime) {
                                 .announced = true});
   Session session(scenario);
   run_to_end(session);
-  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
-  EXPECT_GT(last_mark(session).clock, 1'000'000'000'000);
+  EXPECT_EQ(last_decision(session).state, MissionState::arrived);
+  EXPECT_GT(last_decision(session).clock, 1'000'000'000'000);
 }
 
 TEST(Session, PlayTakesUpACancelledPlan) {
@@ -312,7 +312,7 @@ TEST(Session, PlayTakesUpACancelledPlan) {
     if (session.run().busy()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     session.update(0.05);
   }
-  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
+  EXPECT_EQ(last_decision(session).state, MissionState::arrived);
 }
 
 TEST(Session, NoPathIsAnAnswerAndTheRobotGoesOnWhenTheMapOpens) {
@@ -320,11 +320,11 @@ TEST(Session, NoPathIsAnAnswerAndTheRobotGoesOnWhenTheMapOpens) {
   scenario.map.set({12, 5}, true);
   Session session(scenario);
   run_to_end(session);
-  EXPECT_EQ(last_mark(session).state, MissionState::no_path);
-  EXPECT_EQ(last_mark(session).plan->status, PlanStatus::no_path);
+  EXPECT_EQ(last_decision(session).state, MissionState::no_path);
+  EXPECT_EQ(last_decision(session).plan->status, PlanStatus::no_path);
   ASSERT_TRUE(session.apply(PaintCells{block(12, 9, 1, 2, false), 1}).ok());
   run_to_end(session);
-  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
+  EXPECT_EQ(last_decision(session).state, MissionState::arrived);
 }
 
 TEST(Session, ARobotUnderASurpriseWaitsUntilItIsFree) {
@@ -335,9 +335,9 @@ TEST(Session, ARobotUnderASurpriseWaitsUntilItIsFree) {
       {.at = {.move = 8, .near = {}, .within = 0}, .cells = block(3, 5, 3, 6, false), .announced = true});
   Session session(scenario);
   run_to_end(session);
-  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
-  EXPECT_EQ(last_mark(session).figures.collisions, 0);
-  EXPECT_GT(last_mark(session).clock, last_mark(session).figures.moves);
+  EXPECT_EQ(last_decision(session).state, MissionState::arrived);
+  EXPECT_EQ(last_decision(session).figures.collisions, 0);
+  EXPECT_GT(last_decision(session).clock, last_decision(session).figures.moves);
 }
 
 TEST(Session, EditsBeforeTheRobotMovedArePartOfTheSavedMap) {
@@ -372,7 +372,7 @@ TEST(Session, PanesGoInLockstepByStepsOfTheRobotAndExpansions) {
   for (std::size_t p = 0; p < first.timeline().size(); p += 13) {
     ASSERT_TRUE(session.apply(Seek{p}).ok());
     const Progress wanted = progress(first, p), got = progress(second, second.timeline().cursor());
-    if (wanted.clock >= second.marks().back().clock) break;  // the other robot has arrived
+    if (wanted.clock >= second.decisions().back().clock) break;  // the other robot has arrived
     // A first plan that has ended stands, which is step 0.
     EXPECT_EQ(std::max<std::int64_t>(0, got.clock), std::max<std::int64_t>(0, wanted.clock)) << "at " << p;
     if (got.clock == wanted.clock && got.plan == wanted.plan) {
@@ -394,7 +394,7 @@ TEST(Session, PlaysForwardsToTheArrivalAndBackToTheBeginning) {
     session.update(0.05);
   }
   EXPECT_LT(frames, 20000);
-  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
+  EXPECT_EQ(last_decision(session).state, MissionState::arrived);
   EXPECT_EQ(session.run().timeline().cursor(), session.run().timeline().size());
   ASSERT_TRUE(session.apply(Play{-1}).ok());
   for (int frame = 0; frame < 20000 && session.playback().direction != 0; ++frame) session.update(0.05);
@@ -414,7 +414,7 @@ TEST(Session, AGoalThatMovesOnTheWayIsPlannedForAfreshFromWhereTheRobotIs) {
   ASSERT_EQ(session.scenario().surprises.size(), 1u);
   EXPECT_EQ(session.scenario().surprises[0].goal, (Cell{19, 13}));
   EXPECT_EQ(session.scenario().goal, (Cell{21, 8})) << "the run's own goal stays";
-  EXPECT_EQ(last_mark(session).figures.moves, 5);
+  EXPECT_EQ(last_decision(session).figures.moves, 5);
   EXPECT_GE(session.run().timeline().cursor(), before);
   const auto kinds = [&](EventKind kind) {
     int count = 0;
@@ -424,7 +424,7 @@ TEST(Session, AGoalThatMovesOnTheWayIsPlannedForAfreshFromWhereTheRobotIs) {
   };
   EXPECT_EQ(kinds(EventKind::new_goal), 1);
   run_to_end(session);
-  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
+  EXPECT_EQ(last_decision(session).state, MissionState::arrived);
   EXPECT_EQ(session.run().timeline().state().node(Scalar::robot), session.run().lattice().node(Cell{19, 13}));
   expect_repeats(session);
   ASSERT_TRUE(session.apply(Undo{}).ok());
@@ -444,7 +444,7 @@ TEST(Session, ARobotThatIsPutElsewhereRepairsItsPlan) {
   EXPECT_EQ(session.run().timeline().state().node(Scalar::robot), session.run().lattice().node(Cell{5, 14}));
   EXPECT_EQ(session.scenario().start, (Cell{3, 3}));
   run_to_end(session);
-  EXPECT_EQ(last_mark(session).state, MissionState::arrived);
+  EXPECT_EQ(last_decision(session).state, MissionState::arrived);
   expect_repeats(session);
 }
 
@@ -460,7 +460,7 @@ TEST(Session, AnObstacleThatMovesAppearsWhereTheRobotIsAndTheRobotStaysThere) {
   EXPECT_EQ(session.scenario().movers[0].from, 6);
   EXPECT_EQ(session.run().timeline().state().node(Scalar::robot), robot);
   expect_repeats(session);
-  EXPECT_EQ(last_mark(session).figures.collisions, 0);
+  EXPECT_EQ(last_decision(session).figures.collisions, 0);
   EXPECT_FALSE(session.apply(AddMover{{.way = {}}}).ok());
   EXPECT_FALSE(session.apply(AddMover{{.way = {{99, 0}}}}).ok());
   EXPECT_FALSE(session.apply(RemoveMover{1}).ok());
@@ -475,8 +475,8 @@ TEST(Session, ASmoothRobotIsShownBetweenCellsAndDrivesAtItsSpeed) {
   Session session(scenario);
   session.settle();
   run_to_end(session);
-  const std::size_t planned = session.run().marks().front().event;
-  const double driven = last_mark(session).figures.travelled;
+  const std::size_t planned = session.run().decisions().front().event;
+  const double driven = last_decision(session).figures.travelled;
   ASSERT_TRUE(session.apply(Seek{planned}).ok());
   ASSERT_TRUE(session.apply(SetSpeed{Session::kRealTimeSpeed}).ok());
   ASSERT_TRUE(session.apply(Play{1}).ok());

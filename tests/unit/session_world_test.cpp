@@ -36,8 +36,8 @@ void run_to_end(Session& session) {
 }
 
 std::int64_t clock_now(const Session& session) {
-  const Mark* mark = session.run().mark_at(session.run().timeline().cursor());
-  return mark == nullptr ? -1 : mark->clock;
+  const Decision* decision = session.run().decision_at(session.run().timeline().cursor());
+  return decision == nullptr ? -1 : decision->clock;
 }
 
 TEST(SessionWorld, AScheduledSurpriseHappensAtItsStepAndNotBefore) {
@@ -46,13 +46,13 @@ TEST(SessionWorld, AScheduledSurpriseHappensAtItsStepAndNotBefore) {
   ASSERT_TRUE(session.apply(ScheduleSurprise{wall_at(15, at_step(6))}).ok());
   run_to_end(session);
   const auto& run = session.run();
-  EXPECT_EQ(run.marks().back().state, MissionState::arrived);
-  EXPECT_EQ(run.marks().back().figures.collisions, 0);
+  EXPECT_EQ(run.decisions().back().state, MissionState::arrived);
+  EXPECT_EQ(run.decisions().back().figures.collisions, 0);
   const NodeId cell = run.lattice().node(Cell{15, 4});
-  for (const Mark& mark : run.marks()) {
-    ASSERT_TRUE(session.apply(Seek{mark.event}).ok());
-    if (mark.clock == 6) continue;  // before it and after it
-    EXPECT_EQ(run.timeline().state().wall(cell), mark.clock > 6);
+  for (const Decision& decision : run.decisions()) {
+    ASSERT_TRUE(session.apply(Seek{decision.event}).ok());
+    if (decision.clock == 6) continue;  // before it and after it
+    EXPECT_EQ(run.timeline().state().wall(cell), decision.clock > 6);
   }
 }
 
@@ -73,10 +73,10 @@ TEST(SessionWorld, AnEditAmidSurprisesChangesWhatIsThereWhenItHappens) {
     run_to_end(session);
     size = session.run().timeline().size();
     ASSERT_TRUE(session.apply(Seek{position}).ok());
-    const Mark* mark = session.run().mark_for_edit();
-    if (mark == nullptr) continue;
+    const Decision* decision = session.run().decision_for_edit();
+    if (decision == nullptr) continue;
     // The end shows what both have made of the cells.
-    const SearchState then = session.run().timeline().state_at(mark->clock < 6 ? 0 : size);
+    const SearchState then = session.run().timeline().state_at(decision->clock < 6 ? 0 : size);
     std::vector<Cell> expected, found;
     for (int y = 2; y < 7; ++y)
       for (int x : {15, 16})
@@ -117,9 +117,9 @@ TEST(SessionWorld, SchedulingLeavesEveryPaneWhereItIs) {
     session.update(0);
   }
   for (const auto& run : session.runs()) {
-    const Mark* mark = run->mark_at(run->timeline().cursor());
-    ASSERT_NE(mark, nullptr);
-    EXPECT_EQ(mark->clock, 0);
+    const Decision* decision = run->decision_at(run->timeline().cursor());
+    ASSERT_NE(decision, nullptr);
+    EXPECT_EQ(decision->clock, 0);
   }
 }
 
@@ -135,7 +135,7 @@ TEST(SessionWorld, ASurpriseNearAPlaceBringsTheRobotBackToWhereItWas) {
   session.update(0);
   EXPECT_EQ(clock_now(session), 3);
   run_to_end(session);
-  EXPECT_EQ(session.run().marks().back().state, MissionState::arrived);
+  EXPECT_EQ(session.run().decisions().back().state, MissionState::arrived);
 }
 
 TEST(SessionWorld, ASurpriseThatCannotBeIsRefused) {
@@ -188,7 +188,7 @@ TEST(SessionWorld, TurnsAndSizesAreTakenBack) {
   EXPECT_TRUE(session.scenario().surprises.empty());
   EXPECT_EQ(session.log().back(), "5 cells of surprises lay outside and are gone");
   session.settle();
-  EXPECT_EQ(session.run().marks().back().state, MissionState::driving);
+  EXPECT_EQ(session.run().decisions().back().state, MissionState::driving);
   EXPECT_EQ(session.undo_text(), "resize to 22 x 9");
   for (int i = 0; i < 4; ++i) ASSERT_TRUE(session.apply(Undo{}).ok());
   EXPECT_EQ(session.scenario(), scenario);
@@ -206,8 +206,8 @@ TEST(SessionWorld, InvertAndClearRepairThePlan) {
   Session session(scenario);
   session.settle();
   const auto plans = [&] {
-    return std::count_if(session.run().markers().begin(), session.run().markers().end(),
-                         [](const Marker& marker) { return marker.kind == EventKind::plan_end; });
+    return std::count_if(session.run().milestones().begin(), session.run().milestones().end(),
+                         [](const Milestone& milestone) { return milestone.kind == EventKind::plan_end; });
   };
   ASSERT_EQ(plans(), 1);
   ASSERT_TRUE(session.apply(ClearWorld{}).ok());
@@ -233,8 +233,8 @@ TEST(SessionWorld, AGeneratedWorldHasEndsThatMeet) {
   EXPECT_EQ(session.undo_text(), "generate maze, seed 7");
   EXPECT_EQ(session.scenario().map.width, 31);
   EXPECT_TRUE(session.scenario().surprises.empty());
-  EXPECT_EQ(session.run().marks().back().state, MissionState::driving);
-  EXPECT_EQ(session.run().marks().back().plan->status, PlanStatus::found);
+  EXPECT_EQ(session.run().decisions().back().state, MissionState::driving);
+  EXPECT_EQ(session.run().decisions().back().plan->status, PlanStatus::found);
   const Scenario generated = session.scenario();
   ASSERT_TRUE(session.apply(Undo{}).ok());
   EXPECT_EQ(session.scenario(), scenario);

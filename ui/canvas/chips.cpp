@@ -20,12 +20,12 @@ constexpr float kWholeCardHeight = 560;
 
 struct SignEntry {
   Sign sign;
-  Mark mark;
+  LegendShape shape;
   ImU32 Theme::*colour;
   const char* label;
 };
 constexpr std::array<SignEntry, static_cast<std::size_t>(Sign::count)> kSigns = {{
-#define REPLAN_SIGN(ID, MARK, COLOUR, LABEL) {Sign::ID, Mark::MARK, &Theme::COLOUR, LABEL},
+#define REPLAN_SIGN(ID, SHAPE, COLOUR, LABEL) {Sign::ID, LegendShape::SHAPE, &Theme::COLOUR, LABEL},
 #include "core/scene/signs.def"
 #undef REPLAN_SIGN
 }};
@@ -39,8 +39,8 @@ std::string value_text(double value) {
 
 /// The width that an entry takes in a legend, with the space before it.
 float entry_width(const Look& look, const LegendEntry& entry) {
-  const bool long_mark =
-      entry.mark == Mark::long_arrow || entry.mark == Mark::line || entry.mark == Mark::dashed;
+  const bool long_mark = entry.shape == LegendShape::long_arrow || entry.shape == LegendShape::line ||
+                         entry.shape == LegendShape::dashed;
   return look.px(18) + look.px(5) + look.px(long_mark ? 13 : 9) +
          std::ceil(text_width(look.fonts.ui, entry.label));
 }
@@ -49,9 +49,9 @@ float entry_width(const Look& look, const LegendEntry& entry) {
 std::vector<LegendEntry> entries_in_sight(const Look& look, const Scene& scene) {
   std::vector<LegendEntry> entries;
   for (const SignEntry& entry : kSigns)
-    if (scene.shows(entry.sign)) entries.push_back({entry.mark, look.theme.*entry.colour, entry.label});
-  entries.push_back({Mark::dot, look.theme.start, "start"});
-  entries.push_back({Mark::dot, look.theme.goal, "goal"});
+    if (scene.shows(entry.sign)) entries.push_back({entry.shape, look.theme.*entry.colour, entry.label});
+  entries.push_back({LegendShape::dot, look.theme.start, "start"});
+  entries.push_back({LegendShape::dot, look.theme.goal, "goal"});
   return entries;
 }
 
@@ -136,14 +136,14 @@ std::string grouped(std::int64_t number) {
 
 StateMessage state_message(const Run& run, SceneMemory& memory) {
   const std::size_t cursor = run.timeline().cursor();
-  const replan::Mark* mark = run.mark_at(cursor);
+  const Decision* decision = run.decision_at(cursor);
   if (memory.searching_since(run, cursor)) {
     if (!run.busy() || cursor != run.timeline().size()) return {};
     const std::int64_t expanded = memory.expansions(run, cursor);
     return {"Planning: " + grouped(expanded) + " expansions so far", false};
   }
-  if (mark == nullptr) return {};
-  switch (mark->state) {
+  if (decision == nullptr) return {};
+  switch (decision->state) {
     case MissionState::collision:
       return {std::string("The plan leads through an obstacle") + why_wrong(run), true};
     case MissionState::loop:
@@ -156,27 +156,29 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
     default:
       break;
   }
-  if (mark->plan->status == PlanStatus::found || mark->plan->status == PlanStatus::searching) return {};
-  if (mark->plan->status == PlanStatus::found_nearest) return {status_sentence(mark->plan->status), false};
+  if (decision->plan->status == PlanStatus::found || decision->plan->status == PlanStatus::searching)
+    return {};
+  if (decision->plan->status == PlanStatus::found_nearest)
+    return {status_sentence(decision->plan->status), false};
   const SearchState& state = run.timeline().state();
   const NodeId robot = state.node(Scalar::robot);
   const bool away = robot != run.lattice().node(run.scenario().start);
-  if (mark->plan->status == PlanStatus::start_blocked && away)
+  if (decision->plan->status == PlanStatus::start_blocked && away)
     return {"The robot stands in an obstacle: clear its cell, or put it elsewhere.", true};
-  if (mark->plan->status == PlanStatus::no_path && state.truly_blocked(robot))
+  if (decision->plan->status == PlanStatus::no_path && state.truly_blocked(robot))
     return {"An obstacle stands on the robot's cell, and no way leads out of it.", true};
-  const bool start = mark->plan->status == PlanStatus::start_blocked;
-  if (start || mark->plan->status == PlanStatus::goal_blocked)
+  const bool start = decision->plan->status == PlanStatus::start_blocked;
+  if (start || decision->plan->status == PlanStatus::goal_blocked)
     if (std::string unknown = unknown_end_sentence(run.scenario(), start); !unknown.empty())
       return {std::move(unknown), true};
-  return {status_sentence(mark->plan->status), true};
+  return {status_sentence(decision->plan->status), true};
 }
 
 std::vector<LegendEntry> all_signs(const Look& look) {
-  std::vector<LegendEntry> entries = {{Mark::dot, look.theme.start, "start"},
-                                      {Mark::dot, look.theme.goal, "goal"}};
+  std::vector<LegendEntry> entries = {{LegendShape::dot, look.theme.start, "start"},
+                                      {LegendShape::dot, look.theme.goal, "goal"}};
   for (auto entry = kSigns.rbegin(); entry != kSigns.rend(); ++entry)
-    entries.push_back({entry->mark, look.theme.*entry->colour, entry->label});
+    entries.push_back({entry->shape, look.theme.*entry->colour, entry->label});
   return entries;
 }
 
@@ -185,10 +187,10 @@ ImVec2 draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scen
   const Theme& theme = look.theme;
   const float margin = look.px(12);
   const std::size_t cursor = run.timeline().cursor();
-  const replan::Mark* mark = run.mark_at(cursor);
+  const Decision* decision = run.decision_at(cursor);
   std::string figures = grouped(memory.expansions(run, cursor)) + " expansions";
-  if (mark != nullptr && !mark->plan->path->empty())
-    figures += " · " + grouped(static_cast<std::int64_t>(mark->plan->path->size())) + " nodes";
+  if (decision != nullptr && !decision->plan->path->empty())
+    figures += " · " + grouped(static_cast<std::int64_t>(decision->plan->path->size())) + " nodes";
   if (run.lattice().solid()) figures += " · layer " + std::to_string(state.view.slice);
   const std::string name = std::string(run.info().name) + distinction(run);
   const std::array<TextRun, 3> title = {{{name, theme.text, look.fonts.title},

@@ -41,36 +41,36 @@ void Documents::take_wish(Session& session, Wish wish) {
   }
 }
 
-void Documents::take_decision(Session& session, const Decision& decision) {
+void Documents::take_decision(Session& session, const DialogDecision& decision) {
   switch (decision.kind) {
-    case Decision::Kind::cancel:
+    case DialogDecision::Kind::cancel:
       return give_up();
-    case Decision::Kind::open:
+    case DialogDecision::Kind::open:
       return load(session, {Loading::From::file, decision.path, decision.reading});
-    case Decision::Kind::open_world:
+    case DialogDecision::Kind::open_world:
       return load(session, {Loading::From::library, decision.path, {}});
-    case Decision::Kind::save:
+    case DialogDecision::Kind::save:
       return write_(session, decision.path);
-    case Decision::Kind::new_world:
+    case DialogDecision::Kind::new_world:
       return replace(session, {empty_world(decision.width, decision.height, session.scenario()), ""});
-    case Decision::Kind::discard:
+    case DialogDecision::Kind::discard:
       return go_on(session);
-    case Decision::Kind::save_first:
+    case DialogDecision::Kind::save_first:
       return save_in_place(session);
-    case Decision::Kind::save_elsewhere:
+    case DialogDecision::Kind::save_elsewhere:
       return choose_save(session);
-    case Decision::Kind::overwrite:
+    case DialogDecision::Kind::overwrite:
       if (save(session, session.file())) go_on(session);
       return;
-    case Decision::Kind::reload:
+    case DialogDecision::Kind::reload:
       return load(session, {Loading::From::file, session.file(), reading_});
-    case Decision::Kind::keep_mine:
+    case DialogDecision::Kind::keep_mine:
       disk_differs_ = disk_differs_ || watch_.changed() == session.file();
       watch_.accept();
       return;
-    case Decision::Kind::recover:
+    case DialogDecision::Kind::recover:
       return load(session, {Loading::From::autosave, orphans_[decision.index].path, {}, decision.index});
-    case Decision::Kind::forget:
+    case DialogDecision::Kind::forget:
       discard(std::move(orphans_[decision.index]));
       orphans_.erase(orphans_.begin() + static_cast<std::ptrdiff_t>(decision.index));
       return offer_orphans();
@@ -96,8 +96,8 @@ void Documents::ask_about_unsaved(const Session& session) {
                       : " that are not in a file yet. Without saving they are lost.";
   window_.dialogs.ask({.title = "Save the changes?",
                        .words = words,
-                       .primary = {"Save", Decision::Kind::save_first},
-                       .danger = Question::Choice{"Discard", Decision::Kind::discard}});
+                       .primary = {"Save", DialogDecision::Kind::save_first},
+                       .danger = Question::Choice{"Discard", DialogDecision::Kind::discard}});
 }
 
 void Documents::after_saving(Session& session, Deed deed) {
@@ -122,8 +122,8 @@ void Documents::save_in_place(Session& session) {
          .words = file_name(session.file()) +
                   " was written by another program since it was opened here. Saving puts your "
                   "version in its place.",
-         .primary = {"Save as…", Decision::Kind::save_elsewhere},
-         .danger = Question::Choice{"Overwrite", Decision::Kind::overwrite}});
+         .primary = {"Save as…", DialogDecision::Kind::save_elsewhere},
+         .danger = Question::Choice{"Overwrite", DialogDecision::Kind::overwrite}});
   } else if (save(session, session.file())) {
     go_on(session);
   }

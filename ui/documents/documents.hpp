@@ -57,7 +57,7 @@ class Documents {
 
   // What the window asks for and the user decides, as far as it is about documents.
   void take_wish(Session& session, Wish wish);
-  void take_decision(Session& session, const Decision& decision);
+  void take_decision(Session& session, const DialogDecision& decision);
   /// Does it once unsaved edits are dealt with.
   void after_saving(Session& session, Deed deed);
   /// Another document, without a question.

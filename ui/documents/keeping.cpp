@@ -146,14 +146,14 @@ void Documents::look_at_disk(const Session& session) {
   if (edits > 0)
     words += " Your " + count_text(static_cast<std::int64_t>(edits), "unsaved edit is", "unsaved edits are") +
              " lost by reading it again.";
-  const Question::Choice reload{"Reload", Decision::Kind::reload},
-      keep{"Keep mine", Decision::Kind::keep_mine};
+  const Question::Choice reload{"Reload", DialogDecision::Kind::reload},
+      keep{"Keep mine", DialogDecision::Kind::keep_mine};
   Question question{.title = file_name(*changed) + " has changed on disk",
                     .words = words,
                     .primary = reload,
                     .quiet = keep};
   if (edits > 0) {
-    question.primary = {"Save as…", Decision::Kind::save_elsewhere};
+    question.primary = {"Save as…", DialogDecision::Kind::save_elsewhere};
     question.danger = reload;
   }
   window_.dialogs.ask(std::move(question));

@@ -157,7 +157,8 @@ void ActionContext::toggle_play(int direction) {
   }
   const Run& run = session.run();
   const bool at_end = run.timeline().cursor() == run.timeline().size();
-  const bool over = !run.marks().empty() && run.marks().back().state != MissionState::driving && !run.busy();
+  const bool over =
+      !run.decisions().empty() && run.decisions().back().state != MissionState::driving && !run.busy();
   if (direction > 0 && at_end && over) push(Seek{0});  // there is nothing after the end: play it again
   push(Play{direction});
 }

@@ -26,9 +26,10 @@ float width_of(DialogKind kind) {
 }
 
 /// Decisions that may yet fail: their dialog stays until its owner closes it.
-bool may_fail(Decision::Kind kind) {
-  return kind == Decision::Kind::open || kind == Decision::Kind::open_world || kind == Decision::Kind::save ||
-         kind == Decision::Kind::recover || kind == Decision::Kind::forget;
+bool may_fail(DialogDecision::Kind kind) {
+  return kind == DialogDecision::Kind::open || kind == DialogDecision::Kind::open_world ||
+         kind == DialogDecision::Kind::save || kind == DialogDecision::Kind::recover ||
+         kind == DialogDecision::Kind::forget;
 }
 
 }  // namespace
@@ -110,7 +111,7 @@ std::string Dialogs::words() const {
   return words;
 }
 
-Decision Dialogs::draw(const Look& look) {
+DialogDecision Dialogs::draw(const Look& look) {
   closed_file_.reset();
   closed_worlds_.reset();
   if (kind_ == DialogKind::none) return {};
@@ -129,11 +130,11 @@ Decision Dialogs::draw(const Look& look) {
                              ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
   if (unseen) ImGui::PopStyleColor();
-  Decision decision;
+  DialogDecision decision;
   if (shown) {
     decision = content(look);
     fresh_ = false;
-    if (decision.kind != Decision::Kind::none && !may_fail(decision.kind)) close();
+    if (decision.kind != DialogDecision::Kind::none && !may_fail(decision.kind)) close();
     if (kind_ == DialogKind::none) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
@@ -141,7 +142,7 @@ Decision Dialogs::draw(const Look& look) {
   return decision;
 }
 
-Decision Dialogs::content(const Look& look) {
+DialogDecision Dialogs::content(const Look& look) {
   const float tallest = ImGui::GetIO().DisplaySize.y - look.px(32) - look.px(40);
   switch (kind_) {
     case DialogKind::file:
@@ -170,23 +171,23 @@ Decision Dialogs::content(const Look& look) {
   return {};
 }
 
-Decision Dialogs::file_dialog(const Look& look, float height) {
+DialogDecision Dialogs::file_dialog(const Look& look, float height) {
   const FileChoice choice = file_->draw(look, height);
-  Decision decision;
+  DialogDecision decision;
   decision.path = choice.path;
   decision.reading = choice.reading;
-  if (choice.answer == Answer::no) decision.kind = Decision::Kind::cancel;
+  if (choice.answer == Answer::no) decision.kind = DialogDecision::Kind::cancel;
   if (choice.answer == Answer::yes)
-    decision.kind = file_->saving() ? Decision::Kind::save : Decision::Kind::open;
+    decision.kind = file_->saving() ? DialogDecision::Kind::save : DialogDecision::Kind::open;
   return decision;
 }
 
-Decision Dialogs::world_dialog(const Look& look, float height) {
+DialogDecision Dialogs::world_dialog(const Look& look, float height) {
   const FileChoice choice = worlds_->draw(look, height);
-  Decision decision;
+  DialogDecision decision;
   decision.path = choice.path;
-  if (choice.answer == Answer::no) decision.kind = Decision::Kind::cancel;
-  if (choice.answer == Answer::yes) decision.kind = Decision::Kind::open_world;
+  if (choice.answer == Answer::no) decision.kind = DialogDecision::Kind::cancel;
+  if (choice.answer == Answer::yes) decision.kind = DialogDecision::Kind::open_world;
   return decision;
 }
 

@@ -29,7 +29,7 @@ enum class DialogKind : std::uint8_t {
 };
 
 /// What the user decided.
-struct Decision {
+struct DialogDecision {
   enum class Kind : std::uint8_t {
     none,
     open,
@@ -67,7 +67,7 @@ struct TraceFacts {
 struct Question {
   struct Choice {
     std::string label;
-    Decision::Kind decision = Decision::Kind::cancel;
+    DialogDecision::Kind decision = DialogDecision::Kind::cancel;
   };
   std::string title, words;
   Choice primary;                     ///< also by Enter
@@ -104,20 +104,20 @@ class Dialogs {
   [[nodiscard]] std::string words() const;
 
   /// Draws the open dialog, if any, and returns what was decided in this frame.
-  Decision draw(const Look& look);
+  DialogDecision draw(const Look& look);
 
  private:
   void begin(DialogKind kind);
-  Decision content(const Look& look);
-  Decision file_dialog(const Look& look, float height);
-  Decision world_dialog(const Look& look, float height);
-  Decision capture_dialog(const Look& look, bool film);
-  Decision trace_dialog(const Look& look);
-  Decision new_world_dialog(const Look& look);
-  Decision question_dialog(const Look& look);
-  Decision recover_dialog(const Look& look);
-  Decision opening_dialog(const Look& look);
-  Decision keys_dialog(const Look& look);
+  DialogDecision content(const Look& look);
+  DialogDecision file_dialog(const Look& look, float height);
+  DialogDecision world_dialog(const Look& look, float height);
+  DialogDecision capture_dialog(const Look& look, bool film);
+  DialogDecision trace_dialog(const Look& look);
+  DialogDecision new_world_dialog(const Look& look);
+  DialogDecision question_dialog(const Look& look);
+  DialogDecision recover_dialog(const Look& look);
+  DialogDecision opening_dialog(const Look& look);
+  DialogDecision keys_dialog(const Look& look);
 
   ImGuiRenderer& renderer_;
   DialogKind kind_ = DialogKind::none;

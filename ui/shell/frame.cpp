@@ -40,11 +40,11 @@ const Result<PlannerPage>& page_of(PanelState& panels, std::string_view planner)
 
 std::optional<ReplanSpan> last_replan(const Run& run) {
   const std::size_t cursor = run.timeline().cursor();
-  const auto markers = run.markers();
-  const auto after = std::partition_point(markers.begin(), markers.end(),
-                                          [cursor](const Marker& m) { return m.event < cursor; });
+  const auto milestones = run.milestones();
+  const auto after = std::partition_point(milestones.begin(), milestones.end(),
+                                          [cursor](const Milestone& m) { return m.event < cursor; });
   std::size_t end = cursor;
-  for (auto at = after; at != markers.begin();) {
+  for (auto at = after; at != milestones.begin();) {
     --at;
     if (at->kind == EventKind::plan_end) end = at->event + 1;
     if (at->kind != EventKind::plan_begin) continue;
@@ -124,12 +124,12 @@ std::string origin_text(Frame& frame, std::size_t event) {
     if (line != nullptr) words = "line " + std::to_string(line->printed);
     if (line != nullptr && !function.empty()) words += " of " + function;
   }
-  const auto markers = run.markers();
-  const auto behind = std::partition_point(markers.begin(), markers.end(),
-                                           [event](const Marker& m) { return m.event <= event; });
-  const auto plan = std::find_if(std::make_reverse_iterator(behind), markers.rend(),
-                                 [](const Marker& m) { return m.kind == EventKind::plan_begin; });
-  if (plan == markers.rend()) return words;
+  const auto milestones = run.milestones();
+  const auto behind = std::partition_point(milestones.begin(), milestones.end(),
+                                           [event](const Milestone& m) { return m.event <= event; });
+  const auto plan = std::find_if(std::make_reverse_iterator(behind), milestones.rend(),
+                                 [](const Milestone& m) { return m.kind == EventKind::plan_begin; });
+  if (plan == milestones.rend()) return words;
   const std::uint64_t replan = run.timeline().event(plan->event).delta;
   const std::string in = replan == 0 ? "in the first plan" : "in replan " + std::to_string(replan);
   if (!words.empty()) words += ", ";

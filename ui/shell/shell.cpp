@@ -53,7 +53,7 @@ void Shell::draw(const Look& look, Session& session, double) {
     tell(failure, true);
   drawn_ = session.revision();
   documents_.take_loaded(session);
-  const Decision decision = dialogs_.draw(look);
+  const DialogDecision decision = dialogs_.draw(look);
   world_dialogs_.draw(look, session, commands);
   if (!panels_.said.empty()) tell(std::exchange(panels_.said, {}), panels_.said_bad);
   take_commands(session, commands);

@@ -68,10 +68,10 @@ class Shell {
   void take_wish(Session& session, Wish wish);
   void ask_for_capture(bool film, bool window);
   void ask_for_trace(const Session& session);
-  void export_trace(const Session& session, const Decision& decision);
+  void export_trace(const Session& session, const DialogDecision& decision);
   void go_to_pasted(Session& session);
   void await_moment(Session& session);
-  void take_decision(Session& session, const Decision& decision);
+  void take_decision(Session& session, const DialogDecision& decision);
   void draw_caption(Frame& frame, ImVec2 min, ImVec2 size);
 
   ImGuiRenderer& renderer_;

@@ -16,22 +16,22 @@ struct Verdict {
 };
 
 /// Whether a plan was begun between the last decision and the cursor, and has not been finished.
-bool searching(const Run& run, const replan::Mark* mark) {
+bool searching(const Run& run, const Decision* decision) {
   const Timeline& log = run.timeline();
-  const std::size_t from = mark == nullptr ? 0 : mark->event;
-  const auto& markers = run.markers();
-  for (std::size_t i = markers.size(); i-- > 0 && markers[i].event >= from;)
-    if (markers[i].event < log.cursor() && markers[i].kind == EventKind::plan_begin) return true;
+  const std::size_t from = decision == nullptr ? 0 : decision->event;
+  const auto& milestones = run.milestones();
+  for (std::size_t i = milestones.size(); i-- > 0 && milestones[i].event >= from;)
+    if (milestones[i].event < log.cursor() && milestones[i].kind == EventKind::plan_begin) return true;
   return false;
 }
 
 Verdict verdict(const Theme& theme, const Run& run) {
-  const replan::Mark* mark = run.mark_at(run.timeline().cursor());
-  if (mark == nullptr)
+  const Decision* decision = run.decision_at(run.timeline().cursor());
+  if (decision == nullptr)
     return run.timeline().cursor() == 0 ? Verdict{theme.faint, "not planned yet", "plan"}
                                         : Verdict{theme.accent, "searching", "expansion"};
-  if (searching(run, mark)) return {theme.warning, "replanning", "replan"};
-  switch (mark->state) {
+  if (searching(run, decision)) return {theme.warning, "replanning", "replan"};
+  switch (decision->state) {
     case MissionState::planning:
       return {theme.accent, "searching", "expansion"};
     case MissionState::arrived:
@@ -48,9 +48,10 @@ Verdict verdict(const Theme& theme, const Run& run) {
     case MissionState::driving:
       break;
   }
-  switch (mark->plan->status) {
+  switch (decision->plan->status) {
     case PlanStatus::start_blocked:
-      return {theme.bad, mark->clock > 0 ? "the robot's cell is blocked" : "the start is blocked", "no-path"};
+      return {theme.bad, decision->clock > 0 ? "the robot's cell is blocked" : "the start is blocked",
+              "no-path"};
     case PlanStatus::goal_blocked:
       return {theme.bad, "the goal is blocked", "no-path"};
     case PlanStatus::no_path:
@@ -118,7 +119,7 @@ class Line {
 float right_side(Frame& frame) {
   const Look& look = frame.look;
   const Run& run = frame.session.run();
-  const replan::Mark* mark = run.mark_at(run.timeline().cursor());
+  const Decision* decision = run.decision_at(run.timeline().cursor());
   const std::string moves =
       "robot " +
       count_text(static_cast<std::int64_t>(run.timeline().state().scalar(Scalar::moves)), "step", "steps");
@@ -130,14 +131,14 @@ float right_side(Frame& frame) {
   draw_text(list, look.fonts.mono, {right - text_width(look.fonts.mono, time), origin.y}, look.theme.dim,
             time);
   const float moves_x = time_x - look.px(16) - text_width(look.fonts.ui, moves);
-  if (mark != nullptr) draw_text(list, look.fonts.ui, {moves_x, origin.y}, look.theme.dim, moves);
+  if (decision != nullptr) draw_text(list, look.fonts.ui, {moves_x, origin.y}, look.theme.dim, moves);
   const auto explain = [&](float from, float to, const Hint& what) {
     ImGui::SetCursorScreenPos({from, origin.y});
     ImGui::Dummy({std::max(1.0f, to - from), look.fonts.ui->FontSize});
     hint(look, what);
   };
   explain(time_x, right, {"Time of a frame", "", "What the processor works on one picture of this window."});
-  if (mark != nullptr) explain(moves_x, time_x - look.px(16), term_hint("steps"));
+  if (decision != nullptr) explain(moves_x, time_x - look.px(16), term_hint("steps"));
   ImGui::SetCursorScreenPos(origin);
   return moves_x;
 }
@@ -237,11 +238,11 @@ void draw_status_bar(Frame& frame) {
   busy(frame, line);
   checks(frame, line);
   exporting(frame, line);
-  const replan::Mark* mark = run.mark_at(run.timeline().cursor());
-  if (mark != nullptr && mark->state == MissionState::arrived)
-    line.pair("travelled", fixed(mark->figures.travelled, 1), term_hint("travelled"));
-  else if (mark != nullptr && has_path(mark->plan->status))
-    line.pair("path", fixed(mark->plan->length, 1), term_hint("length"));
+  const Decision* decision = run.decision_at(run.timeline().cursor());
+  if (decision != nullptr && decision->state == MissionState::arrived)
+    line.pair("travelled", fixed(decision->figures.travelled, 1), term_hint("travelled"));
+  else if (decision != nullptr && has_path(decision->plan->status))
+    line.pair("path", fixed(decision->plan->length, 1), term_hint("length"));
   line.pair("|U|", grouped(run.timeline().state().queue_size()), term_hint("open-list"));
   if (run.info().from_goal) line.pair("km", cost_text(run.timeline().state().km(), 2), term_hint("km"));
   const double zoom = frame.panels.zoom / static_cast<double>(look.px.scale);

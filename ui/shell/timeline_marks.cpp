@@ -22,10 +22,10 @@ enum class MarkKind : std::uint8_t {
   count
 };
 
-std::optional<MarkKind> kind_of(const Run& run, const Marker& marker) {
-  switch (marker.kind) {
+std::optional<MarkKind> kind_of(const Run& run, const Milestone& milestone) {
+  switch (milestone.kind) {
     case EventKind::plan_begin:
-      return run.timeline().event(marker.event).delta == 0 ? MarkKind::first_plan : MarkKind::replan;
+      return run.timeline().event(milestone.event).delta == 0 ? MarkKind::first_plan : MarkKind::replan;
     case EventKind::surprise:
       return MarkKind::surprise;
     case EventKind::new_goal:
@@ -77,9 +77,9 @@ std::string others_text(const Theme& theme, Counts counts, MarkKind head) {
   return words;
 }
 
-std::string title_of(const Run& run, const Marker& marker, const MarkStyle& style) {
-  const std::uint64_t number = run.timeline().event(marker.event).delta;
-  if (marker.kind == EventKind::plan_begin && number != 0) return "Replan " + grouped(number) + " begins";
+std::string title_of(const Run& run, const Milestone& milestone, const MarkStyle& style) {
+  const std::uint64_t number = run.timeline().event(milestone.event).delta;
+  if (milestone.kind == EventKind::plan_begin && number != 0) return "Replan " + grouped(number) + " begins";
   return style.name;
 }
 
@@ -137,27 +137,27 @@ std::size_t TimelineScale::position(float x) const {
 
 std::vector<MarkGroup> happenings(const Look& look, const Run& run, const TimelineScale& scale) {
   std::vector<MarkGroup> groups;
-  const std::span<const Marker> markers = run.markers();
-  for (std::size_t i = 0; i < markers.size();) {
-    const std::optional<MarkKind> first = kind_of(run, markers[i]);
+  const std::span<const Milestone> milestones = run.milestones();
+  for (std::size_t i = 0; i < milestones.size();) {
+    const std::optional<MarkKind> first = kind_of(run, milestones[i]);
     if (!first) {
       ++i;
       continue;
     }
-    const float begin = scale.x(markers[i].event);
+    const float begin = scale.x(milestones[i].event);
     Counts counts{};
     MarkKind head = *first;
     std::size_t head_at = i, all = 0;
-    for (; i < markers.size() && scale.x(markers[i].event) < begin + look.px(kApart); ++i) {
-      const std::optional<MarkKind> kind = kind_of(run, markers[i]);
+    for (; i < milestones.size() && scale.x(milestones[i].event) < begin + look.px(kApart); ++i) {
+      const std::optional<MarkKind> kind = kind_of(run, milestones[i]);
       if (!kind) continue;
       ++all;
       ++counts[static_cast<std::size_t>(*kind)];
       if (*kind < head) head = *kind, head_at = i;
     }
     const MarkStyle style = style_of(look.theme, head);
-    groups.push_back({style, scale.x(markers[head_at].event), markers[head_at].event + 1,
-                      title_of(run, markers[head_at], style),
+    groups.push_back({style, scale.x(milestones[head_at].event), milestones[head_at].event + 1,
+                      title_of(run, milestones[head_at], style),
                       all > 1 ? others_text(look.theme, counts, head) : ""});
   }
   return groups;

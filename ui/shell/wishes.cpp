@@ -45,14 +45,14 @@ void Shell::ask_for_capture(bool film, bool window) {
   dialogs_.ask_capture(film, capture_name(film ? ".gif" : ".png"));
 }
 
-void Shell::take_decision(Session& session, const Decision& decision) {
+void Shell::take_decision(Session& session, const DialogDecision& decision) {
   switch (decision.kind) {
-    case Decision::Kind::capture:
+    case DialogDecision::Kind::capture:
       capture_ = asked_;
       capture_->path = typed_path(decision.path);
       capture_->fps = decision.fps;
       return message_.clear();  // or it would be in the picture
-    case Decision::Kind::export_trace:
+    case DialogDecision::Kind::export_trace:
       return export_trace(session, decision);
     default:
       return documents_.take_decision(session, decision);

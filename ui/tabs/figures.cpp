@@ -12,9 +12,9 @@
 namespace replan::ui {
 namespace {
 
-/// The robot's map changed after the mark: what is known at the cursor is not what this plan was made for.
-bool map_changed_since(const Run& run, const replan::Mark& mark) {
-  for (std::size_t i = mark.event; i < run.timeline().cursor(); ++i) {
+/// The robot's map changed after the decision: what is known at the cursor is not what this plan was made for.
+bool map_changed_since(const Run& run, const Decision& decision) {
+  for (std::size_t i = decision.event; i < run.timeline().cursor(); ++i) {
     const EventKind kind = run.timeline().event(i).kind;
     if (kind == EventKind::known) return true;
     if (kind == EventKind::pop || kind == EventKind::move) return false;
@@ -133,12 +133,12 @@ void export_menu(Frame& frame) {
 }  // namespace
 
 /// The figures of the plan that stands; computed once for each plan.
-const PathFigures& FiguresTab::figures_of(const Run& run, std::size_t pane, const replan::Mark& mark) {
+const PathFigures& FiguresTab::figures_of(const Run& run, std::size_t pane, const Decision& decision) {
   if (kept_.size() <= pane) kept_.resize(pane + 1);
   Kept& cache = kept_[pane];
-  if (cache.plan == mark.plan || map_changed_since(run, mark)) return cache.figures;
-  cache = {mark.plan,
-           path_figures(run.lattice(), run.timeline().state().known_map().plain(), *mark.plan->path)};
+  if (cache.plan == decision.plan || map_changed_since(run, decision)) return cache.figures;
+  cache = {decision.plan,
+           path_figures(run.lattice(), run.timeline().state().known_map().plain(), *decision.plan->path)};
   return cache.figures;
 }
 
@@ -146,13 +146,13 @@ std::vector<RunReport> FiguresTab::now(const Session& session) {
   std::vector<RunReport> reports;
   for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
     const Run& run = *session.runs()[pane];
-    const replan::Mark* mark = run.mark_at(run.timeline().cursor());
-    if (mark == nullptr) {
+    const Decision* decision = run.decision_at(run.timeline().cursor());
+    if (decision == nullptr) {
       reports.emplace_back();
       reports.back().planner = run.choice().id;
       reports.back().status = status_name(PlanStatus::searching);
     } else {
-      reports.push_back(report_at(*mark, figures_of(run, pane, *mark), run.choice()));
+      reports.push_back(report_at(*decision, figures_of(run, pane, *decision), run.choice()));
     }
   }
   return reports;
@@ -169,7 +169,7 @@ void FiguresTab::draw(Frame& frame) {
   const Look& look = frame.look;
   std::vector<bool> standing;
   for (const auto& run : frame.session.runs())
-    standing.push_back(run->mark_at(run->timeline().cursor()) != nullptr);
+    standing.push_back(run->decision_at(run->timeline().cursor()) != nullptr);
   if (std::find(standing.begin(), standing.end(), true) == standing.end()) {
     empty_state(look, icon::bar_chart, "No plan stands here yet",
                 "Step or play on until the first plan is found; its figures show here.");

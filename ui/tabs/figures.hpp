@@ -23,7 +23,7 @@ class FiguresTab final : public SideTab {
     std::shared_ptr<const Plan> plan;
     PathFigures figures;
   };
-  const PathFigures& figures_of(const Run& run, std::size_t pane, const replan::Mark& mark);
+  const PathFigures& figures_of(const Run& run, std::size_t pane, const Decision& decision);
 
   std::vector<Kept> kept_;
 };

@@ -58,29 +58,29 @@ void draw_edits(Frame& frame) {
 }
 
 /// As a heading: without a full stop.
-std::string story_words(const Run& run, const Marker& marker) {
+std::string story_words(const Run& run, const Milestone& milestone) {
   std::string words =
-      as_sentence(event_text(run.lattice(), run.info().values, run.timeline().event(marker.event), 0));
+      as_sentence(event_text(run.lattice(), run.info().values, run.timeline().event(milestone.event), 0));
   if (words.ends_with('.')) words.pop_back();
   return words;
 }
 
 /// One happening; a click goes to behind it. What lies after the playhead stands back.
-void story_row(Frame& frame, std::size_t row, const Marker& marker, std::span<const Column> columns) {
+void story_row(Frame& frame, std::size_t row, const Milestone& milestone, std::span<const Column> columns) {
   const Look& look = frame.look;
   const Run& run = frame.run();
-  const bool ahead = marker.event >= run.timeline().cursor(),
-             here = marker.event + 1 == run.timeline().cursor();
-  const replan::Mark* mark = run.mark_at(marker.event);
-  const std::string event = grouped(marker.event + 1),
-                    step = grouped(mark == nullptr ? std::int64_t{0} : mark->clock),
-                    words = story_words(run, marker);
+  const bool ahead = milestone.event >= run.timeline().cursor(),
+             here = milestone.event + 1 == run.timeline().cursor();
+  const Decision* decision = run.decision_at(milestone.event);
+  const std::string event = grouped(milestone.event + 1),
+                    step = grouped(decision == nullptr ? std::int64_t{0} : decision->clock),
+                    words = story_words(run, milestone);
   const std::array<TableCell, 3> cells = {
       {{event, ahead ? mix(look.theme.panel, look.theme.accent, 0.5f) : look.theme.accent},
        {step, ahead ? look.theme.faint : look.theme.dim},
        {words, ahead ? look.theme.faint : look.theme.text}}};
   if (table_row(look, static_cast<int>(row), columns, cells, here))
-    frame.commands.push_back(Seek{marker.event + 1});
+    frame.commands.push_back(Seek{milestone.event + 1});
   if (!ImGui::IsItemHovered()) return;
   ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   hint(look, {words.c_str(), "", "Click to go there."});
@@ -91,8 +91,8 @@ void story_row(Frame& frame, std::size_t row, const Marker& marker, std::span<co
 void RunStory::follow(const Run& run) {
   if (log_id_ != run.log_id()) *this = RunStory();
   log_id_ = run.log_id();
-  for (; read_ < run.markers().size(); ++read_)
-    if (run.markers()[read_].kind != EventKind::move) markers_.push_back(read_);
+  for (; read_ < run.milestones().size(); ++read_)
+    if (run.milestones()[read_].kind != EventKind::move) milestones_.push_back(read_);
 }
 
 void LogTab::draw_lines(Frame& frame) {
@@ -125,7 +125,7 @@ void LogTab::draw_lines(Frame& frame) {
 void LogTab::draw_story(Frame& frame) {
   const Look& look = frame.look;
   story_.follow(frame.run());
-  if (story_.markers().empty()) {
+  if (story_.milestones().empty()) {
     empty_state(look, icon::list, "Nothing has happened yet",
                 "Plans, surprises and what becomes of the robot are listed here as the run goes on.");
     return;
@@ -133,9 +133,9 @@ void LogTab::draw_story(Frame& frame) {
   constexpr std::array<Column, 3> kColumns = {
       {{"event", 1}, {"step", 0.6f}, {"what happened", 3.2f, Align::left}}};
   table_header(look, kColumns);
-  const auto [first, last] = begin_rows(look, "story", story_.markers().size(), 0, story_rows_);
+  const auto [first, last] = begin_rows(look, "story", story_.milestones().size(), 0, story_rows_);
   for (std::size_t row = first; row < last; ++row)
-    story_row(frame, row, frame.run().markers()[story_.markers()[row]], kColumns);
+    story_row(frame, row, frame.run().milestones()[story_.milestones()[row]], kColumns);
   end_rows();
 }
 

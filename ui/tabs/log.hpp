@@ -15,13 +15,13 @@ class RunStory {
  public:
   /// Takes over what the run has come to since.
   void follow(const Run& run);
-  /// Which of its markers.
-  [[nodiscard]] std::span<const std::size_t> markers() const { return markers_; }
+  /// Which of its milestones.
+  [[nodiscard]] std::span<const std::size_t> milestones() const { return milestones_; }
 
  private:
   std::uint64_t log_id_ = 0;
-  std::size_t read_ = 0;  // markers of the run
-  std::vector<std::size_t> markers_;
+  std::size_t read_ = 0;  // milestones of the run
+  std::vector<std::size_t> milestones_;
 };
 
 class LogTab final : public SideTab {

@@ -60,8 +60,8 @@ class SurpriseDrag final : public ShapeDrag {
 /// How far the robot has come: a surprise can only be scheduled for later.
 std::int64_t clock_of(const Session& session) {
   const Run& run = session.run();
-  const replan::Mark* mark = run.mark_at(run.timeline().cursor());
-  return mark == nullptr ? 0 : mark->clock;
+  const Decision* decision = run.decision_at(run.timeline().cursor());
+  return decision == nullptr ? 0 : decision->clock;
 }
 
 }  // namespace

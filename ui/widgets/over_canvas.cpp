@@ -58,48 +58,50 @@ void draw_mark(const Look& look, ImDrawList& list, float x, float y, const Legen
   const float size = look.px(9);
   const float half = size * 0.5f;
   const float stroke = look.px.hair * 1.3f;
-  switch (entry.mark) {
-    case Mark::dot:
+  switch (entry.shape) {
+    case LegendShape::dot:
       list.AddCircleFilled({x + half, y}, half, entry.colour);
       break;
-    case Mark::square:
+    case LegendShape::square:
       list.AddRectFilled({x, y - half}, {x + size, y + half}, entry.colour);
       break;
-    case Mark::outline:
+    case LegendShape::outline:
       list.AddRect({x, y - half}, {x + size, y + half}, entry.colour, 0, 0, stroke);
       break;
-    case Mark::corners:
+    case LegendShape::corners:
       list.AddLine({x, y - half}, {x + half * 0.8f, y - half}, entry.colour, stroke);
       list.AddLine({x, y - half}, {x, y - half + half * 0.8f}, entry.colour, stroke);
       list.AddLine({x + size, y + half}, {x + size - half * 0.8f, y + half}, entry.colour, stroke);
       list.AddLine({x + size, y + half}, {x + size, y + half - half * 0.8f}, entry.colour, stroke);
       break;
-    case Mark::up:
+    case LegendShape::up:
       list.AddTriangle({x, y + half}, {x + half, y - half}, {x + size, y + half}, entry.colour, stroke);
       break;
-    case Mark::down:
+    case LegendShape::down:
       list.AddTriangle({x, y - half}, {x + half, y + half}, {x + size, y - half}, entry.colour, stroke);
       break;
-    case Mark::line:
+    case LegendShape::line:
       list.AddLine({x, y}, {x + look.px.m, y}, entry.colour, look.px(3));
       break;
-    case Mark::dashed:
+    case LegendShape::dashed:
       for (float dash = 0; dash < look.px.m; dash += look.px(5)) {
         list.AddLine({x + dash, y}, {x + dash + look.px(3), y}, entry.colour, stroke);
       }
       break;
-    case Mark::arrow:
+    case LegendShape::arrow:
       draw_arrow(look, list, {x, y}, size, entry.colour, stroke);
       break;
-    case Mark::long_arrow:
+    case LegendShape::long_arrow:
       draw_arrow(look, list, {x, y}, look.px(13), entry.colour, stroke * 1.4f);
       break;
   }
 }
 
-float mark_room(const Look& look, Mark mark) {
+float shape_room(const Look& look, LegendShape shape) {
   return look.px(5) +
-         (mark == Mark::long_arrow || mark == Mark::line || mark == Mark::dashed ? look.px(13) : look.px(9));
+         (shape == LegendShape::long_arrow || shape == LegendShape::line || shape == LegendShape::dashed
+              ? look.px(13)
+              : look.px(9));
 }
 
 /// A pen that moves to the right along the middle of a chip; without a list it only measures.
@@ -117,7 +119,7 @@ struct Pen {
   }
   void mark(const LegendEntry& entry) {
     if (list != nullptr) draw_mark(look, *list, x, top + look.px(9), entry);
-    x += mark_room(look, entry.mark);
+    x += shape_room(look, entry.shape);
     write(look.fonts.ui, entry.colour, entry.label);
   }
   void gradient(const Colormap& map) {

@@ -197,9 +197,9 @@ ImVec2 chip(const Look& look, ImDrawList& list, ImVec2 pos, std::span<const Text
 /// A chip with a sentence, its upper left corner at `pos`; on several lines if it is wider than `room`.
 ImVec2 chip_message(const Look& look, ImDrawList& list, ImVec2 pos, const TextRun& run, float room);
 
-enum class Mark { dot, square, outline, corners, up, down, line, dashed, arrow, long_arrow };
+enum class LegendShape { dot, square, outline, corners, up, down, line, dashed, arrow, long_arrow };
 struct LegendEntry {
-  Mark mark;
+  LegendShape shape;
   ImU32 colour;
   std::string_view label;
 };

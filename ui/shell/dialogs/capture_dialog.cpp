@@ -8,7 +8,7 @@
 
 namespace replan::ui {
 
-Decision Dialogs::capture_dialog(const Look& look, bool film) {
+DialogDecision Dialogs::capture_dialog(const Look& look, bool film) {
   heading(look, film ? "Record a film" : "Save a picture");
   paragraph(look.fonts.ui, look.theme.dim,
             film ? "The ending chooses the kind: .gif, .webp or .mp4 (all made by FFmpeg), or a folder/ for "
@@ -26,8 +26,8 @@ Decision Dialogs::capture_dialog(const Look& look, bool film) {
            fps_, {"Frames per second", "", "More are smoother and make a larger file."});
   const Answer answer = confirm(look, film ? "Record" : "Save");
   if (answer == Answer::none) return {};
-  Decision decision;
-  decision.kind = answer == Answer::yes ? Decision::Kind::capture : Decision::Kind::cancel;
+  DialogDecision decision;
+  decision.kind = answer == Answer::yes ? DialogDecision::Kind::capture : DialogDecision::Kind::cancel;
   decision.path = capture_path_;
   decision.fps = static_cast<int>(fps_);
   return decision;

@@ -146,7 +146,7 @@ void draw_signs(const Look& look) {
 
 }  // namespace
 
-Decision Dialogs::keys_dialog(const Look& look) {
+DialogDecision Dialogs::keys_dialog(const Look& look) {
   heading(look, "Keys and legend");
   const float whole = ImGui::GetContentRegionAvail().x;
   const float tallest = ImGui::GetIO().DisplaySize.y - look.px(32 + 40 + 40 + 52);
@@ -163,7 +163,7 @@ Decision Dialogs::keys_dialog(const Look& look) {
   align_right(button_width(look, "Close"));
   const bool closed = button(look, "Close", ButtonKind::plain) || escape_pressed() || enter_pressed() ||
                       (!fresh_ && ImGui::IsKeyPressed(key::kF1, false));
-  return closed ? Decision{.kind = Decision::Kind::cancel} : Decision{};
+  return closed ? DialogDecision{.kind = DialogDecision::Kind::cancel} : DialogDecision{};
 }
 
 }  // namespace replan::ui

@@ -5,7 +5,7 @@
 
 namespace replan::ui {
 
-Decision Dialogs::new_world_dialog(const Look& look) {
+DialogDecision Dialogs::new_world_dialog(const Look& look) {
   heading(look, "New world");
   paragraph(look.fonts.ui, look.theme.dim, "All cells are free; paint the obstacles with the brush.");
   slider(look,
@@ -28,8 +28,8 @@ Decision Dialogs::new_world_dialog(const Look& look) {
          height_, {"Height", "", "Rows of cells, from top to bottom."});
   const Answer answer = confirm(look, "Create");
   if (answer == Answer::none) return {};
-  Decision decision;
-  decision.kind = answer == Answer::yes ? Decision::Kind::new_world : Decision::Kind::cancel;
+  DialogDecision decision;
+  decision.kind = answer == Answer::yes ? DialogDecision::Kind::new_world : DialogDecision::Kind::cancel;
   decision.width = static_cast<int>(width_);
   decision.height = static_cast<int>(height_);
   return decision;

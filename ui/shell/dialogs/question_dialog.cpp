@@ -9,7 +9,7 @@
 
 namespace replan::ui {
 
-Decision Dialogs::question_dialog(const Look& look) {
+DialogDecision Dialogs::question_dialog(const Look& look) {
   heading(look, question_.title);
   paragraph(look.fonts.ui, look.theme.dim, question_.words);
   ImGui::Dummy({0, look.px.xs});
@@ -26,7 +26,7 @@ Decision Dialogs::question_dialog(const Look& look) {
   return {};
 }
 
-Decision Dialogs::recover_dialog(const Look& look) {
+DialogDecision Dialogs::recover_dialog(const Look& look) {
   const bool one = notes_.size() == 1;
   heading(look, one ? "Take up the work again?" : "Take up work again?");
   paragraph(
@@ -34,7 +34,7 @@ Decision Dialogs::recover_dialog(const Look& look) {
       one ? "The program ended before these edits were saved. They are not lost."
           : "The program ended before these edits were saved. They are not lost; each stays on offer until "
             "it is taken up or discarded.");
-  Decision decision;
+  DialogDecision decision;
   for (std::size_t i = 0; i < notes_.size(); ++i) {
     const AutosaveNote& note = notes_[i];
     section_rule(look);
@@ -54,22 +54,23 @@ Decision Dialogs::recover_dialog(const Look& look) {
     hint(look, {"", "", note.file.empty() ? "It was in no file yet." : note.file.c_str()});
     const float end = ImGui::GetCursorPosY();
     ImGui::SetCursorPos({right - buttons, y + look.px.xs});
-    if (button(look, "Discard", ButtonKind::danger)) decision = {.kind = Decision::Kind::forget, .index = i};
+    if (button(look, "Discard", ButtonKind::danger))
+      decision = {.kind = DialogDecision::Kind::forget, .index = i};
     ImGui::SameLine(0, look.px.s);
     const bool enter = i == 0 && !fresh_ && enter_pressed();
     if (button(look, "Recover", i == 0 ? ButtonKind::primary : ButtonKind::plain) || enter)
-      decision = {.kind = Decision::Kind::recover, .index = i};
+      decision = {.kind = DialogDecision::Kind::recover, .index = i};
     ImGui::SetCursorPosY(end);
     ImGui::PopID();
   }
   section_rule(look);
   align_right(button_width(look, "Later"));
   if (button(look, "Later", ButtonKind::quiet) || escape_pressed())
-    decision = {.kind = Decision::Kind::cancel};
+    decision = {.kind = DialogDecision::Kind::cancel};
   return decision;
 }
 
-Decision Dialogs::opening_dialog(const Look& look) {
+DialogDecision Dialogs::opening_dialog(const Look& look) {
   const auto waited = std::chrono::steady_clock::now() - since_;
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(waited).count();
   heading(look, "Opening " + name_);
@@ -77,7 +78,7 @@ Decision Dialogs::opening_dialog(const Look& look) {
   ImGui::Dummy({0, look.px.xs});
   align_right(button_width(look, "Cancel"));
   if (button(look, "Cancel", ButtonKind::plain) || (!fresh_ && escape_pressed()))
-    return {.kind = Decision::Kind::cancel};
+    return {.kind = DialogDecision::Kind::cancel};
   return {};
 }
 

@@ -26,7 +26,7 @@ std::string prospect(const TraceFacts& facts, TraceFormat format) {
 
 }  // namespace
 
-Decision Dialogs::trace_dialog(const Look& look) {
+DialogDecision Dialogs::trace_dialog(const Look& look) {
   heading(look, "Export the trace");
   paragraph(look.fonts.ui, look.theme.dim,
             "Every event of the leading pane's run so far. The ending chooses the kind: .trace.yaml or "
@@ -49,9 +49,9 @@ Decision Dialogs::trace_dialog(const Look& look) {
   paragraph(look.fonts.ui, format ? look.theme.dim : look.theme.warning,
             format ? prospect(trace_facts_, *format) : as_sentence(format.error()) + ".");
   const Answer answer = confirm(look, "Export");
-  if (answer == Answer::no) return {.kind = Decision::Kind::cancel};
+  if (answer == Answer::no) return {.kind = DialogDecision::Kind::cancel};
   if (answer == Answer::none || !format) return {};
-  Decision decision{.kind = Decision::Kind::export_trace, .path = capture_path_};
+  DialogDecision decision{.kind = DialogDecision::Kind::export_trace, .path = capture_path_};
   decision.map = posthoc && trace_map_;
   return decision;
 }
