@@ -28,6 +28,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// A repair in a world of usual size is there within a frame, and the step over it is seen at once.
+constexpr std::chrono::milliseconds kPatience{8};
+
 double milliseconds(Clock::duration time) {
   return std::chrono::duration<double, std::milli>(time).count();
 }
@@ -139,6 +142,7 @@ Result<void> Program::open() {
   if (session_.file().empty()) view.theme.reset();  // the demo goes by the user's own choice
   shell_->show(view);
   static_cast<void>(session_.apply(SetSpeed{remembered_.speed}));
+  session_.set_patience(kPatience);
   dark_ = shell_->view().dark;
   window_->stage().set_theme(dark_ ? ui::dark() : ui::light());
   window_->on_drop([this](const std::vector<std::filesystem::path>& paths) {

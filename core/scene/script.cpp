@@ -11,7 +11,7 @@ bool is_to_come(const Run& run, std::size_t surprise) {
   const auto milestones = run.milestones();
   for (std::size_t i = milestones.size(); i-- > 0 && milestones[i].event >= decision->event;)
     if (milestones[i].kind == EventKind::surprise && milestones[i].event < cursor &&
-        run.timeline().event(milestones[i].event).delta == surprise)
+        milestones[i].payload == surprise)
       return false;
   return true;
 }

@@ -99,7 +99,8 @@ class Cutter {
   void search(std::size_t begin, std::size_t end) {
     if (options_.speed.kind == FilmSpeed::Kind::move || end <= from_) return;
     std::vector<std::size_t> stops;
-    for (std::size_t p = std::max(begin, from_); p < end; ++p)
+    const BitRow& all = run_.stops().iterations();
+    for (std::size_t p = all.next(std::max(begin, from_)); p < end; p = all.next(p + 1))
       if (run_.timeline().event(p).kind == EventKind::pop) stops.push_back(p);
     const std::size_t most =
         options_.speed.kind == FilmSpeed::Kind::expansion ? stops.size() : frames_in(kSearchSeconds);

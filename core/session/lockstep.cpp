@@ -56,7 +56,7 @@ Walk walk(const Run& run, std::size_t from, std::size_t end, std::int64_t most) 
       walk.position = chunk_end;
       continue;
     }
-    ExpansionCounter counter(run.timeline(), walk.position);
+    ExpansionCounter counter;
     while (walk.position < chunk_end && walk.expansions < most)
       walk.expansions += counter.take(run.timeline().event(walk.position++)) ? 1 : 0;
   }
@@ -74,8 +74,10 @@ std::size_t behind_expansions(const Run& run, std::size_t from, std::size_t end,
 
 /// Where the next iteration of the main loop begins, or `end` if there is none before it.
 std::size_t next_iteration(const Run& run, std::size_t from, std::size_t end) {
-  while (from < end && run.timeline().event(from).kind != EventKind::pop) ++from;
-  return from;
+  const BitRow& stops = run.stops().iterations();
+  for (from = stops.next(from); from < end; from = stops.next(from + 1))
+    if (run.timeline().event(from).kind == EventKind::pop) return from;
+  return end;
 }
 
 /// The decision from which a follower goes on at the leader's step, as a number of decisions made. Nothing

@@ -26,15 +26,16 @@ class Reexecution {
  private:
   void drop(std::size_t count);
   void take_up(std::size_t position, const KeyFrame& frame);
-  [[nodiscard]] std::size_t end() const { return begin_ + ahead_.size(); }
+  [[nodiscard]] std::size_t end() const { return begin_ + ahead_.size() - used_; }
 
   std::shared_ptr<const Scenario> scenario_;
   std::size_t planner_;
   std::int64_t iterations_;
   Recorder recorder_;
   std::unique_ptr<Mission> mission_;
-  std::vector<Event> ahead_;  // worked out and not yet asked for
-  std::size_t begin_ = 0;     // where in the log that begins
+  std::vector<Event> ahead_;  // worked out; from used_ on not yet asked for
+  std::size_t used_ = 0;
+  std::size_t begin_ = 0;  // where in the log that begins
 };
 
 }  // namespace replan

@@ -57,6 +57,7 @@ void Run::begin_log() {
   lends_ = false;
   dispose(std::exchange(decisions_, {}));
   milestones_.clear();
+  dispose(std::exchange(stops_, {}));
   curve_.clear();
   earlier_.clear();
   handover_.reset();
@@ -120,13 +121,16 @@ void Run::finish(Target target) {
   wait();
 }
 
-void Run::wait() {
-  while (busy()) {
-    if (!handover_) worker_->wait();
-    while (next_batch()) take_over_part();
+bool Run::rest(std::optional<std::chrono::milliseconds> at_most) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point until = at_most ? Clock::now() + *at_most : Clock::time_point::max();
+  while (busy() && Clock::now() < until) {
+    if (!handover_) worker_->wait(until);
+    while (Clock::now() < until && next_batch()) take_over_part();
     carry_out_rebase();
   }
   tidy();
+  return !busy();
 }
 
 /// The log goes as soon as nobody else has a state of it. If somebody keeps one, its own are let go of by and
@@ -188,7 +192,9 @@ void Run::note_events(std::span<const Event> events) {
     const std::size_t bucket = position / kCurveChunk;
     if (bucket >= curve_.size()) curve_.resize(bucket + 1);
     if (counter_.take(event)) ++curve_[bucket];
-    if (kMilestones.has(event.kind)) milestones_.push_back({position, event.kind});
+    const bool milestone = kMilestones.has(event.kind);
+    if (milestone) milestones_.push_back({position, event.kind, event.node, event.delta});
+    stops_.add(event, milestone || event.kind == EventKind::pop);
     ++position;
   }
 }

@@ -1,6 +1,7 @@
 // One planner's run of a scenario: the mission in the background, its log in the foreground.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -12,6 +13,7 @@
 #include "core/debug/log_view.hpp"
 #include "core/session/reexecution.hpp"
 #include "core/session/run_worker.hpp"
+#include "core/session/stop_index.hpp"
 #include "core/trace/expansions.hpp"
 #include "core/trace/timeline.hpp"
 #include "core/world/scenario.hpp"
@@ -22,10 +24,12 @@ namespace replan {
 inline constexpr KindSet kMilestones{
     EventKind::plan_begin, EventKind::plan_end, EventKind::move,    EventKind::surprise, EventKind::collision,
     EventKind::waiting,    EventKind::arrival,  EventKind::gave_up, EventKind::new_goal, EventKind::put_down};
-/// One of them.
+/// One of them, with all that it tells: nobody has to read the log for it.
 struct Milestone {
   std::size_t event;  ///< index in the log
   EventKind kind;
+  NodeId node;
+  std::uint64_t payload;
 };
 
 /// The timeline of what a mission did that runs in the background. pump() is the one place where events come
@@ -67,6 +71,8 @@ class Run {
   /// Where an edit that is made at the cursor happens: the first decision of the robot at its step there at
   /// which all that was due before has happened. nullptr before the first plan stands.
   [[nodiscard]] const Decision* decision_for_edit() const;
+  /// Where steps stop.
+  [[nodiscard]] const StopIndex& stops() const { return stops_; }
   /// Expansions in each of the log's chunks of kCurveChunk events: the curve under the timeline.
   [[nodiscard]] std::span<const std::uint32_t> expansion_curve() const { return curve_; }
   static constexpr std::size_t kCurveChunk = 256;
@@ -85,8 +91,10 @@ class Run {
   [[nodiscard]] std::string failure() const;
   /// Asks the background to stop; what it has done by then still comes.
   void cancel();
-  /// Waits until the background stands still, for programs without a window.
-  void wait();
+  /// Waits until the background stands still.
+  void wait() { static_cast<void>(rest(std::nullopt)); }
+  /// The same, but no longer than that; whether it stands still.
+  bool rest(std::optional<std::chrono::milliseconds> at_most);
   /// go() and wait().
   void finish(Target target);
 
@@ -146,6 +154,7 @@ class Run {
   std::vector<std::shared_ptr<Timeline>> retired_;  // of earlier logs, until nothing is left of them
   std::vector<Decision> decisions_;
   std::vector<Milestone> milestones_;
+  StopIndex stops_;
   std::vector<std::uint32_t> curve_;
   std::uint64_t log_id_;
   std::map<std::uint64_t, std::size_t> earlier_;  // ids that the log had, and what is left of it since

@@ -158,6 +158,7 @@ void Run::cut(std::size_t count) {
   for (auto& [id, common] : earlier_) common = std::min(common, size);
   log_id_ = next_log_id();
   timeline_->truncate(size);
+  stops_.truncate(size, size == 0 ? std::uint8_t{0} : timeline_->event(size - 1).line);
   while (!milestones_.empty() && milestones_.back().event >= size) milestones_.pop_back();
   curve_.resize(size / kCurveChunk);
   counter_ = ExpansionCounter(*timeline_, curve_.size() * kCurveChunk);

@@ -95,9 +95,13 @@ std::string RunWorker::failure() const {
   return failure_;
 }
 
-void RunWorker::wait() {
+void RunWorker::wait(std::chrono::steady_clock::time_point until) {
   std::unique_lock lock(mutex_);
-  news_.wait(lock, [this] { return !ready_.empty() || (!wanted_ && !at_work_); });
+  const auto news = [this] { return !ready_.empty() || (!wanted_ && !at_work_); };
+  if (until == std::chrono::steady_clock::time_point::max())
+    news_.wait(lock, news);  // no clock can tell that time
+  else
+    news_.wait_until(lock, until, news);
 }
 
 // The thread.

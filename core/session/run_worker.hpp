@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -78,8 +79,8 @@ class RunWorker {
   [[nodiscard]] bool at_rest() const;
   /// Why it could not go on, as a sentence; empty if nothing went wrong.
   [[nodiscard]] std::string failure() const;
-  /// Waits until there is a batch to take or nothing more to wait for.
-  void wait();
+  /// Waits until there is a batch to take or nothing more to wait for, but no longer than until then.
+  void wait(std::chrono::steady_clock::time_point until);
 
  private:
   /// Where the mission is to be taken up.

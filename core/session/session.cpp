@@ -45,7 +45,7 @@ void Session::match_panes() {
 }
 
 void Session::restart_runs() {
-  returning_.reset();
+  go_another_way();
   match_panes();
   for (const auto& run : runs_) {
     run->restart(scenario_);
@@ -55,7 +55,7 @@ void Session::restart_runs() {
 }
 
 void Session::replace(std::shared_ptr<const Scenario> scenario) {
-  returning_.reset();
+  go_another_way();
   const auto common = common_surprises(*scenario_, *scenario);
   const bool same_script = scenario_->surprises == scenario->surprises;
   scenario_ = std::move(scenario);
@@ -91,7 +91,7 @@ Result<void> Session::run_command(const Restart&) {
 Result<void> Session::run_command(const Play& command) {
   stop_hunt();
   player_.play(command.direction);
-  returning_.reset();
+  go_another_way();
   for (const auto& run : runs_) run->set_travel(1);
   if (command.direction != 0) follow_ = false;
   return {};
@@ -105,31 +105,46 @@ Result<void> Session::run_command(const SetSpeed& command) {
 Result<void> Session::run_command(const Step& command) {
   stop_hunt();
   player_.stop();
-  returning_.reset();
+  go_another_way();
   follow_ = false;
   if (command.unit == StepUnit::mission && command.count > 0) {
     go_to_arrival();
     return {};
   }
-  Run& run = leading();
-  for (int i = 0; i < std::abs(command.count); ++i) {
-    const std::size_t cursor = run.timeline().cursor();
-    run.pump();
-    // A first plan goes on in the background; a repair is waited for.
-    const bool may_wait = !run.busy() || !run.decisions().empty();
-    if (command.count > 0 && cursor == run.timeline().size() && may_wait) {
-      const Decision* decision = run.decision_at(cursor);
-      run.finish(command.unit == StepUnit::replan
-                     ? Target::end()
-                     : Target::clock_at(decision == nullptr ? 0 : decision->clock + 1));
-    }
-    seek(command.count > 0 ? next_stop(run, cursor, command.unit) : previous_stop(run, cursor, command.unit));
-  }
+  stepping_ = Stepping{command};
+  go_on_stepping();
   return {};
 }
 
+/// Steps as far as the run has come. Where it has to go on first, that is waited for as long as patience lasts, and
+/// then the rest of the steps is done by later updates.
+bool Session::go_on_stepping() {
+  if (!stepping_) return false;
+  Run& run = leading();
+  Step& step = stepping_->left;
+  for (; step.count != 0; step.count -= step.count > 0 ? 1 : -1, stepping_->waits = false) {
+    const std::size_t cursor = run.timeline().cursor();
+    run.pump();
+    if (step.count > 0 && cursor == run.timeline().size() && !stepping_->waits) send_on(run, step.unit);
+    if (stepping_->waits && !run.rest(patience_)) return false;
+    seek(step.count > 0 ? next_stop(run, cursor, step.unit) : previous_stop(run, cursor, step.unit));
+  }
+  stepping_.reset();
+  return true;
+}
+
+/// At the end of its log a run goes on to its next decision. A first plan goes on in the background anyway: nobody
+/// waits for it.
+void Session::send_on(Run& run, StepUnit unit) {
+  if (run.busy() && run.decisions().empty()) return;
+  const Decision* decision = run.decision_at(run.timeline().size());
+  run.go(unit == StepUnit::replan ? Target::end()
+                                  : Target::clock_at(decision == nullptr ? 0 : decision->clock + 1));
+  stepping_->waits = true;
+}
+
 Result<void> Session::run_command(const Seek& command) {
-  returning_.reset();
+  go_another_way();
   stop_hunt();
   follow_ = command.position >= run().timeline().size();
   seek(command.position, command.travel);
@@ -139,14 +154,14 @@ Result<void> Session::run_command(const Seek& command) {
 Result<void> Session::run_command(const RunToEnd&) {
   stop_hunt();
   player_.stop();
-  returning_.reset();
+  go_another_way();
   for (const auto& run : runs_) run->go(Target::end());
   follow_ = true;
   return {};
 }
 
 Result<void> Session::run_command(const Cancel&) {
-  returning_.reset();
+  go_another_way();
   stop_hunt();
   checks_.stop_comparing();
   for (const auto& run : runs_) run->cancel();
@@ -172,6 +187,7 @@ bool Session::update(double seconds) {
     changed = true;
   }
   if (arrive()) changed = true;
+  if (go_on_stepping()) changed = true;
   if (changed && !returning && (follow_ || catching_up_)) follow_lead();
   if (play(seconds)) changed = true;
   if (check()) changed = true;

@@ -1,6 +1,7 @@
 // The document and everything that is open in it: the scenario, a run per planner, undo, playback.
 #pragma once
 
+#include <chrono>
 #include <map>
 #include <memory>
 #include <optional>
@@ -81,6 +82,9 @@ class Session {
   [[nodiscard]] std::string failure() const;
   /// Takes over what the background did and plays on by `seconds`. True if something to be seen changed.
   bool update(double seconds);
+  /// How long a command may wait for the background before the rest of it is left to update(): as long as it takes,
+  /// unless a window says otherwise.
+  void set_patience(std::chrono::milliseconds patience) { patience_ = patience; }
   /// Waits until the background stands still and what is looked for is found: for programs without a window.
   void settle();
 
@@ -114,6 +118,13 @@ class Session {
   void replace(std::shared_ptr<const Scenario> scenario);
   [[nodiscard]] RunPositions positions() const;
   void return_to(RunPositions positions);
+  /// Neither an undo nor steps go on leading somewhere.
+  void go_another_way() {
+    returning_.reset();
+    stepping_.reset();
+  }
+  bool go_on_stepping();
+  void send_on(Run& run, StepUnit unit);
   bool arrive();
   void match_panes();
   [[nodiscard]] Run& leading() {
@@ -162,6 +173,13 @@ class Session {
   RunLimits limits_;
   std::optional<RunPositions>
       returning_;  // to which an undo leads back, while the runs are on their way there
+  /// Steps that are still to be done, and whether the run has to come to rest first.
+  struct Stepping {
+    Step left;
+    bool waits = false;
+  };
+  std::optional<Stepping> stepping_;
+  std::optional<std::chrono::milliseconds> patience_;  // nothing: without end
   std::size_t lead_ = 0;
   History history_;
   std::string file_;

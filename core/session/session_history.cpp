@@ -24,6 +24,7 @@ void Session::return_to(RunPositions positions) {
     if (runs_[i]->timeline().size() < positions.lengths[i])
       runs_[i]->go(Target::length_of(positions.lengths[i]));
   returning_ = std::move(positions);
+  stepping_.reset();
   catching_up_ = false;
   arrive();
 }

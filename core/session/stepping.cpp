@@ -5,12 +5,8 @@
 namespace replan {
 namespace {
 
-/// Whether position p (0 < p < size) is a stop: the event there begins a line, or an iteration.
-bool is_stop(const Timeline& log, std::size_t p, StepUnit unit) {
-  const Event& here = log.event(p);
-  const bool begins_iteration = here.kind == EventKind::pop || kMilestones.has(here.kind);
-  if (unit == StepUnit::expansion || begins_iteration) return begins_iteration;
-  return here.line != log.event(p - 1).line;
+const BitRow& stops_of(const Run& run, StepUnit unit) {
+  return unit == StepUnit::line ? run.stops().lines() : run.stops().iterations();
 }
 
 /// The event behind which steps of that unit end.
@@ -28,25 +24,21 @@ std::int64_t clock_at(const Run& run, std::size_t position) {
 }  // namespace
 
 std::size_t next_stop(const Run& run, std::size_t from, StepUnit unit) {
-  const Timeline& log = run.timeline();
   if (unit == StepUnit::move) {
     const std::int64_t clock = clock_at(run, from);
     for (const Decision& decision : run.decisions())
       if (decision.event > from && decision.clock > clock) return decision.event;
-    return log.size();
+    return run.timeline().size();
   }
   if (const auto milestone_kind = milestone_of(unit)) {
     for (const Milestone& milestone : run.milestones())
       if (milestone.kind == *milestone_kind && milestone.event >= from) return milestone.event + 1;
-    return log.size();
+    return run.timeline().size();
   }
-  for (std::size_t p = from + 1; p < log.size(); ++p)
-    if (is_stop(log, p, unit)) return p;
-  return log.size();
+  return stops_of(run, unit).next(from + 1);
 }
 
 std::size_t previous_stop(const Run& run, std::size_t from, StepUnit unit) {
-  const Timeline& log = run.timeline();
   if (unit == StepUnit::move) {
     const std::int64_t clock = clock_at(run, from);
     std::size_t best = 0;
@@ -60,9 +52,7 @@ std::size_t previous_stop(const Run& run, std::size_t from, StepUnit unit) {
       if (milestone.kind == *milestone_kind && milestone.event + 1 < from) best = milestone.event + 1;
     return best;
   }
-  for (std::size_t p = std::min(from, log.size()); p-- > 1;)
-    if (is_stop(log, p, unit)) return p;
-  return 0;
+  return stops_of(run, unit).previous(from);
 }
 
 }  // namespace replan

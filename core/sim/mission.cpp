@@ -94,7 +94,10 @@ bool Mission::settled() const {
 
 bool Mission::advance(std::int64_t iterations) {
   if (ended()) return false;
-  if (!begun_) begin();
+  if (!begun_) {  // by itself, so that the run can be taken up behind what a planner sets up
+    begin();
+    return true;
+  }
   if (now_.state == MissionState::planning)
     search(iterations);
   else

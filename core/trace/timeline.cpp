@@ -17,6 +17,9 @@ constexpr std::size_t kFrameBytesPerEvent = 7;
 /// The part of the limit that is left for what comes and goes: a frame too many, the sorting of events.
 constexpr std::size_t kWorkShare = 16;
 
+/// What events may take that lie open, of all of them.
+constexpr std::size_t kOpenShare = 8;
+
 /// The part of the distance of two frames from which on one is left before an epoch.
 constexpr std::size_t kEpochShare = 8;
 
@@ -47,8 +50,11 @@ void Timeline::append(std::span<const Event> events, const std::shared_ptr<const
     take_epoch(*epoch);
     events = events.subspan(static_cast<std::size_t>(epoch - events.begin()) + 1);
   }
-  if (size() - last_frame() >= frame_interval_) capture(checkpoint);
-  if (source_) events_.shrink(event_allowance(), events_.chunk_of(cursor_));
+  // A search that is set up writes much in one go, in which nothing can be taken up: behind it something can.
+  if (size() - last_frame() >= frame_interval_ ||
+      (checkpoint && size() - last_checkpoint_ >= frame_interval_))
+    capture(checkpoint);
+  shrink(events_.chunk_of(cursor_));
 }
 
 /// Takes events without an epoch. Frames stand where the run can be taken up; only where that is far off also
@@ -80,10 +86,23 @@ void Timeline::take_epoch(const Event& epoch) {
 }
 
 void Timeline::capture(const std::shared_ptr<const Checkpoint>& checkpoint) {
-  frames_.emplace(size(), KeyFrame{head_, checkpoint});
+  frames_.insert_or_assign(size(), KeyFrame{head_, checkpoint});
+  if (checkpoint) last_checkpoint_ = size();
   while (frame_bytes() > frame_allowance() && tidy()) {
   }
-  while (frame_bytes() > frame_allowance() && frames_.size() > 2) drop_frame();
+  while (frame_bytes() > frame_allowance() && drop_frame()) {
+  }
+}
+
+/// Chunks before the first frame at which the run can be taken up can be worked out again from its beginning only,
+/// all of them together: they stay.
+void Timeline::shrink(std::size_t keep) const {
+  const auto first = std::find_if(frames_.begin(), frames_.end(),
+                                  [](const auto& frame) { return frame.second.checkpoint != nullptr; });
+  const std::size_t undroppable =
+      source_ && first != frames_.end() ? events_.chunk_of(first->first) + 1 : events_.size();
+  const std::size_t allowance = event_allowance();
+  events_.shrink(allowance / kOpenShare, allowance, keep, undroppable);
 }
 
 bool Timeline::tidy() {
@@ -103,15 +122,23 @@ bool Timeline::owns_its_states() const {
   return head_.family_size() == 2 + frames_.size() + untidy_.size() + (lent_ ? 1 : 0);
 }
 
-/// Drops the frame that is missed least. One at a time, since whoever appends must not wait for long.
-void Timeline::drop_frame() {
+/// Drops the frame that is missed least; false if there is none to drop. One at a time, since whoever appends must not
+/// wait for long. The first one at which the run can be taken up behind others where it cannot is not dropped: what
+/// comes after it would have to be worked out from much farther off.
+bool Timeline::drop_frame() {
   const auto gap = [](auto frame) { return std::next(frame)->first - std::prev(frame)->first; };
-  auto least = std::next(frames_.begin());
-  for (auto frame = std::next(least); std::next(frame) != frames_.end(); ++frame)
-    if (gap(frame) < gap(least)) least = frame;
+  const auto ends_a_stretch = [](auto frame) {
+    return frame->second.checkpoint && !std::prev(frame)->second.checkpoint;
+  };
+  auto least = frames_.end();
+  for (auto frame = std::next(frames_.begin()); frame != frames_.end() && std::next(frame) != frames_.end();
+       ++frame)
+    if (!ends_a_stretch(frame) && (least == frames_.end() || gap(frame) < gap(least))) least = frame;
+  if (least == frames_.end()) return false;
   // Where none leaves a smaller gap, those to come need not stand closer either.
   if (gap(least) >= 2 * frame_interval_) frame_interval_ *= 2;
   frames_.erase(least);
+  return true;
 }
 
 std::size_t Timeline::frame_bytes() const {
@@ -130,10 +157,16 @@ std::size_t Timeline::event_allowance() const {
 
 Event Timeline::fetch(std::size_t index) const {
   const std::size_t chunk = events_.chunk_of(index), length = events_.chunk_events();
+  if (events_.holds(chunk)) {
+    events_.open(chunk);
+    shrink(chunk);
+    return *events_.find(index);
+  }
   auto frame = std::prev(frames_.upper_bound(chunk * length));
   while (frame->first != 0 && !frame->second.checkpoint) --frame;
   // What lies between the frame and the chunk is worked out anyway: as much as there is room for is kept.
-  const std::size_t room = std::max<std::size_t>(1, event_allowance() / (length * sizeof(Event)) / 2);
+  const std::size_t room =
+      std::max<std::size_t>(1, event_allowance() / kOpenShare / (length * sizeof(Event)) / 2);
   std::size_t first = (frame->first + length - 1) / length;
   if (chunk - first >= room) first = chunk + 1 - room;
   const std::size_t end = std::min((chunk + 1) * length, size());
@@ -142,7 +175,7 @@ Event Timeline::fetch(std::size_t index) const {
     const std::span<const Event> rest = std::span(events).subspan((each - first) * length);
     if (!events_.holds(each)) events_.put_back(each, rest.first(std::min(length, rest.size())));
   }
-  events_.shrink(event_allowance(), chunk);
+  shrink(chunk);
   return *events_.find(index);
 }
 
@@ -155,9 +188,10 @@ void Timeline::truncate(std::size_t size) {
   seek(back);
   for (auto frame = frames_.upper_bound(size); frame != frames_.end(); frame = frames_.erase(frame))
     untidy_.push_back(std::move(frame->second.state));
+  last_checkpoint_ = std::min(last_checkpoint_, size);
   epochs_.erase(std::lower_bound(epochs_.begin(), epochs_.end(), size), epochs_.end());
   if (size % events_.chunk_events() != 0)
-    static_cast<void>(event(size - 1));  // the last chunk has to be held
+    static_cast<void>(event(size - 1));  // the last chunk has to lie open
   dispose(events_.truncate(size));
   index_.truncate(size / NodeIndex::kBlock);
   for (std::size_t i = size - size % NodeIndex::kBlock; i < size; ++i) index_.add(i, event(i).node);

@@ -18,8 +18,9 @@ namespace replan {
 
 struct Checkpoint;
 
-/// What the log of a run may take. Below the limit it takes under 24 bytes an event: 16 for the event, half a
-/// byte for the index, and key frames for at most 7 (but always 64 MiB if there is room for them).
+/// What the log of a run may take: 16 bytes for an event that lies open, which an eighth of the limit is for, and less
+/// than half of that for a packed one; half a byte each for the index; and key frames for at most 7 (but always 64 MiB
+/// if there is room for them).
 struct LogLimits {
   /// Bytes of events, index and key frames; the states at the cursor and at the end are not counted. Beyond
   /// it events are dropped and worked out again when they are asked for, if there is somebody to do that.
@@ -105,14 +106,15 @@ class Timeline {
   /// Bytes that the key frames (and the cursor) take beyond the state at the end, whose pages they share.
   [[nodiscard]] std::size_t frame_bytes() const;
   /// True if some events were dropped to keep to the limit.
-  [[nodiscard]] bool dropped() const { return events_.bytes() < size() * sizeof(Event); }
+  [[nodiscard]] bool dropped() const { return events_.dropped(); }
 
  private:
   void append_search(std::span<const Event> events);
   void take(std::span<const Event> events);
   void take_epoch(const Event& epoch);
   void capture(const std::shared_ptr<const Checkpoint>& checkpoint);
-  void drop_frame();
+  bool drop_frame();
+  void shrink(std::size_t keep) const;
   [[nodiscard]] std::optional<std::size_t> last_of_node(NodeId node, KindSet kinds, std::size_t before) const;
   [[nodiscard]] std::optional<std::size_t> next_of_node(NodeId node, KindSet kinds, std::size_t from) const;
   [[nodiscard]] std::size_t last_frame() const { return frames_.rbegin()->first; }
@@ -138,6 +140,7 @@ class Timeline {
   std::vector<SearchState> untidy_;         // no longer needed
   std::optional<SearchState> lent_;
   std::size_t frame_interval_;
+  std::size_t last_checkpoint_ = 0;  // the latest frame at which the run can be taken up
 };
 
 }  // namespace replan

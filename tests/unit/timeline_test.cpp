@@ -182,18 +182,62 @@ TEST(Timeline, AnEpochIsALastAndNextEventOfEveryNodeThatItForgets) {
   EXPECT_EQ(timeline.next_event(7, {EventKind::dist}, 2), std::nullopt);
 }
 
-TEST(EventStore, ADroppedChunkGivesItsMemoryBack) {
-  EventStore store(1024);
-  const std::vector<Event> events(64 * 1024);
-  store.append(events);
-  const std::size_t whole = store.bytes();
-  EXPECT_GE(whole, events.size() * sizeof(Event));
-  store.shrink(whole / 8, 0);
-  EXPECT_LE(store.bytes(), whole / 8);  // of memory: bytes() counts what the chunks have taken
-  EXPECT_TRUE(store.holds(0));
-  EXPECT_FALSE(store.holds(10));
-  store.put_back(10, std::span(events).first(1024));
-  EXPECT_TRUE(store.holds(10));
+/// 64 chunks of events that have little in common.
+class EventStoreTest : public testing::Test {
+ protected:
+  static constexpr std::size_t kChunk = 1024, kChunks = 64;
+
+  void SetUp() override { store_.append(events_); }
+  /// The event at a position, whatever it takes to open its chunk.
+  Event read(std::size_t index) {
+    if (store_.find(index) == nullptr) store_.open(store_.chunk_of(index));
+    return *store_.find(index);
+  }
+  [[nodiscard]] std::size_t held() const {
+    std::size_t count = 0;
+    for (std::size_t chunk = 0; chunk < kChunks; ++chunk) count += store_.holds(chunk) ? 1 : 0;
+    return count;
+  }
+
+  const std::vector<Event> events_ = random_log(kChunk * kChunks, 9);
+  EventStore store_{kChunk};
+  const std::size_t whole_ = events_.size() * sizeof(Event);
+};
+
+TEST_F(EventStoreTest, PacksWhatIsNotReadAndOpensItAgain) {
+  EXPECT_EQ(store_.bytes(), whole_);
+  store_.shrink(whole_ / 8, whole_, 0, 0);
+  EXPECT_LT(store_.bytes(), whole_ * 9 / 10);  // of memory: bytes() counts what the chunks have taken
+  EXPECT_EQ(held(), kChunks);
+  EXPECT_FALSE(store_.dropped());
+  EXPECT_NE(store_.find(0), nullptr) << "the chunk that is kept";
+  EXPECT_NE(store_.find(events_.size() - 1), nullptr) << "the last one";
+  EXPECT_EQ(store_.find(10 * kChunk), nullptr);
+  for (std::size_t i = 0; i < events_.size(); ++i) ASSERT_EQ(read(i), events_[i]) << i;
+}
+
+TEST_F(EventStoreTest, DropsWhatEvenPackedTakesTooMuch) {
+  store_.shrink(whole_ / 8, whole_ / 2, 0, 20);
+  EXPECT_LE(store_.bytes(), whole_ / 2);
+  EXPECT_TRUE(store_.dropped());
+  for (std::size_t chunk = 0; chunk < 20; ++chunk)
+    EXPECT_TRUE(store_.holds(chunk)) << "that must not be dropped";
+  EXPECT_FALSE(store_.holds(30));
+  const std::size_t before = held();
+  store_.put_back(30, std::span(events_).subspan(30 * kChunk, kChunk));
+  EXPECT_EQ(held(), before + 1);
+  EXPECT_EQ(read(30 * kChunk + 7), events_[30 * kChunk + 7]);
+}
+
+TEST_F(EventStoreTest, GrowsOnWhereItWasCut) {
+  store_.shrink(whole_ / 8, whole_, 0, 0);
+  const std::size_t size = 40 * kChunk + 100;
+  static_cast<void>(read(size - 1));  // what becomes the last chunk has to lie open
+  static_cast<void>(store_.truncate(size));
+  store_.append(std::span(events_).subspan(size));
+  for (std::size_t i = 0; i < events_.size(); ++i) ASSERT_EQ(read(i), events_[i]) << i;
+  while (store_.size() > 0) static_cast<void>(store_.truncate((store_.size() - 1) / kChunk * kChunk));
+  EXPECT_EQ(store_.bytes(), 0u) << "every byte is accounted for";
 }
 
 TEST(Timeline, CountsTheOpenListInBothDirections) {

@@ -48,7 +48,7 @@ std::optional<ReplanSpan> last_replan(const Run& run) {
     --at;
     if (at->kind == EventKind::plan_end) end = at->event + 1;
     if (at->kind != EventKind::plan_begin) continue;
-    const std::uint64_t number = run.timeline().event(at->event).delta;
+    const std::uint64_t number = at->payload;
     if (number == 0) return std::nullopt;
     return ReplanSpan{number, at->event, end};
   }
@@ -130,7 +130,7 @@ std::string origin_text(Frame& frame, std::size_t event) {
   const auto plan = std::find_if(std::make_reverse_iterator(behind), milestones.rend(),
                                  [](const Milestone& m) { return m.kind == EventKind::plan_begin; });
   if (plan == milestones.rend()) return words;
-  const std::uint64_t replan = run.timeline().event(plan->event).delta;
+  const std::uint64_t replan = plan->payload;
   const std::string in = replan == 0 ? "in the first plan" : "in replan " + std::to_string(replan);
   if (!words.empty()) words += ", ";
   if (const auto taken = taken_before(run.timeline(), event))

@@ -22,10 +22,10 @@ enum class MarkKind : std::uint8_t {
   count
 };
 
-std::optional<MarkKind> kind_of(const Run& run, const Milestone& milestone) {
+std::optional<MarkKind> kind_of(const Milestone& milestone) {
   switch (milestone.kind) {
     case EventKind::plan_begin:
-      return run.timeline().event(milestone.event).delta == 0 ? MarkKind::first_plan : MarkKind::replan;
+      return milestone.payload == 0 ? MarkKind::first_plan : MarkKind::replan;
     case EventKind::surprise:
       return MarkKind::surprise;
     case EventKind::new_goal:
@@ -77,8 +77,8 @@ std::string others_text(const Theme& theme, Counts counts, MarkKind head) {
   return words;
 }
 
-std::string title_of(const Run& run, const Milestone& milestone, const MarkStyle& style) {
-  const std::uint64_t number = run.timeline().event(milestone.event).delta;
+std::string title_of(const Milestone& milestone, const MarkStyle& style) {
+  const std::uint64_t number = milestone.payload;
   if (milestone.kind == EventKind::plan_begin && number != 0) return "Replan " + grouped(number) + " begins";
   return style.name;
 }
@@ -139,7 +139,7 @@ std::vector<MarkGroup> happenings(const Look& look, const Run& run, const Timeli
   std::vector<MarkGroup> groups;
   const std::span<const Milestone> milestones = run.milestones();
   for (std::size_t i = 0; i < milestones.size();) {
-    const std::optional<MarkKind> first = kind_of(run, milestones[i]);
+    const std::optional<MarkKind> first = kind_of(milestones[i]);
     if (!first) {
       ++i;
       continue;
@@ -149,7 +149,7 @@ std::vector<MarkGroup> happenings(const Look& look, const Run& run, const Timeli
     MarkKind head = *first;
     std::size_t head_at = i, all = 0;
     for (; i < milestones.size() && scale.x(milestones[i].event) < begin + look.px(kApart); ++i) {
-      const std::optional<MarkKind> kind = kind_of(run, milestones[i]);
+      const std::optional<MarkKind> kind = kind_of(milestones[i]);
       if (!kind) continue;
       ++all;
       ++counts[static_cast<std::size_t>(*kind)];
@@ -157,7 +157,7 @@ std::vector<MarkGroup> happenings(const Look& look, const Run& run, const Timeli
     }
     const MarkStyle style = style_of(look.theme, head);
     groups.push_back({style, scale.x(milestones[head_at].event), milestones[head_at].event + 1,
-                      title_of(run, milestones[head_at], style),
+                      title_of(milestones[head_at], style),
                       all > 1 ? others_text(look.theme, counts, head) : ""});
   }
   return groups;

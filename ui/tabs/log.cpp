@@ -59,8 +59,8 @@ void draw_edits(Frame& frame) {
 
 /// As a heading: without a full stop.
 std::string story_words(const Run& run, const Milestone& milestone) {
-  std::string words =
-      as_sentence(event_text(run.lattice(), run.info().values, run.timeline().event(milestone.event), 0));
+  const Event event{.delta = milestone.payload, .node = milestone.node, .kind = milestone.kind};
+  std::string words = as_sentence(event_text(run.lattice(), run.info().values, event, 0));
   if (words.ends_with('.')) words.pop_back();
   return words;
 }
