@@ -35,6 +35,21 @@ double milliseconds(Clock::duration time) {
   return std::chrono::duration<double, std::milli>(time).count();
 }
 
+/// From here on a frame is late for a display of 60 a second.
+constexpr double kSlowFrameMs = 16;
+
+/// Processor's time of this thread.
+double thread_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+bool is_set(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value != nullptr && value[0] != '\0' && value[0] != '0';
+}
+
 /// A small world in code, for a program that was copied without its files.
 Scenario built_in_world() {
   Scenario scenario;
@@ -105,6 +120,7 @@ class Program {
   void take_picture(const ui::CaptureRequest& request);
   [[nodiscard]] ui::PixelArea area(bool window) const;
   void report_first_frame();
+  void report_slow_frame(double update_ms, double draw_ms);
 
   Clock::time_point begun_ = Clock::now();
   Remembered remembered_;
@@ -117,6 +133,7 @@ class Program {
   bool dark_ = true;
   std::string words_;  // that the fonts were baked for, beside the usual characters
   bool timed_ = false;
+  const bool timing_ = is_set("REPLAN_TIMING");
   Recording recording_;
   std::optional<ui::CaptureRequest> wanted_;  // by the user, and not begun yet
   int settling_ = 0;                          // frames until the dialog has gone from the pixels
@@ -165,12 +182,15 @@ bool Program::frame() {
   const double passed = std::chrono::duration<double>(now - last_).count();
   const double seconds = recording_.on() ? recording_.step() : passed;
   last_ = now;
+  const double begin_ms = thread_ms();
   session_.update(seconds);
+  const double updated_ms = thread_ms();
   shell_->panels().recording = recording_.state();
   shell_->draw(window_->stage().look(), session_, seconds);
   const double spent = milliseconds(Clock::now() - now);
   draw_ms_ = draw_ms_ == 0 ? spent : draw_ms_ * 0.9 + spent * 0.1;
   shell_->panels().frame_ms = draw_ms_;
+  if (timing_) report_slow_frame(updated_ms - begin_ms, thread_ms() - updated_ms);
   follow();
   if (!timed_) report_first_frame();
   capture();
@@ -254,14 +274,23 @@ void Program::follow() {
 
 void Program::report_first_frame() {
   timed_ = true;
-  const char* wanted = std::getenv("REPLAN_TIMING");
-  if (wanted == nullptr || wanted[0] == '\0' || wanted[0] == '0') return;
+  if (!timing_) return;
   window_->capture([this](const ui::Image&) {
     // On a busy machine the processor's time says more than the clock on the wall.
     const double cpu = 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
     std::fprintf(stderr, "first frame after %.0f ms, %.0f ms of processor time\n",
                  milliseconds(Clock::now() - begun_), cpu);
   });
+}
+
+/// Says of a frame that the eye could miss what kept it.
+void Program::report_slow_frame(double update_ms, double draw_ms) {
+  if (update_ms + draw_ms < kSlowFrameMs) return;
+  std::string actions;
+  for (const ui::ActionId id : shell_->panels().performed) actions += std::string(" ") + ui::action(id).name;
+  std::fprintf(
+      stderr, "a frame took %.0f ms of processor time: %.0f for the session, %.0f for the window;%s\n",
+      update_ms + draw_ms, update_ms, draw_ms, actions.empty() ? " nothing was asked for" : actions.c_str());
 }
 
 Result<void> Program::close() {

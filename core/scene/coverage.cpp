@@ -11,11 +11,17 @@ Coverage::Coverage(const Box& world, int layer, const SearchState& state, EventK
   Level& first = levels_.front();
   NodeId node = world.node({0, 0, layer});
   for (int y = 0; y < rows; ++y)
-    for (int x = 0; x < columns; ++x, ++node) {
-      const std::uint8_t* page = state.map_page(map, node);
-      if (page == nullptr || page[node % SearchState::kPage] == 0) continue;
-      std::uint8_t& share = first.at(x / 2, y / 2);
-      share = static_cast<std::uint8_t>(std::min(255, share + 64));
+    for (int x = 0; x < columns;) {
+      const std::size_t at = node % SearchState::kPage;
+      const int count = std::min(columns - x, static_cast<int>(SearchState::kPage - at));
+      if (const std::uint8_t* page = state.map_page(map, node); page != nullptr)
+        for (int i = 0; i < count; ++i) {
+          if (page[at + static_cast<std::size_t>(i)] == 0) continue;
+          std::uint8_t& share = first.at((x + i) / 2, y / 2);
+          share = static_cast<std::uint8_t>(std::min(255, share + 64));
+        }
+      x += count;
+      node += static_cast<NodeId>(count);
     }
   for (std::size_t level = 1; level < levels_.size(); ++level)
     for (int y = 0; y < levels_[level].rows; ++y)

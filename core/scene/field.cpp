@@ -18,10 +18,10 @@ void RangeTracker::scan(const FieldReader& reader, const SearchState& state, std
     if (words == nullptr) continue;
     const std::size_t count = std::min(SearchState::kPage, end - first);
     for (std::size_t i = 0; i < count; ++i) {
+      // Without a branch, which it would often take wrongly: this goes over millions of cells in one frame.
       const std::int64_t value = reader.read(words[i]);
-      if (value == FieldReader::kNone) continue;
-      ends.low = std::min(ends.low, value);
-      ends.high = std::max(ends.high, value);
+      ends.low = std::min(ends.low, value == FieldReader::kNone ? ends.low : value);
+      ends.high = std::max(ends.high, value);  // kNone is less than all
     }
   }
   stretches_[stretch] = ends;
@@ -32,8 +32,9 @@ std::optional<FieldRange> RangeTracker::follow(const FieldReader& reader, const 
                                                std::size_t position) {
   const std::size_t count = (state.node_count() + kStretch - 1) / kStretch;
   const std::size_t from = std::min(position_, position), to = std::max(position_, position);
-  // Beyond that many events it is cheaper to look at everything than to find the written ones.
-  const bool afresh = log_id != log_id_ || stretches_.size() != count || to - from > state.node_count() ||
+  // Beyond that many events it is cheaper to look at everything than to find the written ones: an event, which may
+  // have to be unpacked, takes some eight times as long as a cell.
+  const bool afresh = log_id != log_id_ || stretches_.size() != count || to - from > state.node_count() / 8 ||
                       !log.reversible(from, to);
   if (afresh) {
     stretches_.assign(count, {});

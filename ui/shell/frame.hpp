@@ -23,6 +23,8 @@ struct CaseMoment;
 
 namespace replan::ui {
 
+enum class ActionId : std::uint16_t;
+
 /// What an action asks of the shell itself; done after drawing.
 enum class Wish : std::uint8_t {
   none,
@@ -68,6 +70,7 @@ struct PanelState {
   RecordingState recording;                  ///< told by the owner of the pixels
   PixelArea canvas;                          ///< where the canvas was drawn last
   double frame_ms = 0;                       ///< CPU time of a frame, smoothed; 0: not measured
+  std::vector<ActionId> performed;           ///< in this frame
   float tool_height = 0;                     ///< what the tool's choices took in the last frame, in pixels
   std::string said;                          ///< a sentence for the user, to be shown over the canvas
   bool said_bad = false;

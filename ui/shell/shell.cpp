@@ -36,13 +36,16 @@ ActionContext context_of(Frame& frame) {
 
 void perform(Frame& frame, ActionId id) {
   ActionContext context = context_of(frame);
-  if (action(id).available(context)) action(id).effect(context);
+  if (!action(id).available(context)) return;
+  frame.panels.performed.push_back(id);
+  action(id).effect(context);
 }
 
 void Shell::draw(const Look& look, Session& session, double) {
   std::vector<Command> commands;
   Wish wish = Wish::none;
   panels_.animated = false;
+  panels_.performed.clear();
   view_.view.scale = static_cast<double>(look.px.scale);
   Frame frame{look, session, view_, panels_, commands, wish};
   take_keys(frame);
