@@ -39,7 +39,7 @@ class RangeTracker {
                                    const SearchState& state, std::size_t position);
 
  private:
-  static constexpr std::size_t kStretch = 64 * SearchState::kPage;
+  static constexpr std::size_t kStretch = 4 * SearchState::kPage;
   struct Ends {
     std::int64_t low = std::numeric_limits<std::int64_t>::max();
     std::int64_t high = FieldReader::kNone;

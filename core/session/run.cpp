@@ -122,11 +122,11 @@ void Run::finish(Target target) {
 }
 
 bool Run::rest(std::optional<std::chrono::milliseconds> at_most) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point until = at_most ? Clock::now() + *at_most : Clock::time_point::max();
-  while (busy() && Clock::now() < until) {
+  using std::chrono::steady_clock;
+  const steady_clock::time_point until = at_most ? steady_clock::now() + *at_most : steady_clock::time_point::max();
+  while (busy() && steady_clock::now() < until) {
     if (!handover_) worker_->wait(until);
-    while (Clock::now() < until && next_batch()) take_over_part();
+    while (steady_clock::now() < until && next_batch()) take_over_part();
     carry_out_rebase();
   }
   tidy();

@@ -63,7 +63,7 @@ class FrameTime : public ShellTest {
     frames_of("the beginning of the search", 20);
     for (int i = 1; session_->run().busy(); ++i) {
       session_->update(0);
-      if (i % 4 == 0) frames_of("the search", 1);
+      if (i % 2 == 0) frames_of("the search", 1);
     }
     frames_of("the end of the search", 2);
   }
