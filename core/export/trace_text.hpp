@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/base/cost.hpp"
+#include "core/plan/search_values.hpp"
 #include "core/trace/event.hpp"
 
 namespace replan {
