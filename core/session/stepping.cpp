@@ -65,4 +65,25 @@ std::size_t previous_stop(const Run& run, std::size_t from, StepUnit unit) {
   return 0;
 }
 
+bool is_before_repair(const Run& run, std::size_t position) {
+  const Timeline& log = run.timeline();
+  if (position == 0 || position >= log.size() || log.event(position).kind != EventKind::pop) return false;
+  // Mostly another vertex was taken shortly before.
+  bool jumped = false;
+  std::size_t at = position;
+  for (bool begun = false; !begun && at > 0;) {
+    const Event event = log.event(--at);
+    if (event.kind == EventKind::pop || event.kind == EventKind::epoch) return false;
+    jumped |= event.kind == EventKind::rhs;
+    begun = event.kind == EventKind::plan_begin;
+  }
+  if (!jumped) return false;
+  while (at > 0) {
+    const EventKind kind = log.event(--at).kind;
+    if (kind == EventKind::known) return true;
+    if (kind == EventKind::plan_end || kind == EventKind::move) return false;
+  }
+  return false;
+}
+
 }  // namespace replan
