@@ -162,7 +162,7 @@ Result<void> read_film(const RenderArguments& arguments, app::RenderRequest& req
 Result<int> render(const RenderArguments& arguments) {
   auto world = arguments.world.load();
   if (!world) return Error{world.error()};
-  tell_notes(world->map_found.notes);
+  tell_notes(world->map_found.notes_for_planning());
   app::RenderRequest request;
   request.scenario = std::move(world.value());
   request.output = arguments.out;

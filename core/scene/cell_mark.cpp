@@ -78,9 +78,9 @@ void add_cell_lines(SceneContext& context, Colour colour) {
 }
 
 double note_width(const SceneContext& context, std::string_view words) {
-  // Of UTF-8, each byte that begins a character. The small digits are less than seven pixels wide.
+  // Of UTF-8, each byte that begins a character. The small digits are six pixels wide.
   const auto count = std::count_if(words.begin(), words.end(), [](char c) { return (c & 0xC0) != 0x80; });
-  return context.world(6.8 * static_cast<double>(count) + 8);
+  return context.world(6.1 * static_cast<double>(count) + 8);
 }
 
 void add_note(SceneContext& context, Point at, Colour colour, std::string words) {

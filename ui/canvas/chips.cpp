@@ -121,7 +121,8 @@ void draw_legend(const Look& look, ImDrawList& list, const Run& run, const Scene
     high = value_text(scene.range->high);
     field = field_in_sight(scene, colours, low, high);
     const float without_label = look.px(20 + 120 + 28) + text_width(look.fonts.mono, low + high + "   ");
-    if (without_label + text_width(look.fonts.ui, field.label) > room)
+    const float others = look.px(160);  // an entry at least, and how many more there are
+    if (without_label + text_width(look.fonts.ui, field.label) + others > room)
       field.label = overlays()[static_cast<std::size_t>(*scene.field)].label;
     used = without_label + text_width(look.fonts.ui, field.label);
   }

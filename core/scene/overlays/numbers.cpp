@@ -62,7 +62,7 @@ class Numbers final : public CellMark {
   }
 
   void add(Cell cell, NodeId node) override {
-    if (context_.state.known_blocked(node)) return;
+    if (context_.state.known_blocked(node) && !stands_out(context_, node)) return;
     if (corners_ > 0) add_corners(context_, cell, node, corners_);
     if (middle_ <= 0 || context_.state.g(node).is_infinite() || stands_out(context_, node)) return;
     const double rise = beside_arrow_ ? context_.world(14) : 0;

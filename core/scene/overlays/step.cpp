@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "core/debug/event_words.hpp"
 #include "core/debug/in_hand.hpp"
@@ -7,11 +9,13 @@
 namespace replan {
 namespace {
 
-/// "1.4 + 28.7", or with the penalty as a third: what a sum is made of.
-std::string sum_text(const Offer& offer) {
-  std::string text = cost_text(offer.step, 1) + "+" + cost_text(offer.g, 1);
-  if (offer.dist > Cost::zero()) text += "+" + cost_text(offer.dist, 1);
-  return text;
+/// What a sum is made of: "1.4+28.7", or with the penalty as a third. On two lines where a cell has no room for it.
+std::vector<std::string> sum_lines(const SceneContext& context, const Offer& offer) {
+  std::string sum = cost_text(offer.step, 1) + "+" + cost_text(offer.g, 1);
+  if (offer.dist <= Cost::zero()) return {sum};
+  const std::string penalty = "+" + cost_text(offer.dist, 1);
+  if (note_width(context, sum + penalty) <= 1) return {sum + penalty};
+  return {sum, penalty};
 }
 
 /// What the search has in hand, all in the colour of the line of code that is lit.
@@ -54,12 +58,20 @@ class StepMarks {
     }
   }
 
+  /// At the lower edge of the cell; in the middle, where its corners have numbers.
   void add_sum(const Trial& trial, double strength) {
-    const std::string words = sum_text(trial.offer);
+    const std::vector<std::string> lines = sum_lines(context_, trial.offer);
     const Point there = context_.centre(trial.offer.node);
-    const Colour colour = trial.taken ? colour_ : context_.palette.dim;
-    add_note(context_, {there.x - note_width(context_, words) / 2, there.y + context_.world(7.5)},
-             faded(colour, strength), words);
+    const Colour colour = faded(trial.taken ? colour_ : context_.palette.dim, strength);
+    const double height = context_.world(15);
+    const double foot = context_.scene.numbers == NumbersShown::four
+                            ? there.y + height * static_cast<double>(lines.size()) / 2
+                            : there.y + 0.5;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      add_note(context_,
+               {there.x - note_width(context_, lines[i]) / 2,
+                foot - height * static_cast<double>(lines.size() - 1 - i)},
+               colour, lines[i]);
   }
 
   /// The cell of the value that was just written, with what it was and is.

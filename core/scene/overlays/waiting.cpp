@@ -40,8 +40,10 @@ class WaitingCells final : public CellMark {
     const auto x = static_cast<double>(cell.x), y = static_cast<double>(cell.y);
     const double inset = context_.world(2);
     context_.scene.show(Sign::two_values);
+    // What is blocked, as a repair finds it, is still to be seen.
+    const double ground = context_.state.known_blocked(node) ? 0.5 : 0.85;
     context_.add(Outline{x + inset, y + inset, 1 - 2 * inset, 1 - 2 * inset, OutlineShape::filled,
-                         faded(context_.palette.background, 0.72 * strength_), 0, 0});
+                         faded(context_.palette.background, ground * strength_), 0, 0});
     if (numbers_ <= 0) return;
     context_.scene.numbers = NumbersShown::two;
     const double apart = context_.world(5.5);

@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "core/base/file.hpp"
-#include "core/base/words.hpp"
 #include "core/world/formats/pnm.hpp"
 
 namespace replan {
@@ -74,13 +73,6 @@ Result<MapFile> read_ros_map(const std::string& path, UnknownCells unknown) {
   file.found.notes = info->notes;
   file.found.unknown = unknown_ros_cells(*picture, *info);
   file.found.unknown_as = kind_of(unknown);
-  if (unknown == UnknownCells::blocked && file.found.unknown != nullptr) {
-    const auto count = std::count(file.found.unknown->begin(), file.found.unknown->end(), true);
-    file.found.notes.push_back(
-        path + ": " + counted(count, "unknown cell") + (count == 1 ? " counts" : " count") +
-        " as blocked; --unknown free or --unknown unmapped makes it otherwise, as does the Open "
-        "dialog");
-  }
   return file;
 }
 
