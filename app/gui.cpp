@@ -148,6 +148,7 @@ Result<void> Program::open() {
   looks.dark = remembered_.dark;
   looks.panels = remembered_.panels;
   looks.legend = remembered_.legend;
+  looks.view.range = remembered_.colours_so_far ? FieldSpan::so_far : FieldSpan::whole_run;
   looks.brush = remembered_.brush;
   looks.editing.round = remembered_.round_brush;
   looks.tab = remembered_.tab;
@@ -305,6 +306,7 @@ Result<void> Program::close() {
   remembered_.dark = looks.dark;
   remembered_.panels = looks.panels;
   remembered_.legend = looks.legend;
+  remembered_.colours_so_far = looks.view.range == FieldSpan::so_far;
   remembered_.brush = looks.brush;
   remembered_.round_brush = looks.editing.round;
   remembered_.tab = looks.tab;

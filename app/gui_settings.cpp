@@ -62,6 +62,7 @@ Remembered read_settings(const std::string& path) {
   result.dark = flag(json, "dark", true);
   result.panels = flag(json, "panels", true);
   result.legend = flag(json, "legend", true);
+  result.colours_so_far = flag(json, "colours_so_far", false);
   result.brush = whole(json, "brush", 1, 64, 1);
   result.round_brush = whole(json, "round_brush", 0, 1, 0) != 0;
   result.tab = tab(json);
@@ -83,6 +84,7 @@ Result<void> write_settings(const Remembered& settings, const std::string& path)
                      {"dark", settings.dark},
                      {"panels", settings.panels},
                      {"legend", settings.legend},
+                     {"colours_so_far", settings.colours_so_far},
                      {"brush", settings.brush},
                      {"round_brush", settings.round_brush ? 1 : 0},
                      {"tab", settings.tab},

@@ -16,6 +16,7 @@ std::string settings_path();
 struct Remembered {
   WindowSettings window;
   bool dark = true, panels = true, legend = true;
+  bool colours_so_far = false;  ///< FieldSpan::so_far
   int brush = 1;
   bool round_brush = false;
   std::string tab;  ///< its id; empty: the one that shows at first

@@ -129,6 +129,7 @@ Result<ui::ViewState> requested_view(const RenderRequest& request) {
   state.view.pinned = request.pinned;
   state.view.slice = request.slice.value_or(request.scenario.start.z);
   state.view.scale = request.scale;
+  state.view.range = request.range;
   state.legend = request.legend;
   state.live = false;
   return state;

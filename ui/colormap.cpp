@@ -77,6 +77,19 @@ const Colormap& viridis() {
   return map;
 }
 
+Colormap field_colours(const Theme& theme) {
+  Colormap map{};
+  for (std::size_t i = 0; i < map.size(); ++i)
+    map[i] = sample(viridis(), theme.field_begin + (1 - theme.field_begin) * static_cast<float>(i) / 255.0f);
+  return map;
+}
+
+Colormap field_colours_over_free(const Theme& theme) {
+  Colormap map = field_colours(theme);
+  for (ImU32& colour : map) colour = over_free(theme, colour);
+  return map;
+}
+
 ImU32 sample(const Colormap& map, float t) {
   // Written so that a NaN lands on the lowest colour instead of outside the table.
   const float clamped = t > 0.0f ? std::min(t, 1.0f) : 0.0f;

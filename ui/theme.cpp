@@ -19,10 +19,11 @@ constexpr Theme kDark = {
     .accent = rgb(0x4cc2ff), .on_accent = rgb(0x10131a),
     .start = rgb(0x3ddc97), .goal = rgb(0xff5c8a), .robot = rgb(0xffc94d),
     .surprise = rgb(0xff8a3d), .mover = rgb(0xb79cff), .warning = rgb(0xffb454), .bad = rgb(0xff6b6b), .good = rgb(0x3ddc97),
-    .obstacle = rgb(0x39414d), .free = rgb(0x10131a), .path = rgb(0xffffff),
+    .obstacle = rgb(0x39414d), .free = rgb(0x10131a),
+    .surround = rgb(0x1f252e), .unseen = rgb(0x62584c), .rhs = rgb(0xc5f06b), .path = rgb(0xffffff),
     .grid = rgb(0xffffff, 13), .arrow = rgb(0xffffff, 115), .outline = rgb(0x10131a),
     .selected = rgb(0x243746), .hover = rgb(0x2a313d), .series = rgb(0x253f51), .shade = rgb(0x0b0d10, 150),
-    .field_opacity = 0.55f, .is_dark = true,
+    .field_opacity = 0.55f, .field_begin = 0.3f, .is_dark = true,
 };
 
 constexpr Theme kLight = {
@@ -32,10 +33,11 @@ constexpr Theme kLight = {
     .accent = rgb(0x0077c2), .on_accent = rgb(0xffffff),
     .start = rgb(0x12855a), .goal = rgb(0xd6336c), .robot = rgb(0xd98a00),
     .surprise = rgb(0xe8590c), .mover = rgb(0x6f42c1), .warning = rgb(0xb86e00), .bad = rgb(0xc92a2a), .good = rgb(0x12855a),
-    .obstacle = rgb(0x3f4a59), .free = rgb(0xffffff), .path = rgb(0x111827),
+    .obstacle = rgb(0x3f4a59), .free = rgb(0xffffff),
+    .surround = rgb(0xdbe1e9), .unseen = rgb(0xb5aa9a), .rhs = rgb(0x4d7c0f), .path = rgb(0x111827),
     .grid = rgb(0x111827, 26), .arrow = rgb(0x111827, 115), .outline = rgb(0xffffff),
     .selected = rgb(0xd6e9f6), .hover = rgb(0xe9edf2), .series = rgb(0xcce4f3), .shade = rgb(0x1b2430, 90),
-    .field_opacity = 0.62f, .is_dark = false,
+    .field_opacity = 0.62f, .field_begin = 0, .is_dark = false,
 };
 // clang-format on
 

@@ -30,15 +30,19 @@ struct Theme {
   ImU32 good;
   ImU32 obstacle;
   ImU32 free;
+  ImU32 surround;  ///< around the world
+  ImU32 unseen;    ///< what a map calls unknown and counts as blocked
+  ImU32 rhs;       ///< the number rhs, beside g in the colour of text
   ImU32 path;
-  ImU32 grid;      ///< grid lines, already translucent
-  ImU32 arrow;     ///< lp arrows, already translucent
-  ImU32 outline;   ///< the ring around start, goal and robot, against any field colour
-  ImU32 selected;  ///< behind the chosen tool, the winning row, the current line
-  ImU32 hover;     ///< behind what the mouse is over
-  ImU32 series;    ///< filled curves, as of expansions over the timeline
-  ImU32 shade;     ///< over the window behind a dialog, translucent
+  ImU32 grid;           ///< grid lines, already translucent
+  ImU32 arrow;          ///< lp arrows, already translucent
+  ImU32 outline;        ///< the ring around start, goal and robot, against any field colour
+  ImU32 selected;       ///< behind the chosen tool, the winning row, the current line
+  ImU32 hover;          ///< behind what the mouse is over
+  ImU32 series;         ///< filled curves, as of expansions over the timeline
+  ImU32 shade;          ///< over the window behind a dialog, translucent
   float field_opacity;  ///< of colour maps over free cells
+  float field_begin;    ///< where on a colour map the least value stands, 0 to 1: apart from the ground
   bool is_dark;
 };
 

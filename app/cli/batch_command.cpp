@@ -85,7 +85,7 @@ Result<GridMap> read_map_for(const std::string& path, const BatchArguments& argu
   if (!how) return Error{how.error()};
   auto file = read_map_file(path, *how);
   if (!file) return Error{file.error()};
-  tell_notes(file->found.notes);
+  tell_notes(file->found.notes_for_planning());
   return std::move(file->map);
 }
 

@@ -23,6 +23,7 @@ struct RenderArguments {
   bool at_end = false;
   bool at_plan = false;
   std::vector<std::string> overlays;
+  std::string range;
   std::string theme;
   bool canvas_only = false;
   std::vector<std::string> actions;
@@ -66,6 +67,11 @@ Result<void> read_looks(const RenderArguments& arguments, app::RenderRequest& re
     const auto scale = number_from<double>(arguments.scale);
     if (!scale) return Error{"--scale cannot be '" + arguments.scale + "': give a number from 0.5 to 4"};
     request.scale = *scale;
+  }
+  if (!arguments.range.empty()) {
+    if (arguments.range != "whole-run" && arguments.range != "so-far")
+      return Error{"--range cannot be '" + arguments.range + "': give whole-run or so-far"};
+    request.range = arguments.range == "so-far" ? FieldSpan::so_far : FieldSpan::whole_run;
   }
   if (arguments.overlays.empty()) return {};
   const auto overlays = parse_overlays(split_list(arguments.overlays));
@@ -156,7 +162,7 @@ Result<void> read_film(const RenderArguments& arguments, app::RenderRequest& req
 Result<int> render(const RenderArguments& arguments) {
   auto world = arguments.world.load();
   if (!world) return Error{world.error()};
-  tell_notes(world->map_found.notes);
+  tell_notes(world->map_found.notes_for_planning());
   app::RenderRequest request;
   request.scenario = std::move(world.value());
   request.output = arguments.out;
@@ -234,6 +240,10 @@ Command add_render(CLI::App& program) {
   app->add_option("--overlay", into.overlays, "What to lay over the world; 'replan list overlays' shows them")
       ->type_name("ID[,ID...]")
       ->allow_extra_args(false);
+  app->add_option(
+         "--range", into.range,
+         "Over what a field's colours reach: the values of the whole run (the default), or those so far")
+      ->type_name("whole-run|so-far");
   app->add_option("--theme", into.theme, "The colours; else the scenario's, else dark")
       ->type_name("light|dark");
   app->add_option(

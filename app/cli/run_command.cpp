@@ -145,7 +145,7 @@ Result<void> write_tables(const RunArguments& arguments, std::span<const RunRepo
 Result<int> run(const RunArguments& arguments) {
   const auto world = arguments.world.load();
   if (!world) return Error{world.error()};
-  tell_notes(world->map_found.notes);
+  tell_notes(world->map_found.notes_for_planning());
   if (arguments.check) return check_runs(*world, arguments.json);
   if (arguments.stops.given()) {
     if (const auto good = check_stops(arguments); !good) return Error{good.error()};

@@ -28,7 +28,7 @@ Result<std::optional<Cell>> pinned_cell(const ShowArguments& arguments, const Gr
 Result<int> show(const ShowArguments& arguments) {
   auto world = arguments.world.load();
   if (!world) return Error{world.error()};
-  tell_notes(world->map_found.notes);
+  tell_notes(world->map_found.notes_for_planning());
   const auto pin = pinned_cell(arguments, world->map);
   if (!pin) return Error{pin.error()};
   const auto scenario = std::make_shared<const Scenario>(std::move(world.value()));

@@ -63,4 +63,32 @@ void mark_cell(SceneContext& context, Cell cell, OutlineShape shape, Colour colo
                         faded(colour, outlined * strength), stroke, inset});
 }
 
+void add_cell_lines(SceneContext& context, Colour colour) {
+  const float width = std::max(1.0f, std::floor(context.pixels(1)));
+  const auto left = static_cast<double>(context.left), right = static_cast<double>(context.right),
+             top = static_cast<double>(context.top), bottom = static_cast<double>(context.bottom);
+  for (int column = context.left; column <= context.right; ++column) {
+    const auto x = static_cast<double>(column);
+    context.add(Line{{x, top}, {x, bottom}, colour, width});
+  }
+  for (int row = context.top; row <= context.bottom; ++row) {
+    const auto y = static_cast<double>(row);
+    context.add(Line{{left, y}, {right, y}, colour, width});
+  }
+}
+
+double note_width(const SceneContext& context, std::string_view words) {
+  // Of UTF-8, each byte that begins a character. The small digits are six pixels wide.
+  const auto count = std::count_if(words.begin(), words.end(), [](char c) { return (c & 0xC0) != 0x80; });
+  return context.world(6.1 * static_cast<double>(count) + 8);
+}
+
+void add_note(SceneContext& context, Point at, Colour colour, std::string words) {
+  const double height = context.world(15);
+  context.add(Outline{at.x, at.y - height, note_width(context, words), height, OutlineShape::filled,
+                      faded(context.palette.background, 0.85), 0, 0});
+  context.add(Label{
+      {at.x + context.world(4), at.y - context.world(3)}, Anchor::lower_left, colour, std::move(words)});
+}
+
 }  // namespace replan

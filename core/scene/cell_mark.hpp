@@ -3,6 +3,8 @@
 
 #include <memory>
 #include <span>
+#include <string>
+#include <string_view>
 
 #include "core/scene/context.hpp"
 
@@ -28,5 +30,13 @@ void add_cell_marks(SceneContext& context, std::span<const std::unique_ptr<CellM
 /// Outlines a cell where cells are large enough for it, and tints it where they are small.
 void mark_cell(SceneContext& context, Cell cell, OutlineShape shape, Colour colour, double strength,
                float stroke, float inset);
+
+/// Hairlines between the cells in sight.
+void add_cell_lines(SceneContext& context, Colour colour);
+
+/// Words on a ground of their own, which can be read over any field; `at` is their lower left corner.
+void add_note(SceneContext& context, Point at, Colour colour, std::string words);
+/// How wide such words are, in the world.
+double note_width(const SceneContext& context, std::string_view words);
 
 }  // namespace replan

@@ -41,6 +41,10 @@ struct SceneContext {
   [[nodiscard]] double grown(double from, double to) const {
     return std::clamp((zoom / view.scale - from) / (to - from), 0.0, 1.0);
   }
+  /// Device pixels of a line that runs across cells: the design's, but never much wider than they are.
+  [[nodiscard]] float line_width(double design) const {
+    return pixels(std::clamp(zoom / view.scale * 0.6, std::min(1.2, design), design));
+  }
   [[nodiscard]] bool in_sight(Cell cell) const {
     return cell.z == slice && cell.x >= left && cell.x < right && cell.y >= top && cell.y < bottom;
   }

@@ -59,11 +59,12 @@ std::optional<FieldRange> RangeTracker::follow(const FieldReader& reader, const 
   return FieldRange{static_cast<double>(all.low) * reader.unit, static_cast<double>(all.high) * reader.unit};
 }
 
-std::optional<FieldRange> FieldRanges::at_cursor(const Run& run, Overlay field) {
+std::optional<FieldRange> FieldRanges::at_cursor(const Run& run, Overlay field, FieldSpan span) {
   const Timeline& log = run.timeline();
   const FieldReader reader = FieldReader::of(field);
   Pair& pair = trackers_[field];
   const auto here = pair.cursor.follow(reader, log, run.log_id(), log.state(), log.cursor());
+  if (span == FieldSpan::so_far) return here;
   const auto there = pair.head.follow(reader, log, run.log_id(), log.head(), log.size());
   if (!here || !there) return here;
   return FieldRange{std::min(here->low, there->low), std::max(here->high, there->high)};

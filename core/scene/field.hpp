@@ -52,11 +52,11 @@ class RangeTracker {
   std::vector<Ends> stretches_;
 };
 
-/// The ends of the colour map at the run's cursor: over the state there and the state at the end of the log,
-/// so that the colours stand still while one travels between them.
+/// The ends of the colour map at the run's cursor: over the state there, and with FieldSpan::whole_run over the state
+/// at the end of the log too.
 class FieldRanges {
  public:
-  std::optional<FieldRange> at_cursor(const Run& run, Overlay field);
+  std::optional<FieldRange> at_cursor(const Run& run, Overlay field, FieldSpan span);
 
  private:
   struct Pair {

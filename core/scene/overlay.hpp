@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "core/scene/cell_mark.hpp"
 #include "core/scene/context.hpp"
@@ -12,12 +13,14 @@
 namespace replan {
 
 /// Where a mark lies, from the lowest up.
-enum class Layer : std::uint8_t { lines, hatches, arrows, frames, numbers, script, routes };
+enum class Layer : std::uint8_t { lines, hatches, arrows, frames, numbers, script, routes, hand };
 
 struct OverlayKind {
   OverlayInfo info = {};
   /// Of a field: where its values are found.
   std::optional<FieldReader> field = {};
+  /// What they are of a planner, for a legend; nullptr: the label says it.
+  std::string (*words)(const PlannerInfo& planner) = nullptr;
   // Of a mark: where it lies, and what adds its shapes. `each` makes what is asked for every cell in sight; nullptr
   // where cells are too small for it.
   Layer layer = Layer::lines;

@@ -12,7 +12,8 @@ namespace replan {
 using Colour = std::uint32_t;
 
 struct Palette {
-  Colour background = 0;  ///< around the world
+  Colour background = 0;  ///< of the window
+  Colour surround = 0;    ///< around the world
   Colour free = 0;
   Colour obstacle = 0;
   Colour surprise = 0;
@@ -30,6 +31,8 @@ struct Palette {
   Colour text = 0;
   Colour dim = 0;
   Colour outline = 0;  ///< around start, goal and robot
+  Colour rhs = 0;      ///< the number rhs, beside g in the colour of text
+  Colour unseen = 0;   ///< what a map calls unknown and counts as blocked
   std::array<Colour, 256> field{};
   float field_opacity = 0.55f;
 };

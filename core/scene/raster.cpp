@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/scene/context.hpp"
+#include "core/scene/overlay.hpp"
 
 namespace replan {
 namespace {
@@ -21,7 +21,9 @@ class CellColours {
  public:
   explicit CellColours(SceneContext& context)
       : context_(context),
-        original_(context.run.scenario().map.blocked),
+        map_(context.run.scenario().map),
+        original_(map_.blocked),
+        found_(context.run.scenario().map_found),
         shows_unknown_(context.has(Overlay::unknown)) {
     const Palette& palette = context.palette;
     unknown_ = mix(palette.free, palette.obstacle, 0.5f);
@@ -41,6 +43,12 @@ class CellColours {
     steps_ = span > 0 ? 255.0 / span : 0;
   }
 
+  /// The colour of a cell that is free and that the robot takes for free.
+  Colour free(NodeId node) {
+    context_.scene.show(Sign::free);
+    return ground(node);
+  }
+
   /// The colour of a cell that is no obstacle to the robot.
   Colour ground(NodeId node) {
     if (!context_.scene.range) return context_.palette.free;
@@ -56,19 +64,26 @@ class CellColours {
     turn_to(node);
     const std::size_t at = node % SearchState::kPage;
     const bool truth = truth_ != nullptr && truth_[at] != 0, known = known_ != nullptr && known_[at] != 0;
-    if (!truth && !known) return ground(node);
+    if (!truth && !known) return free(node);
     if (truth && truth_[at] >= kMoverUnit) return moving(known);
     // What the robot was told of is a wall like any other; an unseen surprise shows even where the rest of
     // the unknown world does not.
     const bool surprising =
         truth && original_[node] == 0 && std::binary_search(surprises_.begin(), surprises_.end(), node);
     if (surprising) context_.scene.show(Sign::surprise);
-    if (truth && known) return surprising ? context_.palette.surprise : context_.palette.obstacle;
+    if (truth && known) return surprising ? context_.palette.surprise : obstacle(node);
     if (!shows_unknown_ && surprising) return unknown_surprise_;
-    if (!shows_unknown_) return known ? context_.palette.obstacle : ground(node);
+    if (!shows_unknown_) return known ? obstacle(node) : free(node);
     context_.scene.show(truth ? Sign::unknown : Sign::gone);
     if (known) return gone_;
     return surprising ? unknown_surprise_ : unknown_;
+  }
+
+  /// The colour of a cell that the robot takes for an obstacle: a wall, or what its map calls unknown.
+  Colour obstacle(NodeId node) {
+    const bool unseen = found_.is_unknown(map_, node);
+    context_.scene.show(unseen ? Sign::unseen : Sign::obstacle);
+    return unseen ? context_.palette.unseen : context_.palette.obstacle;
   }
 
   /// Something that moves, in full where the robot has seen it there.
@@ -91,7 +106,9 @@ class CellColours {
   }
 
   SceneContext& context_;
+  const GridMap& map_;
   const SharedBytes& original_;
+  const MapFindings& found_;
   std::vector<NodeId> surprises_;  // cells that some surprise blocks without telling the robot, ascending
   bool shows_unknown_;
   Colour unknown_ = 0, unknown_surprise_ = 0, unseen_mover_ = 0, gone_ = 0;
@@ -138,20 +155,20 @@ struct Axis {
   }
 };
 
-/// The greatest share of obstacles in the rows of blocks first..last, block by block.
+/// The shares of obstacles in the rows of blocks first..last added up, block by block.
 void gather_rows(const Coverage& coverage, int level, int first, int last,
-                 std::vector<std::uint8_t>& shares) {
+                 std::vector<std::uint32_t>& shares) {
   const Coverage::Level& blocks = coverage.level(level);
   shares.assign(blocks.row(first), blocks.row(first) + blocks.columns);
   for (int y = first + 1; y <= last; ++y) {
     const std::uint8_t* row = blocks.row(y);
-    for (std::size_t x = 0; x < shares.size(); ++x) shares[x] = std::max(shares[x], row[x]);
+    for (std::size_t x = 0; x < shares.size(); ++x) shares[x] += row[x];
   }
 }
 
 /// As above from the cells themselves; only those in sight are filled in.
 void gather_cells(const SceneContext& context, EventKind kind, int first, int last,
-                  std::vector<std::uint8_t>& shares) {
+                  std::vector<std::uint32_t>& shares) {
   shares.assign(static_cast<std::size_t>(context.lattice.width()), 0);
   for (int y = first; y <= last; ++y) {
     const NodeId row = context.node(0, y);
@@ -161,35 +178,53 @@ void gather_cells(const SceneContext& context, EventKind kind, int first, int la
       const int count = std::min(context.right - x, static_cast<int>(SearchState::kPage - at));
       if (const std::uint8_t* page = context.state.map_page(kind, node); page != nullptr)
         for (int i = 0; i < count; ++i)
-          if (page[at + static_cast<std::size_t>(i)] != 0) shares[static_cast<std::size_t>(x + i)] = 255;
+          if (page[at + static_cast<std::size_t>(i)] != 0) shares[static_cast<std::size_t>(x + i)] += 255;
       x += count;
     }
   }
 }
 
-/// A thin wall must still be seen, and a solid one told from a thin one.
-unsigned obstacle_opacity(unsigned share) {
-  return share == 0 ? 0 : 102 + share * 154 / 255;
+/// The mean of the shares of a row of pixels' blocks; never 0 where one is not.
+struct MeanShare {
+  std::uint32_t sum = 0, count = 0;
+  [[nodiscard]] unsigned of_255() const { return (sum + count - 1) / count; }
+};
+
+MeanShare mean_share(const std::vector<std::uint32_t>& shares, const Axis& across, std::size_t pixel,
+                     int rows) {
+  const auto first = static_cast<std::size_t>(across.first[pixel]),
+             last = static_cast<std::size_t>(across.last[pixel]);
+  MeanShare mean{0, static_cast<std::uint32_t>(last - first + 1) * static_cast<std::uint32_t>(rows)};
+  for (std::size_t block = first; block <= last; ++block) mean.sum += shares[block];
+  return mean;
 }
 
-void paint_pixel_row(SceneContext& context, CellColours& colours, const Axis& across, int row,
-                     const std::vector<std::uint8_t>& truth, const std::vector<std::uint8_t>& known,
+/// Out of 256: the mean colour of what a pixel covers, but a thin wall must still be seen.
+unsigned obstacle_opacity(unsigned share) {
+  constexpr unsigned kLeast = 50;
+  return share == 0 ? 0 : std::max(kLeast, share * 256 / 255);
+}
+
+/// What the pixels of a row cover: the shares of obstacles in its blocks, added up over so many rows of them.
+struct PixelRow {
+  int cells = 0;  ///< the row of cells in the middle
+  int rows = 0;
+  std::vector<std::uint32_t> truth, known;
+};
+
+void paint_pixel_row(SceneContext& context, CellColours& colours, const Axis& across, const PixelRow& row,
                      Colour* texels) {
-  const NodeId first = context.node(0, row);
+  const NodeId first = context.node(0, row.cells);
   for (std::size_t p = 0; p < across.first.size(); ++p) {
-    std::uint8_t t = 0, k = 0;
-    for (auto block = static_cast<std::size_t>(across.first[p]);
-         block <= static_cast<std::size_t>(across.last[p]); ++block) {
-      t = std::max(t, truth[block]);
-      k = std::max(k, known[block]);
-    }
-    Colour colour =
-        k == 255 ? context.palette.obstacle : colours.ground(first + static_cast<NodeId>(across.middle[p]));
+    const unsigned t = mean_share(row.truth, across, p, row.rows).of_255(),
+                   k = mean_share(row.known, across, p, row.rows).of_255();
+    const NodeId middle = first + static_cast<NodeId>(across.middle[p]);
+    Colour colour = k < 255 ? colours.free(middle) : 0;
     if (t > k && colours.shows_unknown()) {
       colour = blend(colour, colours.unknown(), obstacle_opacity(t));
       context.scene.show(Sign::unknown);
     }
-    if (k > 0 && k < 255) colour = blend(colour, context.palette.obstacle, obstacle_opacity(k));
+    if (k > 0) colour = blend(colour, colours.obstacle(middle), obstacle_opacity(k));
     texels[p] = colour;
   }
 }
@@ -233,19 +268,36 @@ void paint_pixels(SceneContext& context, CellColours& colours) {
   const int level = std::min(static_cast<int>(std::floor(std::log2(per_pixel))), coverage.truth().levels());
   const Axis across(raster.x, per_pixel, raster.columns, context.lattice.width(), level);
   const Axis down(raster.y, per_pixel, raster.rows, context.lattice.height(), level);
-  std::vector<std::uint8_t> truth, known;
+  PixelRow row;
   for (std::size_t p = 0; p < down.first.size(); ++p) {
+    row.cells = down.middle[p];
+    row.rows = down.last[p] - down.first[p] + 1;
     if (level == 0) {
-      gather_cells(context, EventKind::truth, down.first[p], down.last[p], truth);
-      gather_cells(context, EventKind::known, down.first[p], down.last[p], known);
+      gather_cells(context, EventKind::truth, down.first[p], down.last[p], row.truth);
+      gather_cells(context, EventKind::known, down.first[p], down.last[p], row.known);
     } else {
-      gather_rows(coverage.truth(), level, down.first[p], down.last[p], truth);
-      gather_rows(coverage.known(), level, down.first[p], down.last[p], known);
+      gather_rows(coverage.truth(), level, down.first[p], down.last[p], row.truth);
+      gather_rows(coverage.known(), level, down.first[p], down.last[p], row.known);
     }
-    paint_pixel_row(context, colours, across, down.middle[p], truth, known,
+    paint_pixel_row(context, colours, across, row,
                     raster.texels.data() + p * static_cast<std::size_t>(raster.columns));
   }
   paint_changed_cells(context, colours);
+}
+
+/// The field's range, what it is called of this planner, and its value where the mouse is.
+void describe_field(SceneContext& context) {
+  Scene& scene = context.scene;
+  scene.range = context.memory.ranges.at_cursor(context.run, *scene.field, context.view.range);
+  const OverlayKind& kind = overlay_kind(*scene.field);
+  scene.field_words = kind.words != nullptr ? kind.words(context.run.info()) : std::string(kind.info.label);
+  const auto& cell = context.view.hovered;
+  if (!cell || !context.lattice.contains(*cell)) return;
+  const FieldReader reader = FieldReader::of(*scene.field);
+  const NodeId node = context.node(cell->x, cell->y);
+  const std::int64_t value = reader.read(context.state.value(reader.kind, node));
+  if (value != FieldReader::kNone && !context.state.known_blocked(node))
+    scene.pointed = static_cast<double>(value) * reader.unit;
 }
 
 }  // namespace
@@ -253,7 +305,7 @@ void paint_pixels(SceneContext& context, CellColours& colours) {
 void build_raster(SceneContext& context) {
   Scene& scene = context.scene;
   scene.field = context.view.overlays.field();
-  if (scene.field) scene.range = context.memory.ranges.at_cursor(context.run, *scene.field);
+  if (scene.field) describe_field(context);
   if (context.right <= context.left || context.bottom <= context.top) return;
   CellColours colours(context);
   if (context.zoom >= 1) {

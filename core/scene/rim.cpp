@@ -9,7 +9,8 @@ void build_rim(SceneContext& context) {
   const Colour colour = context.palette.obstacle;
   const auto columns = static_cast<double>(context.lattice.width()),
              rows = static_cast<double>(context.lattice.height());
-  const double rim = std::min(1.0, context.world(14));
+  // However small the world is drawn, it has an edge.
+  const double rim = std::max(std::min(1.0, context.world(14)), context.world(1.5));
   for (const Outline& side : {Outline{-rim, -rim, columns + 2 * rim, rim, OutlineShape::filled, colour, 0, 0},
                               Outline{-rim, rows, columns + 2 * rim, rim, OutlineShape::filled, colour, 0, 0},
                               Outline{-rim, 0, rim, rows, OutlineShape::filled, colour, 0, 0},

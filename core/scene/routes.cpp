@@ -66,21 +66,20 @@ void add_path(SceneContext& context) {
                                     : searching         ? chain_of_parents(context)
                                                         : std::vector<Point>();
   if (points.size() < 2) return;
-  Polyline line{points, context.palette.path, context.pixels(3), 0};
+  Polyline line{points, context.palette.path, context.line_width(3), 0};
   if (searching) line.colour = faded(line.colour, 0.4);
   context.scene.show(Sign::path);
   add_through_layers(context, std::move(line));
-  if (!context.has(Overlay::rp) || !context.run.info().any_angle) return;
+  const double dots = context.grown(5, 7);  // in smaller cells they would run together
+  if (!context.has(Overlay::rp) || !context.run.info().any_angle || dots <= 0) return;
   context.scene.show(Sign::rp);
+  const Colour colour = faded(context.palette.accent, searching ? dots / 2 : dots);
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
-    context.add(Disc{
-        points[i], context.pixels(4),
-        context.seen_at(points[i], searching ? faded(context.palette.accent, 0.5) : context.palette.accent),
-        0, 0});
+    context.add(Disc{points[i], context.pixels(4), context.seen_at(points[i], colour), 0, 0});
 }
 
 void add_trail(SceneContext& context) {
-  Polyline line{{}, faded(context.palette.robot, 0.75), context.pixels(2), 0};
+  Polyline line{{}, faded(context.palette.robot, 0.75), context.line_width(2), 0};
   for (const Decision& decision : context.run.decisions()) {
     if (decision.event > context.cursor) break;
     if (decision.plan->path->empty()) continue;  // it stood still
@@ -143,13 +142,26 @@ void add_sensor(SceneContext& context) {
   context.add(Ring{robot, radius, context.palette.robot, context.pixels(1.2), context.pixels(4)});
 }
 
+/// Where cells are too small to be found by their frame, a ring stands around the one that is pointed at.
+void ring_small_cell(SceneContext& context, Cell cell) {
+  constexpr double kFoundFrom = 8;  // design pixels a cell
+  if (context.zoom / context.view.scale >= kFoundFrom || !context.in_sight(cell)) return;
+  const Point at = SceneContext::centre(cell);
+  const double radius = context.world(kFoundFrom);
+  context.add(Ring{at, radius, context.palette.outline, context.pixels(3.5)});
+  context.add(Ring{at, radius, context.palette.text, context.pixels(1.5)});
+}
+
 void add_cell_frames(SceneContext& context) {
   const auto frame = [&](Cell cell, Colour colour, double stroke) {
     if (!context.lattice.contains(cell) || cell.z != context.slice) return;
     const auto x = static_cast<double>(cell.x), y = static_cast<double>(cell.y);
     context.add(Outline{x, y, 1, 1, OutlineShape::square, colour, context.pixels(stroke), 0});
   };
-  if (context.view.hovered) frame(*context.view.hovered, faded(context.palette.text, 0.6), 1.2);
+  if (context.view.hovered) {
+    frame(*context.view.hovered, faded(context.palette.text, 0.6), 1.2);
+    ring_small_cell(context, *context.view.hovered);
+  }
   if (!context.view.pinned) return;
   frame(*context.view.pinned, context.palette.accent, 2);
 }

@@ -89,7 +89,7 @@ Scene build_scene(const Run& run, const View& view, Viewport viewport, const Pal
   scene.width = viewport.width;
   scene.height = viewport.height;
   scene.scale = view.scale;
-  scene.background = palette.background;
+  scene.background = palette.surround;
   scene.camera = resolve(view.camera, run.lattice().width(), run.lattice().height(), viewport);
   SceneContext context{run, view, palette, memory.of(run), scene};
   clip(context);
@@ -101,6 +101,7 @@ Scene build_scene(const Run& run, const View& view, Viewport viewport, const Pal
   build_routes(context);
   build_layer(context, Layer::routes);
   build_things(context);
+  build_layer(context, Layer::hand);
   return scene;
 }
 

@@ -36,7 +36,7 @@ struct Arrow {
   Point from, to;
   Colour colour;
   float width;  ///< pixels
-  float head;   ///< length of the head's strokes along the arrow, pixels
+  float head;   ///< length of the head's strokes along the arrow, pixels; 0: a line alone
 };
 enum class OutlineShape : std::uint8_t { square, corners, diamond, up, down, filled };
 /// A mark of one cell, or of a block of cells.
@@ -58,8 +58,8 @@ struct Ring {
   Point centre;
   double radius;
   Colour colour;
-  float width;  ///< pixels
-  float dash;   ///< pixels, the gaps alike
+  float width;     ///< pixels
+  float dash = 0;  ///< pixels, the gaps alike; 0: a ring without gaps
 };
 enum class Glyph : std::uint8_t { none, dot, target, heading };
 struct Disc {
@@ -88,10 +88,18 @@ struct FieldRange {
 
 /// What can stand in a legend (signs.def).
 enum class Sign : std::uint8_t {
-#define REPLAN_SIGN(ID, MARK, COLOUR, LABEL) ID,
+#define REPLAN_SIGN(ID, MARK, COLOUR, LABEL, HELP) ID,
 #include "core/scene/signs.def"
 #undef REPLAN_SIGN
   count
+};
+
+/// Which values stand as numbers in the cells.
+enum class NumbersShown : std::uint8_t {
+  none,
+  two,   ///< g above rhs, in cells that wait
+  one,   ///< g alone
+  four,  ///< g, rhs and the key in the corners
 };
 
 struct Scene {
@@ -103,6 +111,9 @@ struct Scene {
   std::vector<Shape> shapes;  ///< in the order of drawing
   std::optional<Overlay> field;
   std::optional<FieldRange> range;  ///< nothing if no cell has a value
+  std::string field_words;          ///< what the field's values are, of this planner
+  std::optional<double> pointed;    ///< the field's value at the cell under the mouse
+  NumbersShown numbers = NumbersShown::none;
   std::uint32_t signs = 0;
 
   [[nodiscard]] bool shows(Sign sign) const { return (signs >> static_cast<unsigned>(sign) & 1u) != 0; }

@@ -42,6 +42,10 @@ class Writer {
     if (length <= 0) return;
     const double ux = dx / length * arrow.head, uy = dy / length * arrow.head;
     const double tx = x(arrow.to), ty = y(arrow.to);
+    if (arrow.head <= 0) {
+      (*this)(Line{arrow.from, arrow.to, arrow.colour, arrow.width});
+      return;
+    }
     out_ += "<path d=\"M" + pair(x(arrow.from), y(arrow.from)) + "L" + pair(tx, ty) + "M" +
             pair(tx - ux - uy * 0.8, ty - uy + ux * 0.8) + "L" + pair(tx, ty) + "L" +
             pair(tx - ux + uy * 0.8, ty - uy - ux * 0.8) + "\"" + stroke(arrow.colour, arrow.width) +
@@ -85,7 +89,8 @@ class Writer {
   void operator()(const Ring& ring) {
     out_ += "<circle" + attribute("cx", x(ring.centre)) + attribute("cy", y(ring.centre)) +
             attribute("r", ring.radius * scene_.camera.zoom) + " fill=\"none\"" +
-            stroke(ring.colour, ring.width) + attribute("stroke-dasharray", ring.dash) + "/>\n";
+            stroke(ring.colour, ring.width) +
+            (ring.dash > 0 ? attribute("stroke-dasharray", ring.dash) : "") + "/>\n";
   }
   void operator()(const Disc& disc) {
     const double cx = x(disc.centre), cy = y(disc.centre), r = disc.radius;

@@ -72,9 +72,16 @@ struct Camera {
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
+/// Over what a field's colours reach.
+enum class FieldSpan : std::uint8_t {
+  whole_run,  ///< all values of the run: the colours stand still while one travels through it
+  so_far,     ///< the values at the moment that is shown: a search that has only begun uses all colours too
+};
+
 /// The view settings of one pane.
 struct View {
   OverlaySet overlays = default_overlays();
+  FieldSpan range = FieldSpan::whole_run;
   Camera camera;
   int slice = 0;  ///< the layer that is shown, of a world of more than one
   std::optional<Cell> hovered;

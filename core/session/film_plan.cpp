@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/words.hpp"
+#include "core/session/stepping.hpp"
 
 namespace replan {
 namespace {
@@ -66,16 +67,25 @@ class Cutter {
   /// What a viewer has to read stands still for a moment.
   static bool is_read(EventKind kind) { return kind != EventKind::plan_begin && !takes_time(kind); }
 
+  /// Where something stands still that a milestone tells of: behind it, or, of a repair, before its first expansion.
+  [[nodiscard]] std::optional<std::size_t> still_position(const Milestone& milestone) const {
+    if (is_read(milestone.kind)) return milestone.event + 1;
+    if (milestone.kind != EventKind::plan_begin) return std::nullopt;
+    const std::size_t first = next_stop(run_, milestone.event, StepUnit::expansion);
+    return is_before_repair(run_, first) ? std::optional(first) : std::nullopt;
+  }
+
   void every_so_many_events() {
     const auto step = static_cast<std::size_t>(options_.speed.number);
-    auto milestone = run_.milestones().begin();
+    std::vector<std::size_t> still;
+    for (const Milestone& milestone : run_.milestones())
+      if (const auto position = still_position(milestone)) still.push_back(*position);
+    auto next = still.begin();
     for (std::size_t at = from_; at < to_ && !too_long(); at += std::min(step, to_ - at)) {
-      for (; milestone != run_.milestones().end() && milestone->event < at; ++milestone)
-        if (is_read(milestone->kind)) add(milestone->event + 1, frames_in(options_.hold));
+      for (; next != still.end() && *next <= at; ++next) add(*next, frames_in(options_.hold));
       if (at > from_) add(at, 1);
     }
-    for (; milestone != run_.milestones().end(); ++milestone)
-      if (is_read(milestone->kind)) add(milestone->event + 1, frames_in(options_.hold));
+    for (; next != still.end(); ++next) add(*next, frames_in(options_.hold));
   }
 
   void along_markers() {
@@ -105,7 +115,8 @@ class Cutter {
     const std::size_t most =
         options_.speed.kind == FilmSpeed::Kind::expansion ? stops.size() : frames_in(kSearchSeconds);
     const std::size_t every = most == 0 ? 1 : std::max<std::size_t>(1, (stops.size() + most - 1) / most);
-    for (std::size_t i = 0; i < stops.size() && !too_long(); i += every) add(stops[i], 1);
+    for (std::size_t i = 0; i < stops.size() && !too_long(); i += every)
+      add(stops[i], is_before_repair(run_, stops[i]) ? frames_in(options_.hold) : 1);
   }
 
   /// A move of the robot, or a wait.

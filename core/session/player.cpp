@@ -8,6 +8,7 @@ namespace replan {
 double Player::seconds_of(const Run& run, std::size_t from, std::size_t to) const {
   const double speed = state_.expansions_per_second;
   const EventKind kind = run.timeline().event(std::min(from, to)).kind;
+  if (speed <= kReadableSpeed && is_before_repair(run, to)) return std::max(1 / speed, kRepairSeconds);
   if (kind != EventKind::move && kind != EventKind::waiting) return speed < kFullSpeed ? 1 / speed : 0;
   const double step = 1 / std::min(speed, kMovesPerSecond);
   if (run.scenario().robot.motion == Motion::steps) return step;

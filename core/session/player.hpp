@@ -20,6 +20,8 @@ class Player {
   /// At this speed a robot with Motion::smooth drives in real time; at others so much faster or slower, but
   /// no more than eight times.
   static constexpr double kRealTimeSpeed = 240;
+  /// Up to this speed a repair can be followed, and waits so many seconds before its first expansion.
+  static constexpr double kReadableSpeed = 1000, kRepairSeconds = 0.8;
 
   /// Where the cursor comes to, and how much of the robot's last step is shown: see Run::travel().
   struct Shown {

@@ -1,6 +1,7 @@
 #include "core/session/stepping.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace replan {
 namespace {
@@ -53,6 +54,32 @@ std::size_t previous_stop(const Run& run, std::size_t from, StepUnit unit) {
     return best;
   }
   return stops_of(run, unit).previous(from);
+}
+
+bool is_before_repair(const Run& run, std::size_t position) {
+  const Timeline& log = run.timeline();
+  if (position >= log.size() || log.event(position).kind != EventKind::pop) return false;
+  const auto milestones = run.milestones();
+  const auto after =
+      std::partition_point(milestones.begin(), milestones.end(),
+                           [position](const Milestone& each) { return each.event < position; });
+  if (after == milestones.begin()) return false;
+  const Milestone& begun = *std::prev(after);
+  if (begun.kind != EventKind::plan_begin || log.event(begun.event).delta == 0) return false;
+  bool jumped = false;
+  for (std::size_t at = position; --at > begun.event;) {
+    const EventKind kind = log.event(at).kind;
+    if (kind == EventKind::pop || kind == EventKind::epoch)
+      return false;  // mostly one was taken shortly before
+    jumped |= kind == EventKind::rhs;
+  }
+  if (!jumped) return false;
+  for (std::size_t at = begun.event; at-- > 0;) {
+    const EventKind kind = log.event(at).kind;
+    if (kind == EventKind::known) return true;
+    if (kMilestones.has(kind)) return false;
+  }
+  return false;
 }
 
 }  // namespace replan

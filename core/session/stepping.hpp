@@ -21,4 +21,8 @@ std::size_t next_stop(const Run& run, std::size_t from, StepUnit unit);
 /// The last stop before `from`; 0 if there is none.
 std::size_t previous_stop(const Run& run, std::size_t from, StepUnit unit);
 
+/// Whether a repair is worth a look at a position: cells of the robot's map have changed, an rhs has been written for
+/// that, and no vertex has been taken yet. What is blocked now is seen, and rhs that has jumped where g has not.
+bool is_before_repair(const Run& run, std::size_t position);
+
 }  // namespace replan

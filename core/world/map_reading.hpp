@@ -55,6 +55,8 @@ struct MapFindings {
     return unknown != nullptr && cell < unknown->size() && (*unknown)[cell] &&
            map.blocked[cell] == unknown_as;
   }
+  /// What somebody who is going to plan on the map is told: the notes, and how many unknown cells count as blocked.
+  [[nodiscard]] std::vector<std::string> notes_for_planning() const;
   friend bool operator==(const MapFindings&, const MapFindings&) { return true; }
 };
 

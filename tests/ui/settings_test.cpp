@@ -17,10 +17,12 @@ TEST(Settings, KeepATabByItsId) {
   Remembered settings;
   settings.tab = "figures";
   settings.brush = 7;
+  settings.colours_so_far = true;
   ASSERT_TRUE(write_settings(settings, folder.file("window.json")).ok());
   const Remembered read = read_settings(folder.file("window.json"));
   EXPECT_EQ(read.tab, "figures");
   EXPECT_EQ(read.brush, 7);
+  EXPECT_TRUE(read.colours_so_far);
 }
 
 TEST(Settings, ReadATabsNumberOfOlderVersions) {

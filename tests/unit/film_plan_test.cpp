@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/session/session.hpp"
+#include "core/session/stepping.hpp"
 
 namespace replan::film_plan_test {
 namespace {
@@ -52,6 +53,22 @@ class Film : public testing::Test {
 
   Session session_;
 };
+
+TEST_F(Film, StandsStillBeforeEachRepairBegins) {
+  for (const FilmSpeed speed : {FilmSpeed{}, FilmSpeed{Kind::expansion, 0}, FilmSpeed{Kind::events, 400}}) {
+    FilmOptions options;
+    options.speed = speed;
+    const auto frames = plan(options);
+    EXPECT_TRUE(in_order(frames));
+    std::size_t repairs = 0;
+    for (std::size_t p = 0; p < size(); ++p) {
+      if (!is_before_repair(run(), p)) continue;
+      ++repairs;
+      EXPECT_GE(times(frames, p), 10u) << "a third of a second, at position " << p;
+    }
+    EXPECT_GT(repairs, 0u);
+  }
+}
 
 TEST_F(Film, ShowsPlanDriveAndArrival) {
   const auto frames = plan({});

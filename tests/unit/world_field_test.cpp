@@ -249,6 +249,12 @@ TEST(Field, F9AnUnknownStartIsCalledUnknown) {
             "The start is unknown on the map, and unknown cells are obstacles here: move it, or read them as "
             "free (--unknown free, or in the Open dialog).");
   EXPECT_EQ(unknown_end_sentence(scenario, false), "");
+  EXPECT_EQ(file->found.notes_for_planning(), Notes{"2 unknown cells of the map count as blocked; --unknown "
+                                                    "free or --unknown unmapped makes it otherwise, "
+                                                    "as does the Open dialog"});
+  EXPECT_TRUE(read_map_file(ros_map(folder), {.image = {}, .unknown = UnknownCells::free})
+                  ->found.notes_for_planning()
+                  .empty());
   scenario.map_file = "u.yaml";
   EXPECT_NE(unknown_end_sentence(scenario, true).find("\"unknown\": \"free\""), std::string::npos);
   scenario.start = {0, 0};

@@ -27,6 +27,7 @@ struct Canvas::Parts {
   struct SceneKey {
     std::uint64_t revision = 0, log_id = 0;
     OverlaySet overlays;
+    FieldSpan range = FieldSpan::whole_run;
     Camera camera;
     std::optional<Cell> hovered, pinned;
     std::optional<std::size_t> mover, surprise;
@@ -104,9 +105,18 @@ void Canvas::Parts::prepare(const Look& look, const Session& session, const Run&
   View view = state.view;
   view.selected_mover = state.editing.mover;
   view.selected_surprise = state.editing.surprise;
-  const SceneKey now{session.revision(), run.log_id(), view.overlays,       view.camera,
-                     view.hovered,       view.pinned,  view.selected_mover, view.selected_surprise,
-                     view.scale,         viewport,     look.theme.free};
+  const SceneKey now{session.revision(),
+                     run.log_id(),
+                     view.overlays,
+                     view.range,
+                     view.camera,
+                     view.hovered,
+                     view.pinned,
+                     view.selected_mover,
+                     view.selected_surprise,
+                     view.scale,
+                     viewport,
+                     look.theme.free};
   if (key == now) return;
   scene = build_scene(run, view, viewport, scene_palette(look.theme), memory);
   key = now;
@@ -258,7 +268,7 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
   }
   parts.prepare(look, session, run, state, viewport);
   list.PushClipRect(min, max, true);
-  list.AddRectFilled(min, max, look.theme.background);
+  list.AddRectFilled(min, max, look.theme.surround);
   const Raster& raster = parts.scene.raster;
   const ImVec2 used(static_cast<float>(raster.columns) / static_cast<float>(std::max(1, parts.texture_width)),
                     static_cast<float>(raster.rows) / static_cast<float>(std::max(1, parts.texture_height)));
@@ -267,8 +277,7 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
     const Projection screen(parts.scene, min);
     const bool idle = !parts.hand.holds() && !parts.panning;
     const auto hovered = idle ? parts.hovered : std::nullopt;
-    draw_editing(CellPen(look, list, screen, session.scenario().map), state,
-                 parts.hand.preview(state, hovered), hovered);
+    draw_editing(CellPen(look, list, screen, run), state, parts.hand.preview(state, hovered), hovered);
   }
   const bool leads = interactive && session.runs().size() > 1 && pane == session.lead();
   if (leads) list.AddRectFilled(min, {max.x, min.y + look.px(2)}, look.theme.accent);

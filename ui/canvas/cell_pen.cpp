@@ -7,8 +7,8 @@ namespace replan::ui {
 std::vector<CellSpan> CellPen::inside(std::span<const CellSpan> spans) const {
   std::vector<CellSpan> cut;
   for (const CellSpan& span : spans) {
-    const CellSpan part{span.y, std::max(0, span.first), std::min(map_.width - 1, span.last)};
-    if (part.y >= 0 && part.y < map_.height && part.first <= part.last) cut.push_back(part);
+    const CellSpan part{span.y, std::max(0, span.first), std::min(map().width - 1, span.last)};
+    if (part.y >= 0 && part.y < map().height && part.first <= part.last) cut.push_back(part);
   }
   return cut;
 }

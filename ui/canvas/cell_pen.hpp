@@ -12,8 +12,8 @@ namespace replan::ui {
 
 class CellPen {
  public:
-  CellPen(const Look& look, ImDrawList& list, const Projection& screen, const GridMap& map)
-      : look_(look), list_(list), screen_(screen), map_(map) {}
+  CellPen(const Look& look, ImDrawList& list, const Projection& screen, const Run& run)
+      : look_(look), list_(list), screen_(screen), run_(run) {}
 
   /// Fills spans and draws the line around all of them; rows must be in order, one span each. `fill` is the opacity.
   void area(std::span<const CellSpan> spans, ImU32 colour, float fill) const;
@@ -27,7 +27,9 @@ class CellPen {
 
   [[nodiscard]] const Look& look() const { return look_; }
   [[nodiscard]] ImDrawList& list() const { return list_; }
-  [[nodiscard]] const GridMap& map() const { return map_; }
+  [[nodiscard]] const GridMap& map() const { return run_.scenario().map; }
+  /// The run of the pane that is drawn in.
+  [[nodiscard]] const Run& run() const { return run_; }
 
  private:
   void side(ImVec2 a, ImVec2 b, ImU32 colour) const { list_.AddLine(a, b, colour, look_.px(1.5f)); }
@@ -36,7 +38,7 @@ class CellPen {
   const Look& look_;
   ImDrawList& list_;
   const Projection& screen_;
-  const GridMap& map_;
+  const Run& run_;
 };
 
 }  // namespace replan::ui

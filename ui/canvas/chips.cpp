@@ -7,6 +7,7 @@
 
 #include "core/plan/stage.hpp"
 #include "core/world/ends.hpp"
+#include "ui/canvas/number_key.hpp"
 #include "ui/canvas/replan_card.hpp"
 #include "ui/colormap.hpp"
 #include "ui/icons.hpp"
@@ -23,9 +24,11 @@ struct SignEntry {
   LegendShape shape;
   ImU32 Theme::*colour;
   const char* label;
+  const char* help;
 };
 constexpr std::array<SignEntry, static_cast<std::size_t>(Sign::count)> kSigns = {{
-#define REPLAN_SIGN(ID, SHAPE, COLOUR, LABEL) {Sign::ID, LegendShape::SHAPE, &Theme::COLOUR, LABEL},
+#define REPLAN_SIGN(ID, SHAPE, COLOUR, LABEL, HELP) \
+  {Sign::ID, LegendShape::SHAPE, &Theme::COLOUR, LABEL, HELP},
 #include "core/scene/signs.def"
 #undef REPLAN_SIGN
 }};
@@ -45,14 +48,47 @@ float entry_width(const Look& look, const LegendEntry& entry) {
          std::ceil(text_width(look.fonts.ui, entry.label));
 }
 
+LegendEntry entry_of(const Look& look, const SignEntry& sign) {
+  return {sign.shape, look.theme.*sign.colour, sign.label, sign.help};
+}
+LegendEntry start_entry(const Look& look) {
+  return {LegendShape::dot, look.theme.start, "start", "Where the robot sets out."};
+}
+LegendEntry goal_entry(const Look& look) {
+  return {LegendShape::dot, look.theme.goal, "goal", "Where the robot has to go."};
+}
+
 /// All that is in sight, what is rarest and needs telling most first.
 std::vector<LegendEntry> entries_in_sight(const Look& look, const Scene& scene) {
   std::vector<LegendEntry> entries;
-  for (const SignEntry& entry : kSigns)
-    if (scene.shows(entry.sign)) entries.push_back({entry.shape, look.theme.*entry.colour, entry.label});
-  entries.push_back({LegendShape::dot, look.theme.start, "start"});
-  entries.push_back({LegendShape::dot, look.theme.goal, "goal"});
+  for (const SignEntry& sign : kSigns)
+    if (scene.shows(sign.sign)) entries.push_back(entry_of(look, sign));
+  entries.push_back(start_entry(look));
+  entries.push_back(goal_entry(look));
   return entries;
+}
+
+/// The field in the colours that it has on the map, with the value at the mouse marked.
+LegendField field_in_sight(const Scene& scene, const Colormap& colours, std::string_view low,
+                           std::string_view high) {
+  LegendField field{scene.field_words, &colours, low, high};
+  const double span = scene.range->high - scene.range->low;
+  if (scene.pointed)
+    field.mark = span > 0 ? static_cast<float>((*scene.pointed - scene.range->low) / span) : 0;
+  return field;
+}
+
+/// What the part of a legend under the mouse means.
+void explain_legend(const Look& look, const Scene& scene, const LegendField& field,
+                    std::span<const LegendEntry> entries, std::span<const LegendBox> boxes) {
+  const std::size_t fields = field.map != nullptr ? 1 : 0;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (!ImGui::IsMouseHoveringRect(boxes[i].min, boxes[i].max, false)) continue;
+    const std::string title(i < fields ? field.label : entries[i - fields].label);
+    const char* help = i < fields ? overlays()[static_cast<std::size_t>(*scene.field)].help.data()
+                                  : entries[i - fields].help;
+    hint(look, {title.c_str(), "", help});
+  }
 }
 
 /// Breaks entries into rows no wider than `room`; the first has `used` taken already.
@@ -73,23 +109,31 @@ std::vector<std::vector<LegendEntry>> in_rows(const Look& look, const std::vecto
 }
 
 /// One row over the world; the rest unfolds above it while the mouse is there, so that it hides no cells.
-void draw_legend(const Look& look, ImDrawList& list, const Scene& scene, ImVec2 min, ImVec2 max) {
+void draw_legend(const Look& look, ImDrawList& list, const Run& run, const Scene& scene, ImVec2 min,
+                 ImVec2 max) {
   const float margin = look.px(12), room = max.x - min.x - 2 * margin;
+  const Colormap colours = field_colours_over_free(look.theme);
   LegendField field;
   std::string low, high;
   float used = look.px(20);
   if (scene.range) {
     low = value_text(scene.range->low);
     high = value_text(scene.range->high);
-    field = {overlays()[static_cast<std::size_t>(*scene.field)].label, &viridis(), low, high};
-    used += look.px(120 + 28) + text_width(look.fonts.ui, field.label) +
-            text_width(look.fonts.mono, low + high + "   ");
+    field = field_in_sight(scene, colours, low, high);
+    const float without_label = look.px(20 + 120 + 28) + text_width(look.fonts.mono, low + high + "   ");
+    const float others = look.px(160);  // an entry at least, and how many more there are
+    if (without_label + text_width(look.fonts.ui, field.label) + others > room)
+      field.label = overlays()[static_cast<std::size_t>(*scene.field)].label;
+    used = without_label + text_width(look.fonts.ui, field.label);
   }
   const std::vector<LegendEntry> entries = entries_in_sight(look, scene);
   auto rows = in_rows(look, entries, used, room);
   if (rows.size() > 1) rows = in_rows(look, entries, used, room - look.px(46));
   const ImVec2 foot(min.x + margin, max.y - margin);
-  const ImVec2 size = legend(look, list, foot, field, rows.front());
+  std::vector<LegendBox> boxes;
+  const ImVec2 size = legend(look, list, foot, field, rows.front(), Corner::bottom_left, &boxes);
+  explain_legend(look, scene, field, rows.front(), boxes);
+  draw_number_key(look, list, run.info(), scene, {foot.x, foot.y - size.y - look.px.s});
   if (rows.size() == 1) return;
   const std::string more = "+" + std::to_string(entries.size() - rows.front().size());
   const std::array<TextRun, 1> runs = {{{more, look.theme.dim, look.fonts.ui}}};
@@ -98,8 +142,12 @@ void draw_legend(const Look& look, ImDrawList& list, const Scene& scene, ImVec2 
   const ImVec2 end(foot.x + size.x + look.px.xs + chip_size.x, foot.y);
   if (!ImGui::IsMouseHoveringRect({foot.x, foot.y - size.y}, end, false)) return;
   float bottom = foot.y - size.y - look.px.xs;
-  for (std::size_t i = 1; i < rows.size(); ++i)
-    bottom -= legend(look, list, {foot.x, bottom}, LegendField{}, rows[i]).y + look.px.xs;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    boxes.clear();
+    bottom -= legend(look, list, {foot.x, bottom}, LegendField{}, rows[i], Corner::bottom_left, &boxes).y +
+              look.px.xs;
+    explain_legend(look, scene, LegendField{}, rows[i], boxes);
+  }
 }
 
 /// The settings that tell a pane from another one with the same planner; empty if there is none.
@@ -175,10 +223,8 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
 }
 
 std::vector<LegendEntry> all_signs(const Look& look) {
-  std::vector<LegendEntry> entries = {{LegendShape::dot, look.theme.start, "start"},
-                                      {LegendShape::dot, look.theme.goal, "goal"}};
-  for (auto entry = kSigns.rbegin(); entry != kSigns.rend(); ++entry)
-    entries.push_back({entry->shape, look.theme.*entry->colour, entry->label});
+  std::vector<LegendEntry> entries = {start_entry(look), goal_entry(look)};
+  for (auto sign = kSigns.rbegin(); sign != kSigns.rend(); ++sign) entries.push_back(entry_of(look, *sign));
   return entries;
 }
 
@@ -217,7 +263,7 @@ ImVec2 draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scen
     chip_message(look, list, {min.x + margin, clear ? below : card_foot.y + look.px.s}, text,
                  max.x - min.x - 2 * margin);
   }
-  if (state.legend) draw_legend(look, list, scene, min, max);
+  if (state.legend) draw_legend(look, list, run, scene, min, max);
   return left;
 }
 

@@ -36,6 +36,7 @@ class Painter {
     if (length <= 0) return;
     const float ux = dx / length * arrow.head, uy = dy / length * arrow.head;
     list_.AddLine(tail, tip, arrow.colour, arrow.width);
+    if (arrow.head <= 0) return;
     const std::array<ImVec2, 3> head = {{{tip.x - ux - uy * 0.8f, tip.y - uy + ux * 0.8f},
                                          tip,
                                          {tip.x - ux + uy * 0.8f, tip.y - uy - ux * 0.8f}}};
@@ -80,9 +81,7 @@ class Painter {
         continue;
       points_.push_back(at);
     }
-    const auto stroke = [&](Colour colour, float width) {
-      list_.AddPolyline(points_.data(), static_cast<int>(points_.size()), colour, ImDrawFlags_None, width);
-    };
+    const auto stroke = [&](Colour colour, float width) { stretches(colour, width); };
     if (line.dash > 0) {
       dashes(line);
       return;
@@ -95,6 +94,10 @@ class Painter {
     const ImVec2 centre = screen_(ring.centre);
     const auto radius = static_cast<float>(ring.radius * screen_.camera.zoom);
     if (radius < 1) return;
+    if (ring.dash <= 0) {
+      list_.AddCircle(centre, radius, ring.colour, 0, ring.width);
+      return;
+    }
     const float around = 2 * std::numbers::pi_v<float>;
     const int dashes = std::min(std::max(8, static_cast<int>(around * radius / (2 * ring.dash))), 2000);
     for (int i = 0; i < dashes; ++i) {
@@ -129,6 +132,23 @@ class Painter {
   }
 
  private:
+  /// points_ as a line, broken where it turns back sharply: there a mitre would be a spike.
+  void stretches(Colour colour, float width) {
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+      const bool ends = i + 1 == points_.size();
+      if (!ends && !turns_back(points_[i - 1], points_[i], points_[i + 1])) continue;
+      list_.AddPolyline(points_.data() + first, static_cast<int>(i - first + 1), colour, ImDrawFlags_None,
+                        width);
+      if (!ends) list_.AddCircleFilled(points_[i], width / 2, colour);
+      first = i;
+    }
+  }
+  /// Whether the way over b turns by more than a right angle.
+  static bool turns_back(ImVec2 a, ImVec2 b, ImVec2 c) {
+    return (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y) < -1e-3f;
+  }
+
   /// points_ as dashes; where they would be too many to be told apart, as a line.
   void dashes(const Polyline& line) {
     double on = 0;  // how far into a dash and its gap
@@ -206,6 +226,7 @@ class Painter {
 Palette scene_palette(const Theme& theme) {
   Palette palette;
   palette.background = theme.background;
+  palette.surround = theme.surround;
   palette.free = theme.free;
   palette.obstacle = theme.obstacle;
   palette.surprise = theme.surprise;
@@ -223,7 +244,9 @@ Palette scene_palette(const Theme& theme) {
   palette.text = theme.text;
   palette.dim = theme.dim;
   palette.outline = theme.outline;
-  palette.field = viridis();
+  palette.rhs = theme.rhs;
+  palette.unseen = theme.unseen;
+  palette.field = field_colours(theme);
   palette.field_opacity = theme.field_opacity;
   return palette;
 }

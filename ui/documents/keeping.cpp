@@ -98,7 +98,7 @@ void Documents::take_loaded(Session& session) {
   window_.dialogs.close();
   if (what.from == Loading::From::autosave)
     return take_recovered(session, what, std::move(loaded->document.value()));
-  const std::vector<std::string> notes = loaded->document->scenario.map_found.notes;
+  const std::vector<std::string> notes = loaded->document->scenario.map_found.notes_for_planning();
   replace(session, std::move(loaded->document.value()));
   note(notes);
   if (what.from == Loading::From::library) return;

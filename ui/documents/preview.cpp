@@ -113,7 +113,7 @@ Preview make_preview(const std::string& path, const MapReading& reading, const s
       preview.error = plane.error();
     else if (!stop.stop_requested())
       describe(file->map, file->start, file->goal, preview);
-    if (file) preview.notes = file->found.notes;
+    if (file) preview.notes = file->found.notes_for_planning();
     preview.numbers = file ? file->found.numbers : numbers_of(path, reading);
   } else {
     preview.error = kind == FileKind::problems

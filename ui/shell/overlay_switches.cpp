@@ -22,6 +22,16 @@ void overlay_switch(Frame& frame, const OverlayInfo& info, float width) {
   hint(look, each.hint());
 }
 
+/// Over what the colours reach, below the fields.
+void range_switch(Frame& frame) {
+  const Action& each = action(ActionId::range_so_far);
+  FieldSpan& range = frame.view.view.range;
+  bool on = range == FieldSpan::so_far;
+  ImGui::Dummy({0, frame.look.px.xs});
+  if (toggle(frame.look, each.label.c_str(), on)) range = on ? FieldSpan::so_far : FieldSpan::whole_run;
+  hint(frame.look, each.hint());
+}
+
 }  // namespace
 
 void draw_overlay_switches(Frame& frame) {
@@ -32,6 +42,7 @@ void draw_overlay_switches(Frame& frame) {
   section_title(look, "Colours: one at a time");
   for (const OverlayInfo& info : overlays())
     if (info.is_field()) overlay_switch(frame, info, width);
+  range_switch(frame);
   ImGui::EndGroup();
   ImGui::SameLine(0, look.px(28));
   ImGui::BeginGroup();

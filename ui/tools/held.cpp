@@ -1,20 +1,23 @@
 #include "ui/tools/held.hpp"
 
+#include "ui/canvas/cell_pen.hpp"
 #include "ui/canvas/view_state.hpp"
 #include "ui/tools/cells.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 namespace {
 
+/// Nothing is put into a wall: where the mouse crosses one, it stays where it was.
 class HeldStart final : public HeldDrag {
   void put(ToolContext& context, Cell to) override {
-    context.commands.emplace_back(SetStart{to, context.press.stroke});
+    if (!is_wall(context.run, to)) context.commands.emplace_back(SetStart{to, context.press.stroke});
   }
 };
 
 class HeldGoal final : public HeldDrag {
   void put(ToolContext& context, Cell to) override {
-    context.commands.emplace_back(SetGoal{to, context.press.stroke});
+    if (!is_wall(context.run, to)) context.commands.emplace_back(SetGoal{to, context.press.stroke});
   }
 };
 
@@ -39,6 +42,23 @@ void HeldDrag::move(ToolContext& context) {
 
 void HeldDrag::end(ToolContext& context) {
   if (!context.press.moved) context.view.tools.chosen().click(context);
+}
+
+void draw_ghost(const CellPen& pen, const ViewState& view, Cell at) {
+  const Look& look = pen.look();
+  const ImVec2 middle = pen.middle(at);
+  const float radius = look.px(8);
+  if (!is_wall(pen.run(), at)) {
+    pen.list().AddCircleFilled(middle, radius, with_alpha(look.theme.*view.tools.kind().colour, 0.6f));
+    pen.list().AddCircle(middle, radius, look.theme.outline, 0, look.px(2));
+    return;
+  }
+  const float arm = radius * 0.7f;
+  for (const float side : {-1.0f, 1.0f})
+    pen.list().AddLine({middle.x - arm, middle.y - side * arm}, {middle.x + arm, middle.y + side * arm},
+                       look.theme.bad, look.px(2.5f));
+  const TextRun words{"An obstacle stands here: take a free cell.", look.theme.bad, look.fonts.ui};
+  chip(look, pen.list(), {middle.x + look.px.l, middle.y - look.px.s}, std::span(&words, 1));
 }
 
 std::unique_ptr<Drag> hold_start() {

@@ -23,12 +23,18 @@ class HeldDrag : public Drag {
 
 std::unique_ptr<Drag> hold_start();
 std::unique_ptr<Drag> hold_goal();
+/// Shows where something would stand, in the tool's colour; over an obstacle, why it cannot.
+void draw_ghost(const CellPen& pen, const ViewState& view, Cell at);
+
 /// A tool that takes hold of one of them wherever it is pressed: a click puts it there.
 template <std::unique_ptr<Drag> (*hold)()>
 class HoldingTool final : public Tool {
   std::unique_ptr<Drag> press(ToolContext& context) override {
     context.press.moved = true;
     return hold();
+  }
+  void draw(const CellPen& pen, const ViewState& view, std::optional<Cell> hovered) const override {
+    if (hovered) draw_ghost(pen, view, *hovered);
   }
 };
 /// What of start, goal and robot is nearest to the cursor, if one is within its reach; else nullptr.

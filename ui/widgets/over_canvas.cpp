@@ -62,6 +62,17 @@ void draw_mark(const Look& look, ImDrawList& list, float x, float y, const Legen
     case LegendShape::dot:
       list.AddCircleFilled({x + half, y}, half, entry.colour);
       break;
+    case LegendShape::ring:
+      list.AddCircle({x + half, y}, half - stroke * 0.5f, entry.colour, 0, stroke * 1.6f);
+      break;
+    case LegendShape::tile:
+      list.AddRectFilled({x, y - half}, {x + size, y + half}, entry.colour);
+      list.AddRect({x, y - half}, {x + size, y + half}, look.theme.faint, 0, 0, look.px.hair);
+      break;
+    case LegendShape::two_values:
+      list.AddRectFilled({x, y - half}, {x + size, y - look.px.hair}, look.theme.text);
+      list.AddRectFilled({x, y + look.px.hair}, {x + size, y + half}, entry.colour);
+      break;
     case LegendShape::square:
       list.AddRectFilled({x, y - half}, {x + size, y + half}, entry.colour);
       break;
@@ -120,29 +131,50 @@ struct Pen {
   void mark(const LegendEntry& entry) {
     if (list != nullptr) draw_mark(look, *list, x, top + look.px(9), entry);
     x += shape_room(look, entry.shape);
-    write(look.fonts.ui, entry.colour, entry.label);
+    // The colours of grounds cannot be read as words.
+    const bool ground = entry.shape == LegendShape::tile || entry.shape == LegendShape::square;
+    write(look.fonts.ui, ground ? look.theme.dim : entry.colour, entry.label);
   }
-  void gradient(const Colormap& map) {
+  void gradient(const LegendField& field) {
     const float width = look.px(120);
-    if (list != nullptr) draw_gradient(*list, {x, top + look.px(5)}, {x + width, top + look.px(12)}, map);
+    if (list != nullptr) {
+      draw_gradient(*list, {x, top + look.px(5)}, {x + width, top + look.px(12)}, *field.map);
+      if (field.mark >= 0) mark_value(x + width * std::min(field.mark, 1.0f));
+    }
     x += width;
+  }
+  /// A pointer from above, with a line through the gradient.
+  void mark_value(float at) const {
+    const float half = look.px(4), tip = top + look.px(5);
+    list->AddTriangleFilled({at - half, tip - half}, {at + half, tip - half}, {at, tip}, look.theme.text);
+    list->AddLine({at, tip}, {at, top + look.px(12)}, look.theme.text, look.px.hair);
   }
 };
 
-void write_legend(Pen& pen, const LegendField& field, std::span<const LegendEntry> entries) {
+void write_legend(Pen& pen, const LegendField& field, std::span<const LegendEntry> entries,
+                  std::vector<LegendBox>* boxes = nullptr) {
   const Look& look = pen.look;
+  const auto box = [&](float from) {
+    const float half = look.px.xs, top = pen.top - look.px.xs;
+    if (boxes != nullptr)
+      boxes->push_back({{from - half, top}, {pen.x + half, top + look.px.l + 2 * look.px.xs}});
+  };
   if (field.map != nullptr) {
+    const float from = pen.x;
     pen.write(look.fonts.ui, look.theme.dim, field.label);
     pen.x += look.px(14);
-    pen.gradient(*field.map);
+    pen.gradient(field);
     pen.x += look.px(14);
     pen.write(look.fonts.mono, look.theme.dim, field.min);
     pen.write(look.fonts.mono, look.theme.faint, " … ");
     pen.write(look.fonts.mono, look.theme.dim, field.max);
+    box(from);
   }
   for (const LegendEntry& entry : entries) {
     if (field.map != nullptr || &entry != entries.data()) pen.x += look.px(18);
+    const float from = pen.x;
     pen.mark(entry);
+    box(from);
   }
 }
 
@@ -177,15 +209,19 @@ ImVec2 chip_message(const Look& look, ImDrawList& list, ImVec2 pos, const TextRu
   return size;
 }
 
-ImVec2 legend(const Look& look, ImDrawList& list, ImVec2 pos, const LegendField& field,
-              std::span<const LegendEntry> entries, Corner corner) {
+ImVec2 legend_size(const Look& look, const LegendField& field, std::span<const LegendEntry> entries) {
   Pen measure{look, nullptr, 0, 0};
   write_legend(measure, field, entries);
-  const ImVec2 size(measure.x + look.px(10) * 2, look.px(32));
+  return {measure.x + look.px(10) * 2, look.px(32)};
+}
+
+ImVec2 legend(const Look& look, ImDrawList& list, ImVec2 pos, const LegendField& field,
+              std::span<const LegendEntry> entries, Corner corner, std::vector<LegendBox>* boxes) {
+  const ImVec2 size = legend_size(look, field, entries);
   const ImVec2 min = top_left(pos, size, corner);
   draw_ground(look, list, min, size);
   Pen pen{look, &list, min.x + look.px(10), min.y + look.px(8)};
-  write_legend(pen, field, entries);
+  write_legend(pen, field, entries, boxes);
   return size;
 }
 

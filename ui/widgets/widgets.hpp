@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <imgui.h>
 
@@ -197,11 +198,26 @@ ImVec2 chip(const Look& look, ImDrawList& list, ImVec2 pos, std::span<const Text
 /// A chip with a sentence, its upper left corner at `pos`; on several lines if it is wider than `room`.
 ImVec2 chip_message(const Look& look, ImDrawList& list, ImVec2 pos, const TextRun& run, float room);
 
-enum class LegendShape { dot, square, outline, corners, up, down, line, dashed, arrow, long_arrow };
+enum class LegendShape {
+  dot,
+  ring,
+  square,
+  tile,  ///< of a cell, with a rim
+  outline,
+  corners,
+  two_values,
+  up,
+  down,
+  line,
+  dashed,
+  arrow,
+  long_arrow
+};
 struct LegendEntry {
   LegendShape shape;
   ImU32 colour;
   std::string_view label;
+  const char* help = "";  ///< the sentence of its tooltip
 };
 /// A field's gradient with its range; no map: the chip shows the entries alone.
 struct LegendField {
@@ -209,8 +225,15 @@ struct LegendField {
   const Colormap* map = nullptr;
   std::string_view min;
   std::string_view max;
+  float mark = -1;  ///< where a value is marked, 0 to 1; below 0: nowhere
 };
+/// `boxes`: takes where the field, if it has a map, and the entries stand.
+struct LegendBox {
+  ImVec2 min, max;
+};
+ImVec2 legend_size(const Look& look, const LegendField& field, std::span<const LegendEntry> entries);
 ImVec2 legend(const Look& look, ImDrawList& list, ImVec2 pos, const LegendField& field,
-              std::span<const LegendEntry> entries, Corner corner = Corner::bottom_left);
+              std::span<const LegendEntry> entries, Corner corner = Corner::bottom_left,
+              std::vector<LegendBox>* boxes = nullptr);
 
 }  // namespace replan::ui

@@ -35,8 +35,10 @@ class RemoteParents final : public CellMark {
       const bool straight = any_angle_ && context_.state.rp(node) != kNoNode;
       const NodeId parent = straight ? context_.state.rp(node) : context_.state.lp(node);
       if (parent == kNoNode || parent == node) return;
+      // In small cells the heads would hide the line.
+      const auto head = static_cast<float>(context_.pixels(6) * context_.grown(5, 7));
       context_.add(Arrow{context_.centre(node), context_.centre(parent), context_.palette.accent,
-                         context_.pixels(1.6), context_.pixels(6)});
+                         context_.line_width(1.6), head});
       context_.scene.show(straight ? Sign::rp : Sign::lp);
       node = parent;
     }

@@ -95,14 +95,8 @@ class ComingSurprise {
     const CellChange* first = &cells_.all().front();
     if (!context_.in_sight(first->cell)) return;
     const std::string words = at.move ? "step " + std::to_string(*at.move) : "when near";
-    // A ground of its own, or it could not be read over a field. The small digits are less than seven pixels
-    // wide.
-    const auto x = static_cast<double>(first->cell.x), y = static_cast<double>(first->cell.y);
-    const double width = context_.world(6.8 * static_cast<double>(words.size()) + 8),
-                 height = context_.world(15);
-    context_.add(Outline{x, y - height, width, height, OutlineShape::filled,
-                         faded(context_.palette.background, 0.8), 0, 0});
-    context_.add(Label{{x + context_.world(4), y - context_.world(3)}, Anchor::lower_left, colour_, words});
+    add_note(context_, {static_cast<double>(first->cell.x), static_cast<double>(first->cell.y)}, colour_,
+             words);
   }
 
   SceneContext& context_;

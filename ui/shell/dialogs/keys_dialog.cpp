@@ -140,8 +140,9 @@ void draw_signs(const Look& look) {
     ImGui::Dummy({room, size.y});
     first = end;
   }
-  paragraph(look.fonts.ui, look.theme.dim,
-            "Fields go from dark violet (least) to yellow (most); the legend on the canvas has their range.");
+  paragraph(
+      look.fonts.ui, look.theme.dim,
+      "Fields go from blue or violet (least) to yellow (most); the legend on the canvas has their range.");
 }
 
 }  // namespace

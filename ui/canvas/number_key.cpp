@@ -1,0 +1,97 @@
+#include "ui/canvas/number_key.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "ui/widgets/widgets.hpp"
+
+namespace replan::ui {
+namespace {
+
+/// The enlarged cell and the names in it.
+class KeyCell {
+ public:
+  KeyCell(const Look& look, ImDrawList& list, const PlannerInfo& planner, ImVec2 min)
+      : look_(look), list_(list), planner_(planner), min_(min), side_(look.px(kSide)) {}
+
+  static constexpr float kSide = 76;  // of the design
+
+  void draw(NumbersShown numbers) const {
+    list_.AddRectFilled(min_, {min_.x + side_, min_.y + side_}, look_.theme.free);
+    list_.AddRect(min_, {min_.x + side_, min_.y + side_}, look_.theme.faint, 0, 0, look_.px.hair);
+    const float middle = (side_ - line()) / 2;
+    switch (numbers) {
+      case NumbersShown::none:
+        break;
+      case NumbersShown::one:
+        centred("g", middle, look_.theme.text);
+        break;
+      case NumbersShown::two:
+        centred("g", middle - line() * 0.6f, look_.theme.text);
+        centred("rhs", middle + line() * 0.6f, look_.theme.rhs);
+        break;
+      case NumbersShown::four:
+        corners();
+        break;
+    }
+  }
+
+ private:
+  [[nodiscard]] float line() const { return look_.fonts.mono->FontSize; }
+  [[nodiscard]] float width(std::string_view name) const { return text_width(look_.fonts.mono, name); }
+  void write(std::string_view name, float x, float y, ImU32 colour) const {
+    draw_text(list_, look_.fonts.mono, {std::round(min_.x + x), std::round(min_.y + y)}, colour, name);
+  }
+  void centred(std::string_view name, float y, ImU32 colour) const {
+    write(name, (side_ - width(name)) / 2, y, colour);
+  }
+  void corners() const {
+    const SearchValues& values = planner_.values;
+    const float inset = look_.px.xs, low = side_ - line() - inset;
+    const auto right = [&](std::string_view name) { return side_ - width(name) - inset; };
+    write("g", inset, inset, look_.theme.text);
+    if (values.lookahead()) write("rhs", right("rhs"), inset, look_.theme.rhs);
+    if (const Field* first = values.find(EventKind::queue)) write(first->label, inset, low, look_.theme.dim);
+    write(values.order.second, right(values.order.second), low, look_.theme.dim);
+    if (planner_.clearance) centred("dist", (side_ - line()) / 2, look_.theme.dim);
+  }
+
+  const Look& look_;
+  ImDrawList& list_;
+  const PlannerInfo& planner_;
+  ImVec2 min_;
+  float side_;
+};
+
+/// What the names stand for.
+std::string meaning(const PlannerInfo& planner, NumbersShown numbers) {
+  std::string text = planner.from_goal ? "g is the cost to the goal, as it was settled last."
+                                       : "g is the cost from the start, as it was settled last.";
+  const bool all = numbers == NumbersShown::four;
+  if (planner.values.lookahead() && numbers != NumbersShown::one)
+    text += " rhs is what the neighbours say now: where the two differ, the cell waits.";
+  if (all)
+    text +=
+        " Below stands the key of a cell in the open list: the smallest is taken next, and of equal ones "
+        "that with "
+        "the smaller second number.";
+  if (all && planner.clearance) text += " dist is the penalty for lying near an obstacle.";
+  return text;
+}
+
+}  // namespace
+
+void draw_number_key(const Look& look, ImDrawList& list, const PlannerInfo& planner, const Scene& scene,
+                     ImVec2 foot) {
+  if (scene.numbers == NumbersShown::none) return;
+  const float margin = look.px.s, side = look.px(KeyCell::kSide) + 2 * margin;
+  const ImVec2 min(foot.x, foot.y - side), max(foot.x + side, foot.y);
+  list.AddRectFilled(min, max, with_alpha(look.theme.panel, kChipOpacity), look.px.radius_l);
+  list.AddRect(min, max, look.theme.line, look.px.radius_l, 0, look.px.hair);
+  KeyCell(look, list, planner, {min.x + margin, min.y + margin}).draw(scene.numbers);
+  if (!ImGui::IsMouseHoveringRect(min, max, false)) return;
+  const std::string words = meaning(planner, scene.numbers);
+  hint(look, {"The numbers in the cells", "", words.c_str()});
+}
+
+}  // namespace replan::ui

@@ -1,0 +1,16 @@
+// The key of the numbers in the cells: one cell, enlarged, with the name of each number where it stands.
+#pragma once
+
+#include <imgui.h>
+
+#include "core/plan/registry.hpp"
+#include "core/scene/scene.hpp"
+#include "ui/look.hpp"
+
+namespace replan::ui {
+
+/// Draws it while numbers show, its lower left corner at `foot`.
+void draw_number_key(const Look& look, ImDrawList& list, const PlannerInfo& planner, const Scene& scene,
+                     ImVec2 foot);
+
+}  // namespace replan::ui
