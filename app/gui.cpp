@@ -126,6 +126,8 @@ Result<void> Program::open() {
   shell_ = std::make_unique<ui::Shell>(window_->stage().renderer());
   ui::ViewState& looks = shell_->view();
   looks.dark = remembered_.dark;
+  looks.size_step = remembered_.size_step;
+  window_->stage().set_size(looks.size());
   looks.panels = remembered_.panels;
   looks.legend = remembered_.legend;
   looks.brush = remembered_.brush;
@@ -237,6 +239,7 @@ void Program::follow() {
     dark_ = shell_->view().dark;
     window_->stage().set_theme(dark_ ? ui::dark() : ui::light());
   }
+  window_->stage().set_size(shell_->view().size());
   if (std::string words = ui::uncommon_words(session_, shell_->documents().names_on_show());
       words != words_) {
     words_ = std::move(words);
@@ -270,6 +273,7 @@ Result<void> Program::close() {
   remembered_.window = window_->state();
   const ui::ViewState& looks = shell_->view();
   remembered_.dark = looks.dark;
+  remembered_.size_step = looks.size_step;
   remembered_.panels = looks.panels;
   remembered_.legend = looks.legend;
   remembered_.brush = looks.brush;

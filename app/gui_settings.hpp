@@ -15,6 +15,7 @@ std::string settings_path();
 /// never a reason not to start.
 struct Remembered {
   WindowSettings window;
+  int size_step = 0;  ///< of words, buttons and panels
   bool dark = true, panels = true, legend = true;
   int brush = 1;
   bool round_brush = false;

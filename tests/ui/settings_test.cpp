@@ -17,10 +17,12 @@ TEST(Settings, KeepATabByItsId) {
   Remembered settings;
   settings.tab = "figures";
   settings.brush = 7;
+  settings.size_step = 3;
   ASSERT_TRUE(write_settings(settings, folder.file("window.json")).ok());
   const Remembered read = read_settings(folder.file("window.json"));
   EXPECT_EQ(read.tab, "figures");
   EXPECT_EQ(read.brush, 7);
+  EXPECT_EQ(read.size_step, 3);
 }
 
 TEST(Settings, ReadATabsNumberOfOlderVersions) {

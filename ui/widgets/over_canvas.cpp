@@ -129,9 +129,16 @@ struct Pen {
   }
 };
 
-void write_legend(Pen& pen, const LegendField& field, std::span<const LegendEntry> entries) {
+void write_legend(Pen& pen, const LegendField& field, std::span<const LegendEntry> entries,
+                  std::vector<ScreenArea>* boxes = nullptr) {
   const Look& look = pen.look;
+  const auto box = [&](float from) {
+    const float half = look.px.xs, top = pen.top - look.px.xs;
+    if (boxes != nullptr)
+      boxes->push_back({{from - half, top}, {pen.x + half, top + look.px.l + 2 * look.px.xs}});
+  };
   if (field.map != nullptr) {
+    const float from = pen.x;
     pen.write(look.fonts.ui, look.theme.dim, field.label);
     pen.x += look.px(14);
     pen.gradient(*field.map);
@@ -139,10 +146,13 @@ void write_legend(Pen& pen, const LegendField& field, std::span<const LegendEntr
     pen.write(look.fonts.mono, look.theme.dim, field.min);
     pen.write(look.fonts.mono, look.theme.faint, " … ");
     pen.write(look.fonts.mono, look.theme.dim, field.max);
+    box(from);
   }
   for (const LegendEntry& entry : entries) {
     if (field.map != nullptr || &entry != entries.data()) pen.x += look.px(18);
+    const float from = pen.x;
     pen.mark(entry);
+    box(from);
   }
 }
 
@@ -177,15 +187,19 @@ ImVec2 chip_message(const Look& look, ImDrawList& list, ImVec2 pos, const TextRu
   return size;
 }
 
-ImVec2 legend(const Look& look, ImDrawList& list, ImVec2 pos, const LegendField& field,
-              std::span<const LegendEntry> entries, Corner corner) {
+ImVec2 legend_size(const Look& look, const LegendField& field, std::span<const LegendEntry> entries) {
   Pen measure{look, nullptr, 0, 0};
   write_legend(measure, field, entries);
-  const ImVec2 size(measure.x + look.px(10) * 2, look.px(32));
+  return {measure.x + look.px(10) * 2, look.px(32)};
+}
+
+ImVec2 legend(const Look& look, ImDrawList& list, ImVec2 pos, const LegendField& field,
+              std::span<const LegendEntry> entries, Corner corner, std::vector<ScreenArea>* boxes) {
+  const ImVec2 size = legend_size(look, field, entries);
   const ImVec2 min = top_left(pos, size, corner);
   draw_ground(look, list, min, size);
   Pen pen{look, &list, min.x + look.px(10), min.y + look.px(8)};
-  write_legend(pen, field, entries);
+  write_legend(pen, field, entries, boxes);
   return size;
 }
 
