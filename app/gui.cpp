@@ -146,6 +146,8 @@ Result<void> Program::open() {
   shell_ = std::make_unique<ui::Shell>(window_->stage().renderer());
   ui::ViewState& looks = shell_->view();
   looks.dark = remembered_.dark;
+  looks.size_step = remembered_.size_step;
+  window_->stage().set_size(looks.size());
   looks.panels = remembered_.panels;
   looks.legend = remembered_.legend;
   looks.view.range = remembered_.colours_so_far ? FieldSpan::so_far : FieldSpan::whole_run;
@@ -262,6 +264,7 @@ void Program::follow() {
     dark_ = shell_->view().dark;
     window_->stage().set_theme(dark_ ? ui::dark() : ui::light());
   }
+  window_->stage().set_size(shell_->view().size());
   if (std::string words = ui::uncommon_words(session_, shell_->documents().names_on_show());
       words != words_) {
     words_ = std::move(words);
@@ -304,6 +307,7 @@ Result<void> Program::close() {
   remembered_.window = window_->state();
   const ui::ViewState& looks = shell_->view();
   remembered_.dark = looks.dark;
+  remembered_.size_step = looks.size_step;
   remembered_.panels = looks.panels;
   remembered_.legend = looks.legend;
   remembered_.colours_so_far = looks.view.range == FieldSpan::so_far;

@@ -59,6 +59,7 @@ Remembered read_settings(const std::string& path) {
   result.window.width = whole(json, "width", 640, 16384, result.window.width);
   result.window.height = whole(json, "height", 480, 16384, result.window.height);
   result.window.maximized = flag(json, "maximized", false);
+  result.size_step = whole(json, "size_step", ui::ViewState::kSmallest, ui::ViewState::kLargest, 0);
   result.dark = flag(json, "dark", true);
   result.panels = flag(json, "panels", true);
   result.legend = flag(json, "legend", true);
@@ -81,6 +82,7 @@ Result<void> write_settings(const Remembered& settings, const std::string& path)
   const Json json = {{"width", settings.window.width},
                      {"height", settings.window.height},
                      {"maximized", settings.window.maximized},
+                     {"size_step", settings.size_step},
                      {"dark", settings.dark},
                      {"panels", settings.panels},
                      {"legend", settings.legend},

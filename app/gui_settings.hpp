@@ -15,6 +15,7 @@ std::string settings_path();
 /// never a reason not to start.
 struct Remembered {
   WindowSettings window;
+  int size_step = 0;  ///< of words, buttons and panels
   bool dark = true, panels = true, legend = true;
   bool colours_so_far = false;  ///< FieldSpan::so_far
   int brush = 1;

@@ -33,6 +33,11 @@ std::string key_name(int key) {
       return "Del";
     case key::kMenu:
       return "Menu";
+    case '=':  // with Shift or without
+    case key::kKeypadAdd:
+      return "+";
+    case key::kKeypadSubtract:
+      return "-";
     default:
       break;
   }

@@ -1,6 +1,13 @@
 #include "ui/keys.hpp"
 
+#include <cfloat>
+
 namespace replan::ui::key {
+
+void take(ImGuiIO& io, int key) {
+  // Only a duration of 0 is a press, and only a long one repeats.
+  if (io.KeysDown[key]) io.KeysDownDuration[key] = FLT_MIN;
+}
 
 void install(ImGuiIO& io) {
   static_assert(kCount <= IM_ARRAYSIZE(ImGuiIO::KeysDown));
@@ -8,7 +15,6 @@ void install(ImGuiIO& io) {
     ImGuiKey name;
     int key;
   } kMap[] = {
-      {ImGuiKey_Tab, kTab},
       {ImGuiKey_LeftArrow, kLeft},
       {ImGuiKey_RightArrow, kRight},
       {ImGuiKey_UpArrow, kUp},
@@ -31,6 +37,7 @@ void install(ImGuiIO& io) {
       {ImGuiKey_Y, 'Y'},
       {ImGuiKey_Z, 'Z'},
   };
+  io.KeyMap[ImGuiKey_Tab] = -1;  // see focus.hpp
   for (const auto& entry : kMap) io.KeyMap[entry.name] = entry.key;
 }
 

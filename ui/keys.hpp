@@ -23,6 +23,8 @@ inline constexpr int kPageDown = 267;
 inline constexpr int kHome = 268;
 inline constexpr int kEnd = 269;
 inline constexpr int kF1 = 290;  ///< kF1 + n - 1 is Fn
+inline constexpr int kKeypadSubtract = 333;
+inline constexpr int kKeypadAdd = 334;
 inline constexpr int kKeypadEnter = 335;
 inline constexpr int kLeftShift = 340;
 inline constexpr int kLeftControl = 341;
@@ -34,6 +36,9 @@ inline constexpr int kRightAlt = 346;
 inline constexpr int kRightSuper = 347;
 inline constexpr int kMenu = 348;
 inline constexpr int kCount = 349;
+
+/// Hides a press, and its repeats, from whoever looks for it later in this frame.
+void take(ImGuiIO& io, int key);
 
 /// Tells ImGui which numbers its own navigation and text fields listen to.
 void install(ImGuiIO& io);

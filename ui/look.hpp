@@ -1,6 +1,7 @@
-// What every panel and widget needs to draw itself: colours, distances, fonts. Passed by const reference.
+// What every panel and widget needs to draw itself: colours, distances, fonts, and who has the keyboard. Passed by const reference.
 #pragma once
 
+#include "ui/focus.hpp"
 #include "ui/fonts.hpp"
 #include "ui/theme.hpp"
 
@@ -13,6 +14,7 @@ struct Look {
   Theme theme = dark();
   Metrics px;
   Fonts fonts;
+  KeyboardFocus* focus = nullptr;  ///< whoever draws a control tells it; nullptr: none has the keyboard
 };
 
 }  // namespace replan::ui

@@ -28,12 +28,14 @@ constexpr double kFitMargin = 1.06;
 Camera resolve(const Camera& camera, int columns, int rows, Viewport viewport) {
   Camera resolved = camera;
   if (camera.zoom <= 0) {
+    const int height = std::max(viewport.height - viewport.above - viewport.below, 1);
     resolved = {columns / 2.0, rows / 2.0,
                 std::min(viewport.width / std::max(columns + 2.0, columns * kFitMargin),
-                         viewport.height / std::max(rows + 2.0, rows * kFitMargin))};
+                         height / std::max(rows + 2.0, rows * kFitMargin))};
     // Whole pixels where that costs little: cells of one size, and sharp lines between them.
     if (resolved.zoom >= 8) resolved.zoom = std::floor(resolved.zoom);
     resolved.zoom = std::max(resolved.zoom, 1e-3);
+    resolved.y += (viewport.below - viewport.above) / 2.0 / resolved.zoom;
   }
   // The world's corner lies on a whole pixel, so that nothing shimmers while the view is moved.
   const auto snap = [zoom = resolved.zoom](double middle, int pixels) {

@@ -120,9 +120,11 @@ struct Scene {
   void show(Sign sign) { signs |= 1u << static_cast<unsigned>(sign); }
 };
 
-/// The view's size in device pixels.
+/// The view's size in device pixels, and how much of it at the top and at the bottom something else lies on: a world is
+/// fitted between them.
 struct Viewport {
   int width = 0, height = 0;
+  int above = 0, below = 0;
   friend bool operator==(const Viewport&, const Viewport&) = default;
 };
 

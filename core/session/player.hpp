@@ -32,12 +32,19 @@ class Player {
   [[nodiscard]] const Playback& state() const { return state_; }
   [[nodiscard]] bool plays() const { return state_.direction != 0; }
   [[nodiscard]] bool forwards() const { return state_.direction > 0; }
+  /// It has come to where the robot can go no farther, and goes on once it can.
+  [[nodiscard]] bool waits() const { return waits_; }
   /// 1 forwards, -1 backwards, 0 stops.
   void play(int direction) {
     state_.direction = direction;
     owed_ = 0;
+    waits_ = false;
   }
-  void stop() { state_.direction = 0; }
+  void stop() { play(0); }
+  void wait() {
+    stop();
+    waits_ = true;
+  }
   void set_speed(double expansions_per_second) {
     state_.expansions_per_second = std::clamp(expansions_per_second, 0.1, kFullSpeed);
   }
@@ -50,6 +57,7 @@ class Player {
   Playback state_;
   double owed_ = 0;          // seconds of play not yet shown; negative: the last stop still lasts so long
   double step_seconds_ = 0;  // how long the last stop lasts in all
+  bool waits_ = false;
 };
 
 }  // namespace replan

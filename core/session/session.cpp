@@ -51,7 +51,7 @@ void Session::restart_runs() {
     run->restart(scenario_);
     run->go(Target::plan());
   }
-  follow_ = true;
+  follow_ = !player_.plays();
 }
 
 void Session::replace(std::shared_ptr<const Scenario> scenario) {
@@ -197,7 +197,21 @@ bool Session::update(double seconds) {
   return changed;
 }
 
+/// Whether the leading robot has farther to go, as far as is known.
+bool Session::can_go_on() const {
+  const auto decisions = run().decisions();
+  return (decisions.empty() || decisions.back().state == MissionState::driving) && run().failure().empty();
+}
+
+/// Goes on playing where that had come to an end before the goal, once there is a way again.
+void Session::resume() {
+  if (!player_.waits() || returning_ || !can_go_on()) return;
+  player_.play(1);
+  follow_ = false;
+}
+
 bool Session::play(double seconds) {
+  resume();
   if (!player_.plays()) return false;
   Run& run = leading();
   const std::size_t begin = run.timeline().cursor();
@@ -210,12 +224,14 @@ bool Session::play(double seconds) {
   }
   seek(cursor, shown.travel);
   const Decision* last = run.decisions().empty() ? nullptr : &run.decisions().back();
-  const bool can_go_on = (last == nullptr || last->state == MissionState::driving) && run.failure().empty();
-  if (player_.forwards() && can_go_on && run.timeline().size() - cursor < 64 && !run.busy())
+  if (player_.forwards() && can_go_on() && run.timeline().size() - cursor < 64 && !run.busy())
     run.go(last == nullptr ? Target::plan() : Target::clock_at(last->clock + 4));
   const bool finished =
-      player_.forwards() ? cursor >= run.timeline().size() && !can_go_on && !run.busy() : cursor == 0;
-  if (finished) player_.stop();
+      player_.forwards() ? cursor >= run.timeline().size() && !can_go_on() && !run.busy() : cursor == 0;
+  if (finished && player_.forwards() && last != nullptr && last->state != MissionState::arrived)
+    player_.wait();
+  else if (finished)
+    player_.stop();
   return cursor != begin || finished || run.travel() != travel_before;
 }
 

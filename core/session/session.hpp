@@ -105,6 +105,8 @@ class Session {
                                                      const Decision* decision) const;
   [[nodiscard]] std::map<NodeId, bool> cells_to_come(const Decision& decision,
                                                      const std::vector<CellChange>& cells) const;
+  [[nodiscard]] const Surprise* surprise_of_stroke(std::uint64_t stroke, const Decision& decision,
+                                                   bool announced) const;
   Result<void> edit_cells(const std::vector<CellChange>& cells, bool announced, std::uint64_t stroke,
                           std::string label = {});
   void commit(std::string label, std::uint64_t stroke, Scenario changed) {
@@ -140,6 +142,8 @@ class Session {
   [[nodiscard]] bool under_way() const;
   Result<void> edit_script(std::string label, std::uint64_t stroke, Surprise surprise);
   void seek(std::size_t position, double travel = 1);
+  [[nodiscard]] bool can_go_on() const;
+  void resume();
   bool play(double seconds);
   bool check();
   void show_difference();

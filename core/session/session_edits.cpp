@@ -1,5 +1,6 @@
 // The session's edits: what changes the document, and how it is taken back and saved.
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "core/base/words.hpp"
@@ -7,6 +8,18 @@
 #include "core/session/session.hpp"
 
 namespace replan {
+namespace {
+
+/// Adds changes to others, both row by row; of a cell that both change the later one counts.
+void add_cells(std::vector<CellChange>& cells, const std::vector<CellChange>& later) {
+  std::vector<CellChange> all;
+  const auto before = [](const CellChange& a, const CellChange& b) { return in_node_order(a.cell, b.cell); };
+  std::set_union(later.begin(), later.end(), cells.begin(), cells.end(), std::back_inserter(all), before);
+  cells = std::move(all);
+}
+
+}  // namespace
+
 void Session::commit(std::string label, std::uint64_t stroke, Scenario changed, std::size_t scripted) {
   if (history_.add(label, stroke, *scenario_, changed, scripted, positions())) say(std::move(label));
   replace(std::make_shared<const Scenario>(std::move(changed)));
@@ -94,6 +107,17 @@ std::vector<CellChange> Session::real_changes(const std::vector<CellChange>& cel
   return real;
 }
 
+/// What of the stroke under way has happened at the robot's step at a decision already: what is added to it is part of
+/// the same surprise. nullptr if nothing has.
+const Surprise* Session::surprise_of_stroke(std::uint64_t stroke, const Decision& decision,
+                                            bool announced) const {
+  const Surprises& all = scenario_->surprises;
+  if (!history_.goes_on(stroke) || all.size() <= scripted()) return nullptr;
+  const Surprise& last = all.back();
+  const bool only_cells = !last.goal && !last.robot;
+  return only_cells && last.announced == announced && last.at.move == decision.clock ? &last : nullptr;
+}
+
 Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool announced, std::uint64_t stroke,
                                  std::string label) {
   for (const CellChange& change : cells)
@@ -112,10 +136,15 @@ Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool anno
   if (decision == nullptr) {
     for (const CellChange& change : real) changed.map.set(change.cell, change.blocked);
   } else {
-    Surprise& edit = changed.surprises.emplace_back();
+    Surprise edit;
     edit.at.move = decision->clock;
-    edit.cells = real;
     edit.announced = announced;
+    if (const Surprise* begun = surprise_of_stroke(stroke, *decision, announced)) {
+      edit.cells = begun->cells;
+      changed.surprises.pop_back();
+    }
+    add_cells(edit.cells, real);
+    changed.surprises.push_back(std::move(edit));
   }
   commit(std::move(label), stroke, std::move(changed));
   return {};

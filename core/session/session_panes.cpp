@@ -97,7 +97,7 @@ void Session::rebase_runs(std::size_t common) {
       runs_[i]->restart(scenario_);
     runs_[i]->go(Target::plan());
   }
-  follow_ = true;
+  follow_ = !player_.plays();  // what plays goes on at its own pace
 }
 
 /// Puts the other panes where they belong beside the leading one, as far as they have come; the rest of the

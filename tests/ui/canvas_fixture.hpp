@@ -22,6 +22,7 @@ class CanvasTest : public testing::Test {
     scenario.planners = {{"dstar-lite", {}}};
     session_ = std::make_unique<Session>(scenario);
     session_->settle();
+    choose_tool(state_, "paint");
     auto offscreen = app::Offscreen::create({kCanvasWidth, kCanvasHeight, 1});
     ASSERT_TRUE(offscreen.ok()) << offscreen.error();
     offscreen_ = std::move(*offscreen);
@@ -43,7 +44,7 @@ class CanvasTest : public testing::Test {
     });
   }
   void move_to(Cell cell) {
-    const Camera camera = resolve(state_.view.camera, 20, 10, {kCanvasWidth, kCanvasHeight});
+    const Camera camera = canvas_->scene().camera;
     input().mouse_move(static_cast<float>((cell.x + 0.5 - camera.x) * camera.zoom + kCanvasWidth / 2.0),
                        static_cast<float>((cell.y + 0.5 - camera.y) * camera.zoom + kCanvasHeight / 2.0));
     frame();

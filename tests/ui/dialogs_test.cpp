@@ -24,7 +24,9 @@ class DialogsTest : public ShellTest {
  protected:
   void SetUp() override { open("first.json", world("First")); }
 
-  void settle_in() { shell_->documents().settle_in(*session_, {folder_.file("state"), folder_.file("library"), {}}); }
+  void settle_in() {
+    shell_->documents().settle_in(*session_, {folder_.file("state"), folder_.file("library"), {}});
+  }
   void edit() {
     session_->settle();
     ASSERT_TRUE(session_->apply(PaintCells{{{{5, 0}, true}}}).ok());

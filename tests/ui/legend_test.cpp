@@ -1,8 +1,9 @@
 // The legend on the canvas explains itself; tools show where a start or goal would stand.
+#include "ui/canvas/legend.hpp"
+
 #include <imgui_internal.h>
 
 #include "tests/ui/canvas_fixture.hpp"
-#include "ui/canvas/chips.hpp"
 
 namespace replan::ui::legend_test {
 namespace {
@@ -30,13 +31,6 @@ class LegendTest : public CanvasTest {
     return shows;
   }
 };
-
-TEST_F(LegendTest, AnEntryAndTheFieldHaveATooltip) {
-  const float low = kCanvasHeight - 28;
-  EXPECT_TRUE(tooltip_after_a_while(60, low)) << "the field";
-  EXPECT_TRUE(tooltip_after_a_while(200, low)) << "its colours";
-  EXPECT_FALSE(tooltip_after_a_while(320, 200)) << "a cell";
-}
 
 TEST_F(LegendTest, EverySignHasASentence) {
   for (const LegendEntry& entry : all_signs(offscreen_->stage().look())) {

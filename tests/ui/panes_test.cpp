@@ -14,15 +14,6 @@ constexpr const char* kWorld = R"({"replan": 1, "name": "Room",
 class PanesTest : public ShellTest {
  protected:
   void SetUp() override { open("room.json", kWorld, 1440, 900); }
-  void click(ImVec2 at) {
-    InputQueue& input = offscreen_->stage().input();
-    input.mouse_move(at.x, at.y);
-    frames(2);
-    input.mouse_button(0, true);
-    frames(2);
-    input.mouse_button(0, false);
-    frames(2);
-  }
   PaneGrid grid(std::size_t count) {
     const PixelArea& area = shell_->panels().canvas;
     return {offscreen_->stage().look(), count, area.min, area.max};

@@ -18,11 +18,13 @@ TEST(Settings, KeepATabByItsId) {
   settings.tab = "figures";
   settings.brush = 7;
   settings.colours_so_far = true;
+  settings.size_step = 3;
   ASSERT_TRUE(write_settings(settings, folder.file("window.json")).ok());
   const Remembered read = read_settings(folder.file("window.json"));
   EXPECT_EQ(read.tab, "figures");
   EXPECT_EQ(read.brush, 7);
   EXPECT_TRUE(read.colours_so_far);
+  EXPECT_EQ(read.size_step, 3);
 }
 
 TEST(Settings, ReadATabsNumberOfOlderVersions) {

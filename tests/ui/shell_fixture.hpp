@@ -50,6 +50,15 @@ class ShellTest : public testing::Test {
     modifiers(false);
     frames(6);
   }
+  void click(ImVec2 at, int button = 0) {
+    InputQueue& input = offscreen_->stage().input();
+    input.mouse_move(at.x, at.y);
+    frames(2);
+    input.mouse_button(button, true);
+    frames(2);
+    input.mouse_button(button, false);
+    frames(2);
+  }
   void type(const std::string& text) {
     for (const char c : text) offscreen_->stage().input().character(static_cast<unsigned>(c));
     frames(static_cast<int>(text.size()) * 2 + 4);

@@ -130,13 +130,14 @@ TEST_F(TracesTest, TheTraceIsExportedByItsEnding) {
             session_->run().timeline().size() + 1);
 }
 
-TEST_F(TracesTest, ANameWithoutAKnownEndingKeepsTheDialog) {
+TEST_F(TracesTest, ANameWithoutAKnownEndingGetsTheChosenOne) {
   press('E', true, true);
   press('A', true);
   type(folder_.file("out.txt"));
   press(key::kEnter);
+  rest();
   EXPECT_FALSE(std::filesystem::exists(folder_.file("out.txt")));
-  press(key::kEscape);
+  EXPECT_TRUE(std::filesystem::exists(folder_.file("out.txt.trace.yaml")));
   press('B');
   EXPECT_EQ(shell_->view().tools.chosen_id(), "paint") << "keys are the window's again";
 }

@@ -71,6 +71,8 @@ fact() { sed -n "s/^ *\"$1\": \"\{0,1\}\([^\",]*\)\"\{0,1\},\{0,1\}$/\1/p" "$scr
 expect() { [ "$(fact "$1")" = "$2" ] || fail "$3: $1 is '$(fact "$1")', not '$2'"; }
 # Presses the left button there and drags to the right, painting.
 stroke() {
+  xdotool key b
+  settle
   xdotool mousemove "$1" "$2" mousedown 1
   settle
   for by in 30 60 90; do xdotool mousemove "$(($1 + by))" "$2"; sleep 0.1; done

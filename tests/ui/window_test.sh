@@ -38,6 +38,8 @@ grep -q '@' "$scratch/world.json" || fail "the saved file holds no obstacle"
 
 # 4. An unsaved edit: closing asks, Escape stays, undo takes the edit back, then it closes.
 start_program "$scratch/world.json"
+xdotool key b
+settle
 xdotool mousemove 350 450 click 1
 settle
 xdotool key ctrl+q

@@ -230,6 +230,104 @@ void expect_repeats(Session& session) {
   EXPECT_EQ(again.run().timeline().log_hash(), session.run().timeline().log_hash());
 }
 
+/// Plays until nothing moves any more, or for so many frames.
+void play_on(Session& session, int frames = 4000) {
+  for (int i = 0; i < frames && (session.playback().direction != 0 || session.run().busy()); ++i) {
+    session.update(0.02);
+    if (session.run().busy()) std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+}
+
+TEST(Session, PlayingGoesOnWhenALostWayComesBack) {
+  Session session(wall_with_gap("dstar-lite"));
+  session.settle();
+  ASSERT_TRUE(session.apply(Seek{0}).ok());
+  ASSERT_TRUE(session.apply(SetSpeed{5000}).ok());
+  ASSERT_TRUE(session.apply(Play{1}).ok());
+  for (int i = 0; i < 40; ++i) session.update(0.02);
+  ASSERT_TRUE(session.apply(PaintCells{block(12, 5, 1, 1), 1}).ok());
+  play_on(session);
+  EXPECT_EQ(last_decision(session).state, MissionState::no_path);
+  EXPECT_EQ(session.playback().direction, 0) << "it plays although nothing can move";
+  ASSERT_TRUE(session.apply(PaintCells{block(12, 5, 1, 1, false), 2}).ok());
+  session.settle();
+  session.update(0.02);
+  EXPECT_EQ(session.playback().direction, 1);
+  play_on(session);
+  EXPECT_EQ(last_decision(session).state, MissionState::arrived);
+  EXPECT_EQ(session.run().timeline().cursor(), session.run().timeline().size());
+}
+
+TEST(Session, PlayingGoesOnWhenTheGoalWasDraggedOverAnObstacle) {
+  Session session(wall_with_gap("dstar-lite"));
+  session.settle();
+  ASSERT_TRUE(session.apply(Step{StepUnit::move, 4}).ok());
+  ASSERT_TRUE(session.apply(SetSpeed{5000}).ok());
+  ASSERT_TRUE(session.apply(Play{1}).ok());
+  ASSERT_TRUE(session.apply(SetGoal{{12, 9}, 7}).ok());  // in the wall
+  play_on(session);
+  ASSERT_TRUE(session.apply(SetGoal{{5, 13}, 7}).ok());
+  session.settle();
+  session.update(0.02);
+  play_on(session);
+  EXPECT_EQ(last_decision(session).state, MissionState::arrived);
+  EXPECT_EQ(session.run().timeline().state().node(Scalar::robot), session.run().lattice().node({5, 13}));
+}
+
+TEST(Session, WhoPausesOrStepsIsNotPlayedOn) {
+  Session session(wall_with_gap("dstar-lite"));
+  session.settle();
+  ASSERT_TRUE(session.apply(SetSpeed{5000}).ok());
+  ASSERT_TRUE(session.apply(Play{1}).ok());
+  ASSERT_TRUE(session.apply(PaintCells{block(12, 5, 1, 1), 1}).ok());
+  play_on(session);
+  ASSERT_TRUE(session.apply(Step{StepUnit::move, -1}).ok());
+  ASSERT_TRUE(session.apply(PaintCells{block(12, 5, 1, 1, false), 2}).ok());
+  session.settle();
+  session.update(0.02);
+  EXPECT_EQ(session.playback().direction, 0);
+}
+
+TEST(Session, AnEditWhilePlayingDoesNotLeapAhead) {
+  Session session(wall_with_gap("dstar-lite"));
+  session.settle();
+  ASSERT_TRUE(session.apply(Step{StepUnit::move, 2}).ok());
+  ASSERT_TRUE(session.apply(Play{1}).ok());
+  for (int i = 0; i < 10; ++i) session.update(0.02);
+  ASSERT_TRUE(session.apply(PaintCells{block(20, 1, 1, 1), 1}).ok());
+  const std::size_t before = session.run().timeline().state().scalar(Scalar::moves);
+  for (int i = 0; i < 20; ++i) {
+    session.update(0.01);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  EXPECT_LE(session.run().timeline().state().scalar(Scalar::moves), before + 5)
+      << "0.2 s at 15 moves a second";
+}
+
+TEST(Session, AStrokeOnTheWayIsOneSurprise) {
+  Session session(wall_with_gap("dstar-lite"));
+  session.settle();
+  ASSERT_TRUE(session.apply(Step{StepUnit::move, 5}).ok());
+  const std::size_t before = session.scenario().surprises.size();
+  for (int y = 9; y >= 6; --y) ASSERT_TRUE(session.apply(PaintCells{block(10, y, 1, 1), 7}).ok());
+  session.settle();
+  ASSERT_EQ(session.scenario().surprises.size(), before + 1);
+  EXPECT_EQ(session.scenario().surprises.back().cells, block(10, 6, 1, 4));
+  EXPECT_EQ(last_decision(session).figures.replans, 1);
+  EXPECT_EQ(session.undo_text(), "paint 4 cells");
+  ASSERT_TRUE(session.apply(DropSurprise{block(10, 1, 1, 1), 8}).ok());  // another stroke, another surprise
+  session.settle();
+  EXPECT_EQ(session.scenario().surprises.size(), before + 2);
+  run_to_end(session);
+  Session again(session.scenario());
+  run_to_end(again);
+  EXPECT_EQ(again.run().timeline().log_hash(), session.run().timeline().log_hash());
+  ASSERT_TRUE(session.apply(Undo{}).ok());
+  ASSERT_TRUE(session.apply(Undo{}).ok());
+  session.settle();
+  EXPECT_EQ(session.scenario().surprises.size(), before);
+}
+
 TEST(Session, TwoHiddenSurprisesAtOneStepRepeatFromTheScenario) {
   Session session(wall_with_gap("dstar-lite"));
   session.settle();

@@ -7,17 +7,23 @@
 #include "ui/canvas/chips.hpp"
 #include "ui/canvas/draw.hpp"
 #include "ui/canvas/hand.hpp"
+#include "ui/canvas/number_key.hpp"
 #include "ui/canvas/overlay.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 namespace {
 
+/// What one step of zooming comes to, and how far one of panning goes.
+constexpr double kZoomStep = 1.25, kPanStep = 80;
+
 /// In a world of another size, what was selected is no longer where it was.
 void forget_places(ViewState& state) {
   while (let_go(state)) {
   }
   state.view.pinned.reset();
+  state.view.hovered.reset();
+  state.pointed.reset();
 }
 
 }  // namespace
@@ -47,14 +53,20 @@ struct Canvas::Parts {
 
   explicit Parts(ImGuiRenderer& its_renderer) : renderer(its_renderer) {}
 
-  void prepare(const Look& look, const Session& session, const Run& run, const ViewState& state,
-               Viewport viewport);
+  void prepare(const Look& look, const Session& session, const Run& run, const ViewState& state);
   void upload();
-  void navigate(const Run& run, ViewState& state, ImVec2 min, bool hovered);
+  void navigate(ViewState& state, ImVec2 min, bool hovered);
+  void zoom_by(ViewState& state, double factor, ImVec2 min, ImVec2 at);
+  void take_wishes(ViewState& state, ImVec2 min, ImVec2 max);
+  void pan(ViewState& state, bool hovered);
+  void take_answer(ViewState& state, const Session& session, std::size_t pane,
+                   std::vector<Command>& commands);
   void glide(ViewState& state, ImVec2 min);
-  void point(const Session& session, const Run& run, ViewState& state, ImVec2 min, bool hovered,
+  void point(const Session& session, std::size_t pane, ViewState& state, ImVec2 min, bool hovered,
              std::vector<Command>& commands);
   bool title(const Look& look, const Session& session, std::size_t pane, std::vector<Command>& commands);
+  void take_hands(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
+                  ImVec2 max, std::vector<Command>& commands);
 
   ImGuiRenderer& renderer;
   SceneMemory memory;
@@ -64,12 +76,14 @@ struct Canvas::Parts {
   ImTextureID texture = nullptr;
   int texture_width = 0, texture_height = 0;
   int columns = 0, rows = 0;  // of the world that was fitted
+  Viewport viewport;
+  CardFold card;
   bool fit = false;
   bool panning = false;
   Glide zooming;
   Hand hand;
   std::optional<Cell> hovered;
-  ImVec2 title_min, title_max;  // of the chip that names the planner, as drawn last
+  ChipsDrawn chips;  // as drawn last
 };
 
 Canvas::Canvas(ImGuiRenderer& renderer) : parts_(std::make_unique<Parts>(renderer)) {}
@@ -86,6 +100,10 @@ bool Canvas::animating() const {
   return parts_->zooming.active || parts_->plans.busy();
 }
 
+const Scene& Canvas::scene() const {
+  return parts_->scene;
+}
+
 void Canvas::Parts::upload() {
   const Raster& raster = scene.raster;
   if (raster.columns == 0 || raster.rows == 0) return;
@@ -100,8 +118,8 @@ void Canvas::Parts::upload() {
   renderer.update_texture(texture, 0, 0, raster.columns, raster.rows, raster.texels);
 }
 
-void Canvas::Parts::prepare(const Look& look, const Session& session, const Run& run, const ViewState& state,
-                            Viewport viewport) {
+void Canvas::Parts::prepare(const Look& look, const Session& session, const Run& run,
+                            const ViewState& state) {
   View view = state.view;
   view.selected_mover = state.editing.mover;
   view.selected_surprise = state.editing.surprise;
@@ -134,54 +152,79 @@ void Canvas::Parts::glide(ViewState& state, ImVec2 min) {
   camera.y = zooming.anchor.y - (zooming.at.y - min.y - scene.height / 2.0) / camera.zoom;
 }
 
-void Canvas::Parts::navigate(const Run& run, ViewState& state, ImVec2 min, bool is_hovered) {
+/// Begins to zoom, with what lies at a place of the screen staying there.
+void Canvas::Parts::zoom_by(ViewState& state, double factor, ImVec2 min, ImVec2 at) {
+  const double fitted = resolve({}, columns, rows, viewport).zoom;
+  state.view.camera = resolve(state.view.camera, columns, rows, viewport);
+  const double from = zooming.active ? zooming.target : state.view.camera.zoom;
+  const double most = std::max(fitted, 200 * state.view.scale);
+  zooming.target = std::clamp(from * factor, std::min(fitted, 1.0) / 2, most);
+  Projection screen(scene, min);
+  screen.camera = state.view.camera;
+  zooming.anchor = screen.world(at);
+  zooming.at = at;
+  zooming.active = true;
+}
+
+/// The camera is that of all panes: the first that is drawn does what was asked for by keys and buttons.
+void Canvas::Parts::take_wishes(ViewState& state, ImVec2 min, ImVec2 max) {
+  const ImVec2 middle((min.x + max.x) * 0.5f, (min.y + max.y) * 0.5f);
+  if (const int steps = std::exchange(state.zoom_steps, 0); steps != 0)
+    zoom_by(state, std::pow(kZoomStep, steps), min, middle);
+  const int x = std::exchange(state.pan_x, 0), y = std::exchange(state.pan_y, 0);
+  if (x == 0 && y == 0) return;
+  zooming.active = false;
+  Camera& camera = state.view.camera;
+  camera = resolve(camera, columns, rows, viewport);
+  camera.x += x * kPanStep * state.view.scale / camera.zoom;
+  camera.y += y * kPanStep * state.view.scale / camera.zoom;
+}
+
+void Canvas::Parts::navigate(ViewState& state, ImVec2 min, bool is_hovered) {
   const ImGuiIO& io = ImGui::GetIO();
-  const Viewport viewport{scene.width, scene.height};
-  const int world_columns = run.lattice().width(), world_rows = run.lattice().height();
-  if (is_hovered && io.MouseWheel != 0) {
-    const double fitted = resolve({}, world_columns, world_rows, viewport).zoom;
-    state.view.camera = resolve(state.view.camera, world_columns, world_rows, viewport);
-    const double from = zooming.active ? zooming.target : state.view.camera.zoom;
-    const double most = std::max(fitted, 200 * state.view.scale);
-    zooming.target = std::clamp(from * std::pow(1.25, static_cast<double>(io.MouseWheel)),
-                                std::min(fitted, 1.0) / 2, most);
-    Projection screen(scene, min);
-    screen.camera = state.view.camera;
-    zooming.anchor = screen.world(io.MousePos);
-    zooming.at = io.MousePos;
-    zooming.active = true;
-  }
+  if (is_hovered && io.MouseWheel != 0)
+    zoom_by(state, std::pow(kZoomStep, static_cast<double>(io.MouseWheel)), min, io.MousePos);
+  pan(state, is_hovered);
+}
+
+/// By the middle button, or by the left one while Space is down.
+void Canvas::Parts::pan(ViewState& state, bool is_hovered) {
+  const ImGuiIO& io = ImGui::GetIO();
   const bool space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) && !io.WantTextInput;
   const bool grabs = ImGui::IsMouseClicked(ImGuiMouseButton_Middle) ||
                      (space && ImGui::IsMouseClicked(ImGuiMouseButton_Left));
-  if (is_hovered && grabs && !hand.busy()) panning = true;
+  if (is_hovered && grabs && !hand.busy()) {
+    panning = true;
+    state.panned = space;
+  }
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Middle) && !ImGui::IsMouseDown(ImGuiMouseButton_Left))
     panning = false;
   if (panning || (is_hovered && space)) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   if (!panning || (io.MouseDelta.x == 0 && io.MouseDelta.y == 0)) return;
   zooming.active = false;
   Camera& camera = state.view.camera;
-  if (camera.zoom <= 0) camera = resolve(camera, world_columns, world_rows, viewport);
+  if (camera.zoom <= 0) camera = resolve(camera, columns, rows, viewport);
   camera.x -= static_cast<double>(io.MouseDelta.x) / camera.zoom;
   camera.y -= static_cast<double>(io.MouseDelta.y) / camera.zoom;
 }
 
-void Canvas::Parts::point(const Session& session, const Run& run, ViewState& state, ImVec2 min,
+void Canvas::Parts::point(const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
                           bool is_hovered, std::vector<Command>& commands) {
+  const Run& run = *session.runs()[pane];
   Projection screen(scene, min);
-  screen.camera =
-      resolve(state.view.camera, run.lattice().width(), run.lattice().height(), {scene.width, scene.height});
+  screen.camera = resolve(state.view.camera, columns, rows, viewport);
   const Point at = screen.world(ImGui::GetIO().MousePos);
   const Cell cell{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))};
   const bool inside = is_hovered && !panning && run.lattice().contains(cell);
   if (inside) {
     state.view.hovered = hovered = cell;
+    state.pointed = {cell, pane};
   } else {
     // Another pane may point elsewhere since; what this one pointed at is over in any case.
     if (hovered && state.view.hovered == hovered) state.view.hovered.reset();
     hovered.reset();
   }
-  // The right button erases; with Shift it asks for the cell's menu instead.
+  // Shift and the right button ask for the cell's menu, whatever the tool does with the right button alone.
   const bool menu = ImGui::GetIO().KeyShift && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
   if (menu && inside && !hand.busy()) state.menu = cell;
   const double radius = 9 * state.view.scale / screen.camera.zoom;
@@ -200,7 +243,7 @@ void Canvas::Parts::point(const Session& session, const Run& run, ViewState& sta
 /// changes the planner of the one that does. Whether the mouse is over it.
 bool Canvas::Parts::title(const Look& look, const Session& session, std::size_t pane,
                           std::vector<Command>& commands) {
-  const bool over = ImGui::IsItemHovered() && ImGui::IsMouseHoveringRect(title_min, title_max, false);
+  const bool over = ImGui::IsItemHovered() && chips.title.holds(ImGui::GetIO().MousePos);
   const bool leads = pane == session.lead();
   if (over) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -214,7 +257,7 @@ bool Canvas::Parts::title(const Look& look, const Session& session, std::size_t 
     else
       commands.emplace_back(Lead{pane});
   }
-  ImGui::SetNextWindowPos({title_min.x, title_max.y + look.px.xs});
+  ImGui::SetNextWindowPos({chips.title.min.x, chips.title.max.y + look.px.xs});
   if (!ImGui::BeginPopup("planner")) return over;
   bool exercises = false;
   for (const PlannerInfo& info : planners()) {
@@ -227,10 +270,43 @@ bool Canvas::Parts::title(const Look& look, const Session& session, std::size_t 
   return over;
 }
 
+/// Mouse and keys on the pane: navigation, pointing, and the tool.
+void Canvas::Parts::take_hands(const Look& look, const Session& session, std::size_t pane, ViewState& state,
+                               ImVec2 min, ImVec2 max, std::vector<Command>& commands) {
+  ImGui::SetCursorScreenPos(min);
+  ImGui::InvisibleButton("canvas", {max.x - min.x, max.y - min.y},
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
+  const bool over_title = title(look, session, pane, commands);
+  // What is said over the world is not the world.
+  const bool is_hovered =
+      ImGui::IsItemHovered() && !over_title && !chips.message.holds(ImGui::GetIO().MousePos);
+  const bool pressed =
+      ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+  if (is_hovered && state.tools.kind().leads && pressed && pane != session.lead())
+    commands.emplace_back(Lead{pane});
+  if (is_hovered) ImGui::SetMouseCursor(state.tools.kind().cursor);
+  take_wishes(state, min, max);
+  navigate(state, min, is_hovered);
+  glide(state, min);
+  point(session, pane, state, min, is_hovered && !panning, commands);
+}
+
+/// What a click on the card of the last replan asked for.
+void Canvas::Parts::take_answer(ViewState& state, const Session& session, std::size_t pane,
+                                std::vector<Command>& commands) {
+  if (chips.card == CardAnswer::close) card.close();
+  if (chips.card == CardAnswer::open) card.open();
+  if (chips.card != CardAnswer::repair) return;
+  state.repair_asked = true;
+  if (pane != session.lead()) commands.emplace_back(Lead{pane});
+}
+
 void Canvas::draw(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
-                  ImVec2 max, bool interactive, std::vector<Command>& commands) {
+                  ImVec2 max, bool interactive, std::vector<Command>& commands, float below) {
   Parts& parts = *parts_;
-  const Viewport viewport{static_cast<int>(max.x - min.x), static_cast<int>(max.y - min.y)};
+  const Viewport viewport{static_cast<int>(max.x - min.x), static_cast<int>(max.y - min.y),
+                          static_cast<int>(pane_title_height(look)), static_cast<int>(below)};
   if (viewport.width <= 0 || viewport.height <= 0 || pane >= session.runs().size()) return;
   const Run& run = *session.runs()[pane];
   state.view.scale = static_cast<double>(look.px.scale);
@@ -243,30 +319,13 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
   parts.fit = false;
   parts.columns = run.lattice().width();
   parts.rows = run.lattice().height();
+  parts.viewport = viewport;
   parts.scene.width = viewport.width;
   parts.scene.height = viewport.height;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (interactive) {
-    ImGui::SetCursorScreenPos(min);
-    ImGui::PushID(static_cast<int>(pane));
-    ImGui::InvisibleButton("canvas", {max.x - min.x, max.y - min.y},
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                               ImGuiButtonFlags_MouseButtonMiddle);
-    const bool over_title = parts.title(look, session, pane, commands);
-    const bool hovered = ImGui::IsItemHovered() && !over_title;
-    ImGui::PopID();
-    if (hovered && state.tools.kind().leads && ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
-        pane != session.lead())
-      commands.emplace_back(Lead{pane});
-    if (hovered) ImGui::SetMouseCursor(state.tools.kind().cursor);
-    parts.navigate(run, state, min, hovered);
-    parts.glide(state, min);
-    if (parts.panning)
-      parts.point(session, run, state, min, false, commands);
-    else
-      parts.point(session, run, state, min, hovered, commands);
-  }
-  parts.prepare(look, session, run, state, viewport);
+  ImGui::PushID(static_cast<int>(pane));
+  if (interactive) parts.take_hands(look, session, pane, state, min, max, commands);
+  parts.prepare(look, session, run, state);
   list.PushClipRect(min, max, true);
   list.AddRectFilled(min, max, look.theme.surround);
   const Raster& raster = parts.scene.raster;
@@ -281,11 +340,13 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
   }
   const bool leads = interactive && session.runs().size() > 1 && pane == session.lead();
   if (leads) list.AddRectFilled(min, {max.x, min.y + look.px(2)}, look.theme.accent);
-  const ImVec2 title =
-      draw_chips(look, list, run, parts.scene, parts.memory, parts.plans, state, min, max, interactive);
-  parts.title_min = {min.x + look.px.m, min.y + look.px.m};
-  parts.title_max = {parts.title_min.x + title.x, parts.title_min.y + title.y};
+  parts.chips =
+      draw_chips(look, list, run, parts.memory, parts.plans, state, min, max, interactive, parts.card);
+  parts.take_answer(state, session, pane, commands);
+  if (state.legend && pane == session.lead())
+    draw_number_key(look, list, run.info(), parts.scene, {min.x + look.px.m, max.y - below - look.px.s});
   list.PopClipRect();
+  ImGui::PopID();
 }
 
 }  // namespace replan::ui

@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "core/scene/scene.hpp"
 #include "core/session/session.hpp"
 #include "ui/canvas/view_state.hpp"
 #include "ui/gl/imgui_renderer.hpp"
@@ -19,11 +20,14 @@ class Canvas {
   explicit Canvas(ImGuiRenderer& renderer);
   ~Canvas();
 
-  /// Draws pane `pane` of the session at `min`..`max` (screen coordinates). With `interactive` the mouse
+  /// Draws pane `pane` of the session at `min`..`max` (screen coordinates), of which the lowest `below` pixels are left
+  /// free by a fitted world. With `interactive` the mouse
   /// pans, zooms, hovers, pins and uses the tool; commands that come of it are appended to `commands`.
   void draw(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
-            ImVec2 max, bool interactive, std::vector<Command>& commands);
+            ImVec2 max, bool interactive, std::vector<Command>& commands, float below = 0);
 
+  /// What was drawn last.
+  [[nodiscard]] const Scene& scene() const;
   /// Makes the next draw show the whole world.
   void fit();
   /// True while a zoom is on its way or something is being worked out: further frames are due without input.

@@ -7,9 +7,6 @@
 
 #include "core/plan/stage.hpp"
 #include "core/world/ends.hpp"
-#include "ui/canvas/number_key.hpp"
-#include "ui/canvas/replan_card.hpp"
-#include "ui/colormap.hpp"
 #include "ui/icons.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -18,137 +15,6 @@ namespace {
 
 /// Height of the design from which on a canvas has room for the whole card of a replan.
 constexpr float kWholeCardHeight = 560;
-
-struct SignEntry {
-  Sign sign;
-  LegendShape shape;
-  ImU32 Theme::*colour;
-  const char* label;
-  const char* help;
-};
-constexpr std::array<SignEntry, static_cast<std::size_t>(Sign::count)> kSigns = {{
-#define REPLAN_SIGN(ID, SHAPE, COLOUR, LABEL, HELP) \
-  {Sign::ID, LegendShape::SHAPE, &Theme::COLOUR, LABEL, HELP},
-#include "core/scene/signs.def"
-#undef REPLAN_SIGN
-}};
-
-std::string value_text(double value) {
-  char text[32];
-  if (value == std::floor(value)) return grouped(static_cast<std::int64_t>(value));
-  std::snprintf(text, sizeof text, "%.1f", value);
-  return text;
-}
-
-/// The width that an entry takes in a legend, with the space before it.
-float entry_width(const Look& look, const LegendEntry& entry) {
-  const bool long_mark = entry.shape == LegendShape::long_arrow || entry.shape == LegendShape::line ||
-                         entry.shape == LegendShape::dashed;
-  return look.px(18) + look.px(5) + look.px(long_mark ? 13 : 9) +
-         std::ceil(text_width(look.fonts.ui, entry.label));
-}
-
-LegendEntry entry_of(const Look& look, const SignEntry& sign) {
-  return {sign.shape, look.theme.*sign.colour, sign.label, sign.help};
-}
-LegendEntry start_entry(const Look& look) {
-  return {LegendShape::dot, look.theme.start, "start", "Where the robot sets out."};
-}
-LegendEntry goal_entry(const Look& look) {
-  return {LegendShape::dot, look.theme.goal, "goal", "Where the robot has to go."};
-}
-
-/// All that is in sight, what is rarest and needs telling most first.
-std::vector<LegendEntry> entries_in_sight(const Look& look, const Scene& scene) {
-  std::vector<LegendEntry> entries;
-  for (const SignEntry& sign : kSigns)
-    if (scene.shows(sign.sign)) entries.push_back(entry_of(look, sign));
-  entries.push_back(start_entry(look));
-  entries.push_back(goal_entry(look));
-  return entries;
-}
-
-/// The field in the colours that it has on the map, with the value at the mouse marked.
-LegendField field_in_sight(const Scene& scene, const Colormap& colours, std::string_view low,
-                           std::string_view high) {
-  LegendField field{scene.field_words, &colours, low, high};
-  const double span = scene.range->high - scene.range->low;
-  if (scene.pointed)
-    field.mark = span > 0 ? static_cast<float>((*scene.pointed - scene.range->low) / span) : 0;
-  return field;
-}
-
-/// What the part of a legend under the mouse means.
-void explain_legend(const Look& look, const Scene& scene, const LegendField& field,
-                    std::span<const LegendEntry> entries, std::span<const LegendBox> boxes) {
-  const std::size_t fields = field.map != nullptr ? 1 : 0;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (!ImGui::IsMouseHoveringRect(boxes[i].min, boxes[i].max, false)) continue;
-    const std::string title(i < fields ? field.label : entries[i - fields].label);
-    const char* help = i < fields ? overlays()[static_cast<std::size_t>(*scene.field)].help.data()
-                                  : entries[i - fields].help;
-    hint(look, {title.c_str(), "", help});
-  }
-}
-
-/// Breaks entries into rows no wider than `room`; the first has `used` taken already.
-std::vector<std::vector<LegendEntry>> in_rows(const Look& look, const std::vector<LegendEntry>& entries,
-                                              float used, float room) {
-  std::vector<std::vector<LegendEntry>> rows(1);
-  float width = used;
-  for (const LegendEntry& entry : entries) {
-    const float more = entry_width(look, entry);
-    if (width + more > room && !rows.back().empty()) {
-      rows.emplace_back();
-      width = look.px(20);
-    }
-    width += more;
-    rows.back().push_back(entry);
-  }
-  return rows;
-}
-
-/// One row over the world; the rest unfolds above it while the mouse is there, so that it hides no cells.
-void draw_legend(const Look& look, ImDrawList& list, const Run& run, const Scene& scene, ImVec2 min,
-                 ImVec2 max) {
-  const float margin = look.px(12), room = max.x - min.x - 2 * margin;
-  const Colormap colours = field_colours_over_free(look.theme);
-  LegendField field;
-  std::string low, high;
-  float used = look.px(20);
-  if (scene.range) {
-    low = value_text(scene.range->low);
-    high = value_text(scene.range->high);
-    field = field_in_sight(scene, colours, low, high);
-    const float without_label = look.px(20 + 120 + 28) + text_width(look.fonts.mono, low + high + "   ");
-    const float others = look.px(160);  // an entry at least, and how many more there are
-    if (without_label + text_width(look.fonts.ui, field.label) + others > room)
-      field.label = overlays()[static_cast<std::size_t>(*scene.field)].label;
-    used = without_label + text_width(look.fonts.ui, field.label);
-  }
-  const std::vector<LegendEntry> entries = entries_in_sight(look, scene);
-  auto rows = in_rows(look, entries, used, room);
-  if (rows.size() > 1) rows = in_rows(look, entries, used, room - look.px(46));
-  const ImVec2 foot(min.x + margin, max.y - margin);
-  std::vector<LegendBox> boxes;
-  const ImVec2 size = legend(look, list, foot, field, rows.front(), Corner::bottom_left, &boxes);
-  explain_legend(look, scene, field, rows.front(), boxes);
-  draw_number_key(look, list, run.info(), scene, {foot.x, foot.y - size.y - look.px.s});
-  if (rows.size() == 1) return;
-  const std::string more = "+" + std::to_string(entries.size() - rows.front().size());
-  const std::array<TextRun, 1> runs = {{{more, look.theme.dim, look.fonts.ui}}};
-  const ImVec2 chip_size =
-      chip(look, list, {foot.x + size.x + look.px.xs, foot.y}, runs, Corner::bottom_left);
-  const ImVec2 end(foot.x + size.x + look.px.xs + chip_size.x, foot.y);
-  if (!ImGui::IsMouseHoveringRect({foot.x, foot.y - size.y}, end, false)) return;
-  float bottom = foot.y - size.y - look.px.xs;
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    boxes.clear();
-    bottom -= legend(look, list, {foot.x, bottom}, LegendField{}, rows[i], Corner::bottom_left, &boxes).y +
-              look.px.xs;
-    explain_legend(look, scene, LegendField{}, rows[i], boxes);
-  }
-}
 
 /// The settings that tell a pane from another one with the same planner; empty if there is none.
 std::string distinction(const Run& run) {
@@ -222,14 +88,13 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
   return {status_sentence(decision->plan->status), true};
 }
 
-std::vector<LegendEntry> all_signs(const Look& look) {
-  std::vector<LegendEntry> entries = {start_entry(look), goal_entry(look)};
-  for (auto sign = kSigns.rbegin(); sign != kSigns.rend(); ++sign) entries.push_back(entry_of(look, *sign));
-  return entries;
+float pane_title_height(const Look& look) {
+  return look.px(12) + look.px(29) + look.px.xs;
 }
 
-ImVec2 draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene& scene, SceneMemory& memory,
-                  FreshPlans& plans, const ViewState& state, ImVec2 min, ImVec2 max, bool choosable) {
+ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, SceneMemory& memory,
+                      FreshPlans& plans, const ViewState& state, ImVec2 min, ImVec2 max, bool choosable,
+                      CardFold& fold) {
   const Theme& theme = look.theme;
   const float margin = look.px(12);
   const std::size_t cursor = run.timeline().cursor();
@@ -242,29 +107,35 @@ ImVec2 draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scen
   const std::array<TextRun, 3> title = {{{name, theme.text, look.fonts.title},
                                          {figures, theme.dim, look.fonts.small},
                                          {icon::caret_down, theme.faint, look.fonts.ui}}};
-  const ImVec2 left =
-      chip(look, list, {min.x + margin, min.y + margin}, std::span(title).first(choosable ? 3 : 2));
+  ChipsDrawn drawn;
+  const ImVec2 corner(min.x + margin, min.y + margin);
+  const ImVec2 left = chip(look, list, corner, std::span(title).first(choosable ? 3 : 2));
+  drawn.title = {corner, {corner.x + left.x, corner.y + left.y}};
   float below = min.y + margin + left.y + look.px.s;
   ImVec2 card_foot(max.x, min.y);  // lower left corner
-  if (const RepairFigures repair = memory.repair(run, cursor); repair.number > 0) {
+  const RepairFigures repair = memory.repair(run, cursor);
+  fold.see(repair.number, ImGui::GetTime());
+  if (repair.number > 0) {
     const auto fresh = plans.of(run, static_cast<std::size_t>(repair.number), !state.live);
     const ReplanReport report{repair, fresh, state.live};
     const float room = max.x - min.x - left.x - 3 * margin;
-    const bool brief = max.y - min.y < look.px(kWholeCardHeight);  // it would hide too much of the world
-    const bool beside = replan_card_size(look, report, brief).x <= room;
+    // A picture has the whole card where that hides little of the world.
+    const bool whole = state.live ? fold.whole(ImGui::GetTime()) : max.y - min.y >= look.px(kWholeCardHeight);
+    const bool beside = replan_card_size(look, report, !whole).x <= room;
     const float top = beside ? min.y + margin : below;
-    const ImVec2 size = draw_replan_card(look, list, {max.x - margin, top}, report, brief);
+    drawn.card = draw_replan_card(look, {max.x - margin, top}, report, !whole);
+    const ImVec2 size = replan_card_size(look, report, !whole);
     card_foot = {max.x - margin - size.x, top + size.y};
   }
   if (const StateMessage message = state_message(run, memory); !message.text.empty()) {
     const TextRun text{message.text, message.bad ? theme.bad : theme.text, look.fonts.ui};
     const float right = min.x + 2 * margin + text_width(look.fonts.ui, message.text) + look.px(20);
     const bool clear = right < card_foot.x || card_foot.y < below;
-    chip_message(look, list, {min.x + margin, clear ? below : card_foot.y + look.px.s}, text,
-                 max.x - min.x - 2 * margin);
+    const ImVec2 at(min.x + margin, clear ? below : card_foot.y + look.px.s);
+    const ImVec2 size = chip_message(look, list, at, text, max.x - min.x - 2 * margin);
+    drawn.message = {at, {at.x + size.x, at.y + size.y}};
   }
-  if (state.legend) draw_legend(look, list, run, scene, min, max);
-  return left;
+  return drawn;
 }
 
 }  // namespace replan::ui

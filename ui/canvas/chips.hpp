@@ -1,21 +1,26 @@
-// What floats over the canvas: the planner and its figures, the last repair, the legend, and how things
-// stand.
+// What floats over a pane: the planner and its figures, the last repair, and how things stand.
 #pragma once
 
 #include "core/scene/scene.hpp"
 #include "core/session/fresh_plan.hpp"
 #include "ui/canvas/canvas.hpp"
+#include "ui/canvas/replan_card.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 
-/// With `choosable` the planner's name has the sign of a menu. Returns the size of the chip in the upper left
-/// corner, that name.
-ImVec2 draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene& scene, SceneMemory& memory,
-                  FreshPlans& plans, const ViewState& state, ImVec2 min, ImVec2 max, bool choosable);
+/// Where the chips lie, and what a click on the card asked for.
+struct ChipsDrawn {
+  ScreenArea title, message;
+  CardAnswer card = CardAnswer::none;
+};
 
-/// All that the canvas can show, with the mark that the legend gives it.
-std::vector<LegendEntry> all_signs(const Look& look);
+/// With `choosable` the planner's name has the sign of a menu.
+ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, SceneMemory& memory,
+                      FreshPlans& plans, const ViewState& state, ImVec2 min, ImVec2 max, bool choosable,
+                      CardFold& fold);
+/// The height at the top of a pane that its title takes, with the space around it.
+float pane_title_height(const Look& look);
 
 /// A sentence about the run at its cursor that a user should read now; empty if all is well.
 struct StateMessage {

@@ -6,10 +6,14 @@
 #include <cstdio>
 
 #include "ui/canvas/chips.hpp"
+#include "ui/icons.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 namespace {
+
+/// How long a card is whole after a replan.
+constexpr double kWholeSeconds = 5;
 
 std::string cells(std::int64_t count) {
   return grouped(count) + (count == 1 ? " cell" : " cells");
@@ -70,7 +74,7 @@ class CardPen {
     const float left = min.x + look_.px.m, right = max.x - look_.px.m;
     float y = min.y + look_.px(12);
     draw_text(list, look_.fonts.title, {left, y}, theme.warning, "Replan " + grouped(report_.repair.number));
-    right_aligned(list, look_.fonts.small, right, y + look_.px(1), theme.dim,
+    right_aligned(list, look_.fonts.small, right - look_.px(20), y + look_.px(1), theme.dim,
                   "at step " + grouped(report_.repair.clock));
     y += look_.px(22);
     draw_text(list, look_.fonts.ui, {left, y}, theme.text, cause());
@@ -106,6 +110,12 @@ class CardPen {
   ImVec2 size_;
 };
 
+void draw_brief(const Look& look, ImVec2 min, const ReplanReport& report) {
+  const std::string text = brief_text(report);
+  const std::array<TextRun, 1> runs = {{{text, look.theme.warning, look.fonts.ui}}};
+  chip(look, *ImGui::GetWindowDrawList(), min, runs);
+}
+
 }  // namespace
 
 std::string cause_sentence(const ReplanCause& cause) {
@@ -125,19 +135,44 @@ ImVec2 replan_card_size(const Look& look, const ReplanReport& report, bool brief
   return {text_width(look.fonts.ui, brief_text(report)) + look.px(20), look.px(29)};
 }
 
-ImVec2 draw_replan_card(const Look& look, ImDrawList& list, ImVec2 pos, const ReplanReport& report,
-                        bool brief) {
-  const CardPen card(look, report);
+void CardFold::see(std::int64_t replan, double now) {
+  if (replan == replan_) return;
+  replan_ = replan;
+  until_ = now + kWholeSeconds;
+}
+
+CardAnswer draw_replan_card(const Look& look, ImVec2 pos, const ReplanReport& report, bool brief) {
+  const ImVec2 size = replan_card_size(look, report, brief);
+  const std::string id = "card##" + std::to_string(ImGui::GetID("card"));
+  ImGui::SetNextWindowPos({std::floor(pos.x - size.x), pos.y});
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  ImGui::Begin(id.c_str(), nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBackground);
+  ImGui::PopStyleVar();
+  const ImVec2 min = ImGui::GetWindowPos();
+  CardAnswer answer = CardAnswer::none;
+  if (brief)
+    draw_brief(look, min, report);
+  else
+    CardPen(look, report).draw(*ImGui::GetWindowDrawList(), min);
   if (!brief) {
-    card.draw(list, {pos.x - card.size().x, pos.y});
-    return card.size();
+    ImGui::SetCursorScreenPos({min.x + size.x - look.px(28), min.y + look.px(6)});
+    if (small_button(look, "close",
+                     {.icon = icon::times, .hint = {"Close", "", "It stays one line until you click it."}}))
+      answer = CardAnswer::close;
   }
-  const std::string text = brief_text(report);
-  const std::array<TextRun, 1> runs = {{{text, look.theme.warning, look.fonts.ui}}};
-  const ImVec2 size = chip(look, list, pos, runs, Corner::top_right);
-  if (ImGui::IsMouseHoveringRect({pos.x - size.x, pos.y}, {pos.x, pos.y + size.y}, false))
-    card.draw(*ImGui::GetForegroundDrawList(), {pos.x - card.size().x, pos.y});
-  return size;
+  ImGui::SetCursorScreenPos(min);
+  if (ImGui::InvisibleButton("whole", size) && answer == CardAnswer::none)
+    answer = brief ? CardAnswer::open : CardAnswer::repair;
+  tab_stop(look);
+  if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  hint(look, {"Last repair", "",
+              brief ? "Click for what made the robot plan again, and what the repair cost."
+                    : "Click for all that it touched."});
+  ImGui::End();
+  return answer;
 }
 
 }  // namespace replan::ui

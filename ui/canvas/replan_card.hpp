@@ -18,11 +18,35 @@ struct ReplanReport {
 /// One sentence: "The robot saw 6 cells blocked and 2 free."
 std::string cause_sentence(const ReplanCause& cause);
 
+/// Whether a pane's card is whole or one line: whole for a while after each replan and while the user wants it so; never
+/// by itself once the user has closed it.
+class CardFold {
+ public:
+  /// The replan that the card tells of at a time, in seconds.
+  void see(std::int64_t replan, double now);
+  [[nodiscard]] bool whole(double now) const { return opened_ || (!closed_ && now < until_); }
+  void open() {
+    opened_ = true;
+    closed_ = false;
+  }
+  void close() {
+    opened_ = false;
+    closed_ = true;
+  }
+
+ private:
+  std::int64_t replan_ = 0;
+  double until_ = 0;
+  bool opened_ = false, closed_ = false;
+};
+
+/// What a click on a card asks for.
+enum class CardAnswer : std::uint8_t { none, repair, close, open };
+
 ImVec2 replan_card_size(const Look& look, const ReplanReport& report, bool brief);
 
-/// Draws the card with its upper right corner at `pos`, or as one line if `brief`; under the mouse it is
-/// whole. Returns its size as it takes part in the layout.
-ImVec2 draw_replan_card(const Look& look, ImDrawList& list, ImVec2 pos, const ReplanReport& report,
-                        bool brief);
+/// The card with its upper right corner at `pos`, or as one line if `brief`, in a window of its own: what is clicked on
+/// it is not clicked on the world under it. Within the ID of its pane.
+CardAnswer draw_replan_card(const Look& look, ImVec2 pos, const ReplanReport& report, bool brief);
 
 }  // namespace replan::ui

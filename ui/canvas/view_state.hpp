@@ -1,6 +1,7 @@
 // What the window remembers of itself.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -20,7 +21,22 @@ struct ViewState {
   bool panels = true;  ///< side panel and tool strip shown
   std::string tab;     ///< the id of the chosen side tab; empty: the one that shows at first
   bool legend = true;
+  static constexpr int kSmallest = -3, kLargest = 8;
+  int size_step = 0;  ///< of words, buttons and panels, beside what the display asks for
+  void resize_window(int by) { size_step = std::clamp(size_step + by, kSmallest, kLargest); }
+  [[nodiscard]] float size() const { return 1 + 0.125f * static_cast<float>(size_step); }
   std::optional<Cell> menu;  ///< the cell whose menu is asked for
+  /// The cell that the mouse was over last, and in which pane: what is told of it stays until it is over another one.
+  struct Pointed {
+    Cell cell;
+    std::size_t pane = 0;
+  };
+  std::optional<Pointed> pointed;
+  // Wishes, until somebody has seen to them.
+  bool repair_asked = false;  ///< for what the last replan touched
+  int zoom_steps = 0;         ///< in, or below 0 out
+  int pan_x = 0, pan_y = 0;   ///< steps towards which the view goes
+  bool panned = false;        ///< something was dragged while Space was down
   bool live = true;  ///< a window; else a picture, which shows no wall times and waits for what is worked out
 };
 

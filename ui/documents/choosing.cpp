@@ -58,6 +58,16 @@ std::vector<Place> Documents::places() const {
   return places;
 }
 
+FileDialogSpec Documents::place_for(const std::string& name, const std::string& folder) const {
+  return {.saving = true,
+          .title = {},
+          .action = {},
+          .filters = {},
+          .path = (folder.empty() ? last_folder() : folder) + "/" + name,
+          .places = places(),
+          .losses = {}};
+}
+
 void Documents::choose_open(const Session& session, const std::string& path) {
   const std::string file = session.file().empty() ? "" : file_folder(session.file());
   window_.dialogs.choose_file({.title = "Open",

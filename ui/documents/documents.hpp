@@ -67,6 +67,10 @@ class Documents {
   void take_loaded(Session& session);
   void keep(Session& session);
 
+  /// Where something else that is written goes at first: of that name, in the folder, or in the last one.
+  [[nodiscard]] FileDialogSpec place_for(const std::string& name, const std::string& folder = {}) const;
+  [[nodiscard]] const WorkPlace& work() const { return surroundings_.work; }
+
   /// nullptr before it has settled in.
   [[nodiscard]] WorldLibrary* library() const { return library_.get(); }
   /// Names of files and worlds that menus and dialogs show, for uncommon_words().

@@ -48,6 +48,7 @@ Stage::Stage() : context_(ImGui::CreateContext()) {
   settings.BackendRendererName = "replan";
   settings.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
   key::install(settings);
+  look_.focus = &focus_;
 }
 
 Stage::~Stage() {
@@ -66,7 +67,18 @@ void Stage::set_theme(const Theme& theme) {
 }
 
 void Stage::set_scale(float scale) {
-  font_options_.scale = std::clamp(scale, 0.5f, 4.0f);
+  scale_ = scale;
+  rescale();
+}
+
+void Stage::set_size(float size) {
+  if (size == size_) return;
+  size_ = size;
+  rescale();
+}
+
+void Stage::rescale() {
+  font_options_.scale = std::clamp(scale_ * size_, 0.5f, 4.0f);
   look_.px = Metrics(font_options_.scale);
   fonts_stale_ = style_stale_ = true;
 }
@@ -97,6 +109,7 @@ void Stage::frame(int width, int height, float seconds, const std::function<void
   settings.DeltaTime = std::max(seconds, 1e-5f);
   input_.feed(settings);
   ImGui::NewFrame();
+  focus_.begin_frame();
   draw();
   ImGui::Render();
   // A tooltip is about to be due: the mouse rests, so no event would bring the frame that shows it.

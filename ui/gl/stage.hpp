@@ -35,6 +35,8 @@ class Stage {
   // Each takes effect at the beginning of the next frame.
   void set_theme(const Theme& theme);
   void set_scale(float scale);
+  /// How much larger than at that scale the user wants everything.
+  void set_size(float size);
   /// The language's characters (see FontOptions::also).
   void set_language(std::string also, bool chinese);
 
@@ -48,12 +50,15 @@ class Stage {
  private:
   Stage();
   void refresh();
+  void rescale();
 
   ImGuiContext* context_;
   std::unique_ptr<ImGuiRenderer> renderer_;
   InputQueue input_;
+  KeyboardFocus focus_;
   Look look_;
   FontOptions font_options_;
+  float scale_ = 1, size_ = 1;
   std::vector<std::string> notices_;
   bool fonts_stale_ = true;
   bool style_stale_ = true;

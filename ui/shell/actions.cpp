@@ -104,6 +104,16 @@ bool modifiers_match(const Chord& chord, const ImGuiIO& io) {
   return chord.ctrl == io.KeyCtrl && chord.shift == io.KeyShift && chord.alt == io.KeyAlt && !io.KeySuper;
 }
 
+/// Whether one of the action's keys, with its modifiers, is what `is` asks for.
+template <class Is>
+bool any_chord(const Action& action, const ImGuiIO& io, const Is& is) {
+  const auto matches = [&](const Chord& chord) {
+    return chord.key != 0 && modifiers_match(chord, io) && is(chord.key);
+  };
+  const std::vector<Chord>& also = action.rules.also;
+  return matches(action.chord) || std::any_of(also.begin(), also.end(), matches);
+}
+
 }  // namespace
 
 std::span<const Action> actions() {
@@ -200,8 +210,7 @@ std::vector<ActionId> pressed_actions(const ImGuiIO& io) {
   std::vector<ActionId> pressed;
   if (io.WantTextInput) return pressed;
   for (const Action& each : actions())
-    if (each.chord.key != 0 && modifiers_match(each.chord, io) &&
-        ImGui::IsKeyPressed(each.chord.key, each.held))
+    if (any_chord(each, io, [&](int key) { return ImGui::IsKeyPressed(key, each.held); }))
       pressed.push_back(each.id);
   return pressed;
 }
@@ -209,7 +218,7 @@ std::vector<ActionId> pressed_actions(const ImGuiIO& io) {
 bool key_is_held(const ImGuiIO& io) {
   if (io.WantTextInput) return false;
   return std::any_of(actions().begin(), actions().end(), [&](const Action& each) {
-    return each.held && each.chord.key != 0 && modifiers_match(each.chord, io) && io.KeysDown[each.chord.key];
+    return each.held && any_chord(each, io, [&](int key) { return io.KeysDown[key]; });
   });
 }
 

@@ -32,7 +32,7 @@ enum class ActionId : std::uint16_t {
   count
 };
 
-enum class Menu : std::uint8_t { file, edit, world, planner, debug, view, record, help, overlays };
+enum class Menu : std::uint8_t { file, edit, world, planner, run, debug, view, record, help, overlays };
 
 /// What actions read and change. Effects on the session are queued; they happen after drawing.
 struct ActionContext {
@@ -86,6 +86,8 @@ struct ActionRules {
   std::string (*words)(const ActionContext& context) = nullptr;
   void (*below)(Frame& frame) = nullptr;  ///< what the menu has below it
   bool unlisted = false;                  ///< the palette leaves it out
+  std::vector<Chord> also = {};           ///< further keys
+  bool on_release = false;  ///< done when the key is let go: while it is held it is for the mouse
 };
 
 struct Action {

@@ -28,6 +28,8 @@ const char* menu_name(Menu menu) {
       return "World";
     case Menu::planner:
       return "Planner";
+    case Menu::run:
+      return "Run";
     case Menu::debug:
       return "Debug";
     case Menu::view:

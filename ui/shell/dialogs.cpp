@@ -49,8 +49,9 @@ void Dialogs::ask(Question question) {
   show(DialogKind::question);
 }
 
-void Dialogs::choose_file(FileDialogSpec spec, const WorkPlace& place) {
+void Dialogs::choose_file(FileDialogSpec spec, const WorkPlace& place, DialogDecision::Kind decision) {
   close();
+  file_decision_ = decision;
   file_ = std::make_unique<FileDialog>(renderer_, place, std::move(spec));
   begin(DialogKind::file);
 }
@@ -64,17 +65,6 @@ void Dialogs::choose_world(WorldLibrary& library) {
 void Dialogs::offer(std::vector<AutosaveNote> notes) {
   notes_ = std::move(notes);
   show(DialogKind::recover);
-}
-
-void Dialogs::ask_capture(bool film, std::string path) {
-  capture_path_ = std::move(path);
-  show(film ? DialogKind::film : DialogKind::picture);
-}
-
-void Dialogs::ask_trace(const TraceFacts& facts, std::string path) {
-  trace_facts_ = facts;
-  capture_path_ = std::move(path);
-  show(DialogKind::trace);
 }
 
 void Dialogs::wait_for(std::string name) {
@@ -159,12 +149,6 @@ DialogDecision Dialogs::content(const Look& look) {
       return recover_dialog(look);
     case DialogKind::keys:
       return keys_dialog(look);
-    case DialogKind::film:
-      return capture_dialog(look, true);
-    case DialogKind::picture:
-      return capture_dialog(look, false);
-    case DialogKind::trace:
-      return trace_dialog(look);
     case DialogKind::none:
       break;
   }
@@ -178,7 +162,11 @@ DialogDecision Dialogs::file_dialog(const Look& look, float height) {
   decision.reading = choice.reading;
   if (choice.answer == Answer::no) decision.kind = DialogDecision::Kind::cancel;
   if (choice.answer == Answer::yes)
-    decision.kind = file_->saving() ? DialogDecision::Kind::save : DialogDecision::Kind::open;
+    decision.kind = file_decision_ != DialogDecision::Kind::none ? file_decision_
+                    : file_->saving()                            ? DialogDecision::Kind::save
+                                                                 : DialogDecision::Kind::open;
+  decision.fps = static_cast<int>(fps_);
+  decision.map = trace_map_;
   return decision;
 }
 

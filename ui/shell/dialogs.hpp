@@ -14,19 +14,7 @@
 
 namespace replan::ui {
 
-enum class DialogKind : std::uint8_t {
-  none,
-  file,
-  worlds,
-  opening,
-  new_world,
-  question,
-  recover,
-  keys,
-  film,
-  picture,
-  trace
-};
+enum class DialogKind : std::uint8_t { none, file, worlds, opening, new_world, question, recover, keys };
 
 /// What the user decided.
 struct DialogDecision {
@@ -82,13 +70,15 @@ class Dialogs {
   // Each is shown at the next draw.
   void show(DialogKind kind);
   void ask(Question question);
-  void choose_file(FileDialogSpec spec, const WorkPlace& place);
+  /// What is decided on is `decision`; none: to open, or to save.
+  void choose_file(FileDialogSpec spec, const WorkPlace& place,
+                   DialogDecision::Kind decision = DialogDecision::Kind::none);
   void choose_world(WorldLibrary& library);
   void offer(std::vector<AutosaveNote> notes);
-  /// Asks for the name of a film or picture, `path` to begin with.
-  void ask_capture(bool film, std::string path);
-  /// Asks for the name of a trace, `path` to begin with.
-  void ask_trace(const TraceFacts& facts, std::string path);
+  /// Asks where a film or picture goes; `spec` says where to begin.
+  void ask_capture(bool film, bool window, FileDialogSpec spec, const WorkPlace& place);
+  /// Asks where a trace goes.
+  void ask_trace(const TraceFacts& facts, FileDialogSpec spec, const WorkPlace& place);
   /// Tells that a file is being read, once that takes longer than a moment.
   void wait_for(std::string name);
 
@@ -111,8 +101,7 @@ class Dialogs {
   DialogDecision content(const Look& look);
   DialogDecision file_dialog(const Look& look, float height);
   DialogDecision world_dialog(const Look& look, float height);
-  DialogDecision capture_dialog(const Look& look, bool film);
-  DialogDecision trace_dialog(const Look& look);
+  void trace_options(const Look& look, const std::string& name);
   DialogDecision new_world_dialog(const Look& look);
   DialogDecision question_dialog(const Look& look);
   DialogDecision recover_dialog(const Look& look);
@@ -130,7 +119,7 @@ class Dialogs {
   std::chrono::steady_clock::time_point since_;
   std::string folder_;
   double width_ = 48, height_ = 32;  // of the new world
-  std::string capture_path_;
+  DialogDecision::Kind file_decision_ = DialogDecision::Kind::none;
   double fps_ = 30;  // of the film
   TraceFacts trace_facts_;
   bool trace_map_ = true;     // what was chosen last

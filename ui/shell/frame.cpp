@@ -10,8 +10,14 @@
 namespace replan::ui {
 
 std::optional<Cell> Frame::cell() const {
-  const std::optional<Cell> chosen = view.view.pinned ? view.view.pinned : view.view.hovered;
+  std::optional<Cell> chosen = view.view.pinned ? view.view.pinned : view.view.hovered;
+  if (!chosen && view.pointed) chosen = view.pointed->cell;
   return chosen && session.scenario().map.contains(*chosen) ? chosen : std::nullopt;
+}
+
+std::size_t Frame::cell_pane() const {
+  const bool other = !view.view.pinned && view.pointed && view.pointed->pane < session.runs().size();
+  return other ? view.pointed->pane : session.lead();
 }
 
 void area(const char* id, ImVec2 pos, ImVec2 size, ImU32 ground, ImVec2 padding,

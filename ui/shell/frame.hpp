@@ -64,6 +64,8 @@ struct PanelState {
   TabBox tabs;
   TouchedList touched;          ///< by the last replan
   bool menu_open = false;       ///< that of ViewState::menu
+  float why_height = 0;         ///< what that took in the last frame, in pixels
+  bool why_open = false;        ///< beside the pinned cell it is told why its value is what it is
   std::optional<Cell> pointed;  ///< the cell of the row under the mouse, which the canvas shows as hovered
   double exporting = -1;  ///< how much of a trace has been written, 0 to 1; below 0: none is being written
   std::shared_ptr<const CaseMoment> pasted;  ///< a moment as text, for its wish
@@ -89,10 +91,17 @@ struct Frame {
   std::vector<Command>& commands;
   Wish& wish;
 
+  /// The pane that this part of the window is about; nothing: the leading one.
+  std::optional<std::size_t> asked = {};
+
+  [[nodiscard]] std::size_t pane() const { return asked.value_or(session.lead()); }
   /// The run whose planner, cells, code and figures the side shows.
-  [[nodiscard]] const Run& run() const { return session.run(); }
-  /// The cell that the Cell panel is about: the pinned one, else the one under the cursor; inside the world.
+  [[nodiscard]] const Run& run() const { return *session.runs()[pane()]; }
+  /// The cell that the Cell panel is about: the pinned one, else the one that is or was last under the cursor; inside
+  /// the world.
   [[nodiscard]] std::optional<Cell> cell() const;
+  /// The pane that it is about: a pinned cell is that of the leading one, any other of the one under the cursor.
+  [[nodiscard]] std::size_t cell_pane() const;
 };
 
 /// A fixed part of the window: no decoration, own ground and padding.

@@ -48,7 +48,7 @@ void menu(Frame& frame, const char* name, Menu which) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(frame.look.px.s, frame.look.px(7)));
   if (which == Menu::planner) planner_items(frame);
   menu_items(frame, which);
-  if (which == Menu::planner) {
+  if (which == Menu::run) {
     ImGui::Separator();
     if (ImGui::BeginMenuEx("Debug", icon::bug)) {
       menu_items(frame, Menu::debug);
@@ -78,6 +78,7 @@ float search_box_at_right(Frame& frame, const ImRect& bar) {
   const ImVec2 max(min.x + width, min.y + height);
   ImGui::SetCursorScreenPos(min);
   if (ImGui::InvisibleButton("search", {width, height})) perform(frame, ActionId::palette);
+  tab_stop(look);
   const bool hovered = ImGui::IsItemHovered();
   hint(look, palette.hint());
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -141,6 +142,7 @@ void draw_menu_bar(Frame& frame) {
     menu(frame, "Edit", Menu::edit);
     menu(frame, "World", Menu::world);
     menu(frame, "Planner", Menu::planner);
+    menu(frame, "Run", Menu::run);
     menu(frame, "View", Menu::view);
     menu(frame, "Record", Menu::record);
     menu(frame, "Help", Menu::help);

@@ -10,7 +10,9 @@ void overlay_switch(Frame& frame, const OverlayInfo& info, float width) {
   bool on = frame.view.view.overlays.has(info.overlay);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   ImGui::BeginGroup();
-  if (toggle(look, each.label.c_str(), on)) frame.view.view.overlays.set(info.overlay, on);
+  const bool clicked =
+      info.is_field() ? choice(look, each.label.c_str(), on) : toggle(look, each.label.c_str(), on);
+  if (clicked) frame.view.view.overlays.set(info.overlay, on);
   if (!each.keys.empty()) {
     ImGui::SetCursorScreenPos(
         {origin.x + width - text_width(look.fonts.small, each.keys) - look.px(10), origin.y + look.px(3)});

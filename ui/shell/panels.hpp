@@ -37,6 +37,9 @@ std::string origin_text(Frame& frame, std::size_t event);
 /// Over the canvas, its lower right corner at `corner`: why the playhead stopped, or what it looks for.
 void draw_stop(Frame& frame, ImVec2 corner);
 
+/// Beside the pinned cell on its pane at `min`..`max`: "Why?", and what explains the cell's value once that was clicked.
+void draw_why_chip(Frame& frame, const Scene& scene, ImVec2 min, ImVec2 max);
+
 /// All overlays with their switches, keys and explanations; for popups and menus.
 void draw_overlay_switches(Frame& frame);
 /// The pseudo-code block with the current line lit; `around` > 0: only so many lines about it. `scrolled` is the line

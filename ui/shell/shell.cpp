@@ -1,6 +1,7 @@
 #include "ui/shell/shell.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <imgui_internal.h>
@@ -15,8 +16,14 @@
 namespace replan::ui {
 namespace {
 
-constexpr float kNarrowestSide = 340, kWidestSide = 640, kNarrowestCanvas = 320;
+constexpr float kNarrowestSide = 340, kWidestSide = 640, kNarrowestCanvas = 320, kNarrowestTransport = 560;
 constexpr float kCaption = 32;  // height of the line over the canvas
+
+/// Whether a key presses or changes the control that has the keyboard.
+bool is_for_control(const Look& look, const Chord& chord) {
+  if (look.focus == nullptr || !look.focus->shown() || chord.ctrl || chord.alt) return false;
+  return chord.key == key::kSpace || chord.key == key::kLeft || chord.key == key::kRight;
+}
 
 /// Seeks, steps and play are no edits: nobody needs to be told twice that there is nothing to undo.
 bool is_quiet(const Command& command) {
@@ -65,6 +72,7 @@ void Shell::draw(const Look& look, Session& session, double) {
   if (const auto outcome = export_.go_on(session)) tell(outcome->words, outcome->bad);
   panels_.exporting = export_.busy() ? export_.share() : -1;
   await_moment(session);
+  pause_behind_dialogs(session);
   documents_.keep(session);
 }
 
@@ -83,12 +91,37 @@ void Shell::take_keys(Frame& frame) {
       dialogs_.open() || world_dialogs_.open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   held_ = !elsewhere && key_is_held(io);
   if (elsewhere) {
+    let_go_.reset();
     // ImGui closes popups by Escape only together with its own keyboard navigation, which takes our keys.
     if (!dialogs_.open() && !world_dialogs_.open() && ImGui::IsKeyPressed(key::kEscape, false))
       ImGui::ClosePopupToLevel(0, true);
     return;
   }
-  for (const ActionId id : pressed_actions(io)) perform(frame, id);
+  for (const ActionId id : pressed_actions(io)) {
+    if (is_for_control(frame.look, action(id).chord)) continue;
+    if (!action(id).rules.on_release) {
+      perform(frame, id);
+      continue;
+    }
+    let_go_ = id;
+    view_.panned = false;
+  }
+  if (!let_go_ || io.KeysDown[action(*let_go_).chord.key]) return;
+  if (!view_.panned) perform(frame, *let_go_);
+  let_go_.reset();
+}
+
+/// Nothing goes on behind a dialog that is not seen; once it is closed, the same run plays on.
+void Shell::pause_behind_dialogs(Session& session) {
+  const bool covered = dialogs_.open() || world_dialogs_.open();
+  const int direction = session.playback().direction;
+  if (covered && direction != 0) {
+    paused_ = Paused{direction, session.run().log_id()};
+    static_cast<void>(session.apply(Play{0}));
+  }
+  if (covered || !paused_) return;
+  const Paused before = *std::exchange(paused_, std::nullopt);
+  if (before.log == session.run().log_id()) static_cast<void>(session.apply(Play{before.direction}));
 }
 
 /// What a comparison of two panes has just come to is told, whatever tab is open, and the vertex at which
@@ -110,9 +143,13 @@ void Shell::draw_parts(Frame& frame) {
   const bool panels = view_.panels;
   const std::string& session_caption = frame.session.scenario().caption;
   const float left = panels ? look.px.tools : 0;
-  const float widest = std::max(size.x - left - look.px(kNarrowestCanvas), look.px(kNarrowestSide));
+  // In a small window the world keeps the larger half, and the transport goes under both.
+  const float widest =
+      std::max(size.x - left - look.px(kNarrowestCanvas), std::min(look.px(kNarrowestSide), size.x * 0.45f));
   const float side = panels ? std::min(look.px(panels_.side_width), widest) : 0;
   const float split = size.x - side, bottom = size.y - look.px.status, under = bottom - look.px.transport;
+  const bool small = split < look.px(kNarrowestTransport);
+  const float transport_end = small ? size.x : split, side_end = small ? under : bottom;
   // The bar takes its height from the padding that holds when its window begins.
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                       ImVec2(look.px(10), (look.px.menu - look.fonts.ui->FontSize) * 0.5f));
@@ -127,21 +164,21 @@ void Shell::draw_parts(Frame& frame) {
   const float top = look.px.menu + (told ? look.px(kCaption) : 0);
   if (told) draw_caption(frame, {left, look.px.menu}, {split - left, look.px(kCaption)});
   draw_canvas(frame, {left, top}, {split, under});
-  area("transport", {0, under}, {split, look.px.transport}, look.theme.panel, {look.px.l, look.px(14)},
-       [&] { draw_transport(frame); });
+  area("transport", {0, under}, {transport_end, look.px.transport}, look.theme.panel,
+       {look.px.l, look.px(14)}, [&] { draw_transport(frame); });
   if (panels) {
     const float tool = has_tool_options(frame) ? panels_.tool_height : 0;
-    area("side", {split, look.px.menu}, {side, bottom - tool - look.px.menu}, look.theme.panel, {0, 0},
+    area("side", {split, look.px.menu}, {side, side_end - tool - look.px.menu}, look.theme.panel, {0, 0},
          [&] { draw_side(frame); });
     if (has_tool_options(frame))
-      area("tool options", {split, bottom - tool}, {side, tool}, look.theme.panel, {look.px.l, look.px.m},
+      area("tool options", {split, side_end - tool}, {side, tool}, look.theme.panel, {look.px.l, look.px.m},
            [&] { draw_tool_options(frame); });
   }
   area("status", {0, bottom}, {size.x, look.px.status}, look.theme.raised, {look.px(14), look.px(5)}, [&] {
     draw_status_bar(frame);
     draw_cell_menu(frame);
   });
-  if (panels) draw_splitter(frame, split, look.px.menu, bottom);
+  if (panels) draw_splitter(frame, split, look.px.menu, side_end);
   draw_stop(frame, {split - look.px.m, under - look.px(52)});
   message_.draw(look, {left, look.px.menu}, {split, under});
   palette_.draw(frame, documents_.library());
@@ -161,6 +198,10 @@ void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
   const Look& look = frame.look;
   panels_.canvas = {min, max};
   area("canvas", min, {max.x - min.x, max.y - min.y}, look.theme.background, {0, 0}, [&] {
+    const bool strip = view_.legend && frame.session.runs().size() > 1;  // one legend, under all panes
+    const float below = view_.legend ? Legend::height(look) : 0;
+    const ImVec2 whole = max;
+    if (strip) max.y -= below;
     const std::size_t room = PaneGrid::room(look, min, max);
     const std::size_t count = std::min(frame.session.runs().size(), panels_.panes > 0 ? panels_.panes : room);
     // Too narrow for all: the one that the side panel is about.
@@ -168,16 +209,31 @@ void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
                                   ? std::min(frame.session.lead(), frame.session.runs().size() - count)
                                   : 0;
     const PaneGrid grid(look, count, min, max);
-    const GridMap& map = frame.session.scenario().map;
-    panels_.zoom = resolve(view_.view.camera, map.width, map.height,
-                           {static_cast<int>(grid.width()), static_cast<int>(grid.height())})
-                       .zoom;
+    std::uint32_t signs = 0;
     for (std::size_t i = 0; i < count; ++i) {
       canvas(first + i).draw(look, frame.session, first + i, view_, grid.min(i), grid.max(i),
-                             !dialogs_.open() && !world_dialogs_.open() && !palette_.open(), frame.commands);
+                             !dialogs_.open() && !world_dialogs_.open() && !palette_.open(), frame.commands,
+                             strip ? 0 : below);
       grid.draw_parting(i);
+      signs |= canvas(first + i).scene().signs;
     }
+    const std::size_t lead = std::clamp(frame.session.lead(), first, first + count - 1);
+    panels_.zoom = canvas(lead).scene().camera.zoom;
+    if (count < frame.session.runs().size()) tell_hidden_panes(frame, first, max);
+    if (view_.legend) legend_.draw(look, canvas(lead).scene(), signs, min, whole);
+    draw_why_chip(frame, canvas(lead).scene(), grid.min(lead - first), grid.max(lead - first));
   });
+  if (std::exchange(view_.repair_asked, false)) perform(frame, ActionId::show_touched);
+}
+
+/// There is no room for all panes: which one of how many is seen, and how to come to the others.
+void Shell::tell_hidden_panes(const Frame& frame, std::size_t first, ImVec2 corner) const {
+  const Look& look = frame.look;
+  const std::string words = "Pane " + std::to_string(first + 1) + " of " +
+                            std::to_string(frame.session.runs().size()) + "; N shows the next one";
+  const std::array<TextRun, 1> runs = {{{words, look.theme.dim, look.fonts.small}}};
+  chip(look, *ImGui::GetWindowDrawList(), {corner.x - look.px.s, corner.y - look.px.xs}, runs,
+       Corner::bottom_right);
 }
 
 void Shell::draw_caption(Frame& frame, ImVec2 min, ImVec2 size) {
@@ -237,6 +293,7 @@ void Shell::show(const ViewSetup& view) {
   if (view.theme) view_.dark = *view.theme == "dark";
   view_.view.pinned.reset();
   view_.view.hovered.reset();
+  view_.pointed.reset();
   panels_.drafts.clear();
   fit();
   if (view.camera) view_.view.camera = {view.camera->x, view.camera->y, view.camera->zoom};

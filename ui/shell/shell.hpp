@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ui/canvas/canvas.hpp"
+#include "ui/canvas/legend.hpp"
 #include "ui/documents/documents.hpp"
 #include "ui/gl/imgui_renderer.hpp"
 #include "ui/shell/actions.hpp"
@@ -57,12 +58,20 @@ class Shell {
     bool sent = false;        ///< the run was sent on towards it
   };
 
+  /// What was playing when a dialog came up.
+  struct Paused {
+    int direction = 0;
+    std::uint64_t log = 0;  ///< Run::log_id()
+  };
+
   void draw_parts(Frame& frame);
   Canvas& canvas(std::size_t pane);
   void fit();
   void draw_canvas(Frame& frame, ImVec2 min, ImVec2 max);
+  void tell_hidden_panes(const Frame& frame, std::size_t first, ImVec2 corner) const;
   void draw_splitter(Frame& frame, float x, float top, float bottom);
   void take_keys(Frame& frame);
+  void pause_behind_dialogs(Session& session);
   void pin_difference(Frame& frame);
   void take_commands(Session& session, std::vector<Command>& commands);
   void take_wish(Session& session, Wish wish);
@@ -83,6 +92,9 @@ class Shell {
   Dialogs dialogs_;  // after the library that it shows
   WorldDialogs world_dialogs_;
   CommandPalette palette_;
+  Legend legend_;
+  std::optional<ActionId> let_go_;  // to be done once its key is let go
+  std::optional<Paused> paused_;
   TraceExport export_;
   std::optional<Awaited> awaited_;
   CaptureRequest asked_;  // while its dialog is open

@@ -7,7 +7,7 @@ namespace replan::ui {
 namespace {
 
 /// Several planners run side by side: whose values shall the tabs show?
-void choose_pane(Frame& frame) {
+void choose_pane(Frame& frame, std::size_t shown) {
   const Look& look = frame.look;
   const auto runs = frame.session.runs();
   const ImVec2 origin = ImGui::GetCursorScreenPos();
@@ -21,7 +21,8 @@ void choose_pane(Frame& frame) {
     ImGui::SetCursorScreenPos(min);
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::InvisibleButton("pane", {width, look.px.control})) frame.commands.push_back(Lead{i});
-    const bool chosen = i == frame.session.lead(), hovered = ImGui::IsItemHovered();
+    tab_stop(look);
+    const bool chosen = i == shown, hovered = ImGui::IsItemHovered();
     hint(look, {"Pane", "",
                 "Whose values the tabs show and whose timeline is below the canvas; the others follow it."});
     ImGui::PopID();
@@ -57,7 +58,8 @@ void draw_side(Frame& frame) {
   // A child of its own per tab, so that each keeps its scroll position.
   ImGui::BeginChild(tab_kinds()[tab].name, {0, 0}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGui::PopStyleVar();
-  if (tab_kinds()[tab].per_pane && frame.session.runs().size() > 1) choose_pane(frame);
+  if (tab_kinds()[tab].per_pane && frame.session.runs().size() > 1)
+    choose_pane(frame, frame.panels.tabs[tab].pane(frame));
   frame.panels.tabs[tab].draw(frame);
   ImGui::EndChild();
 }

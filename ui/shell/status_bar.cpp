@@ -1,4 +1,5 @@
 // The status bar: the cell under the cursor, the search in numbers, and how the mission stands.
+#include <array>
 #include <string>
 
 #include "ui/icons.hpp"
@@ -64,7 +65,10 @@ Verdict verdict(const Theme& theme, const Run& run) {
 }
 
 std::string cell_state(const Frame& frame, Cell cell) {
-  const Run& run = frame.run();
+  // The robots of the panes need not know the same.
+  const auto& pointed = frame.view.pointed;
+  const bool other = frame.view.view.hovered && pointed && pointed->pane < frame.session.runs().size();
+  const Run& run = other ? *frame.session.runs()[pointed->pane] : frame.run();
   const SearchState& state = run.timeline().state();
   const NodeId node = run.lattice().node(cell);
   const bool truth = state.truly_blocked(node), known = state.known_blocked(node);
@@ -213,6 +217,20 @@ void exporting(Frame& frame, Line& line) {
     frame.wish = Wish::stop_export;
 }
 
+/// Beside how large a cell is: smaller, larger, the whole world.
+void zoom_buttons(Frame& frame, Line& line) {
+  const Look& look = frame.look;
+  constexpr std::array kIds = {ActionId::zoom_out, ActionId::zoom_in, ActionId::fit};
+  if (!line.next(look.px(24) * static_cast<float>(kIds.size()))) return;
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos({origin.x - look.px.s, origin.y - look.px(4)});
+  for (const ActionId id : kIds) {
+    const Action& each = action(id);
+    if (small_button(look, each.name, {.icon = each.icon, .hint = each.hint()})) perform(frame, id);
+    ImGui::SameLine(0, 0);
+  }
+}
+
 }  // namespace
 
 void draw_status_bar(Frame& frame) {
@@ -248,6 +266,7 @@ void draw_status_bar(Frame& frame) {
   const double zoom = frame.panels.zoom / static_cast<double>(look.px.scale);
   line.pair("Zoom", fixed(zoom, zoom < 10 ? 1 : 0) + "×",
             {"Zoom", "", "Pixels per cell, at the display's scale."});
+  zoom_buttons(frame, line);
 }
 
 }  // namespace replan::ui

@@ -25,6 +25,7 @@ void brush_size(Frame& frame) {
   const Look& look = frame.look;
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   if (ImGui::InvisibleButton("brush", {look.px.tool, look.px.tool})) ImGui::OpenPopup("brush size");
+  tab_stop(look);
   const bool hovered = ImGui::IsItemHovered();
   const std::string keys = action(ActionId::brush_smaller).keys + " " + action(ActionId::brush_larger).keys;
   hint(look,

@@ -13,14 +13,16 @@ void Shell::ask_for_trace(const Session& session) {
   const PosthocSize posthoc = posthoc_size(log);
   const std::string& file = session.file();
   const std::string name = file.empty() ? session.scenario().name : file_stem(file);
-  const std::string folder = file.empty() ? "" : file_folder(file) + "/";
+  const std::string folder = file.empty() ? "" : file_folder(file);
   dialogs_.ask_trace(
       {log.size(), posthoc.steps, posthoc.bytes},
-      folder + (name.empty() ? "run" : name) + "." + session.run().choice().id + ".trace.yaml");
+      documents_.place_for((name.empty() ? "run" : name) + "." + session.run().choice().id + ".trace.yaml",
+                           folder),
+      documents_.work());
 }
 
 void Shell::export_trace(const Session& session, const DialogDecision& decision) {
-  const Result<void> begun = export_.begin(session, typed_path(decision.path), decision.map);
+  const Result<void> begun = export_.begin(session, decision.path, decision.map);
   if (!begun) tell(begun.error(), true);
 }
 

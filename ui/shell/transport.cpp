@@ -97,12 +97,13 @@ void speed(Frame& frame, bool roomy) {
   ImGui::SameLine(0, look.px(roomy ? 20 : 10));
   if (roomy) {
     ImGui::AlignTextToFramePadding();
-    text(look.fonts.ui, look.theme.dim, "Speed");
+    text(look.fonts.ui, look.theme.dim, "Playing speed");
     ImGui::SameLine(0, look.px.s);
   }
   const float width = look.px(roomy ? 110 : 70), height = look.px.control, knob = look.px(6);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("speed", {width, height});
+  tab_stop(look);
   const double range = std::log(Session::kFullSpeed / kSlowest);
   double now = frame.session.playback().expansions_per_second;
   if (ImGui::IsItemActive()) {
@@ -111,7 +112,7 @@ void speed(Frame& frame, bool roomy) {
     now = at > 0.97 ? Session::kFullSpeed : kSlowest * std::exp(range * at);
     frame.commands.push_back(SetSpeed{now});
   }
-  hint(look, {"Speed", "",
+  hint(look, {"Playing speed", "",
               "Expansions per second, on a log scale; at the right end as fast as possible. The robot drives "
               "at most 15 cells a second."});
   const auto part = static_cast<float>(std::clamp(std::log(now / kSlowest) / range, 0.0, 1.0));
@@ -156,7 +157,7 @@ void draw_transport(Frame& frame) {
   const float width = ImGui::GetContentRegionAvail().x;
   const bool several = frame.session.runs().size() > 1;
   const float extra = (frame.session.breakpoints().list().empty() ? 0.0f : 90.0f) + (several ? 130.0f : 0.0f);
-  const bool roomy = width > look.px(790 + extra);
+  const bool roomy = width > look.px(840 + extra);
   buttons(frame);
   step_unit(frame, roomy);
   if (several) lockstep(frame);

@@ -42,14 +42,15 @@ void Shell::ask_for_capture(bool film, bool window) {
     capture_ = {CaptureRequest::Kind::stop, window, {}, 0};
     return;
   }
-  dialogs_.ask_capture(film, capture_name(film ? ".gif" : ".png"));
+  dialogs_.ask_capture(film, window, documents_.place_for(capture_name(film ? ".gif" : ".png")),
+                       documents_.work());
 }
 
 void Shell::take_decision(Session& session, const DialogDecision& decision) {
   switch (decision.kind) {
     case DialogDecision::Kind::capture:
       capture_ = asked_;
-      capture_->path = typed_path(decision.path);
+      capture_->path = decision.path;
       capture_->fps = decision.fps;
       return message_.clear();  // or it would be in the picture
     case DialogDecision::Kind::export_trace:

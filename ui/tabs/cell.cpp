@@ -177,13 +177,19 @@ void code_excerpt(Frame& frame) {
   draw_pseudo_code(frame, *block, 4);
 }
 
+/// Where the cell comes from.
+std::string origin_of(const Frame& frame, Cell cell) {
+  if (frame.view.view.pinned) return "pinned";
+  const std::string words = frame.view.view.hovered == cell ? "under the cursor" : "last under the cursor";
+  return frame.session.runs().size() == 1 ? words : words + ", in " + std::string(frame.run().info().name);
+}
+
 /// The cell, and the button that opens its menu.
 void heading(Frame& frame, Cell cell) {
   const Look& look = frame.look;
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float right = origin.x + ImGui::GetContentRegionAvail().x;
-  section_title(look,
-                "Cell " + cell_text(cell) + (frame.view.view.pinned ? " — pinned" : " — under the cursor"));
+  section_title(look, "Cell " + cell_text(cell) + " — " + origin_of(frame, cell));
   const ImVec2 below = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({right - look.px(24), origin.y - look.px(5)});
   const Action& menu = action(ActionId::cell_menu);
@@ -194,27 +200,39 @@ void heading(Frame& frame, Cell cell) {
 
 class CellTab final : public SideTab {
   void draw(Frame& frame) override;
+  [[nodiscard]] std::size_t pane(const Frame& frame) const override { return frame.cell_pane(); }
+  void draw_cell(Frame& frame, Cell cell);
 
   int chosen_value_ = 0;
   CellPast past_;
 };
 
 void CellTab::draw(Frame& frame) {
-  const Look& look = frame.look;
   const std::optional<Cell> cell = frame.cell();
   if (!cell) {
-    empty_state(look, icon::crosshairs, "Point at a cell",
+    empty_state(frame.look, icon::crosshairs, "Point at a cell",
                 "Its values show here. Click a cell with Select to pin it, then step and watch them change.");
     return;
   }
-  const CellView view(frame.run(), *cell);
-  heading(frame, *cell);
+  frame.asked = frame.cell_pane();
+  const std::size_t queued = frame.commands.size();
+  draw_cell(frame, *cell);
+  // What was clicked is a place in that pane's log.
+  if (frame.commands.size() > queued && *frame.asked != frame.session.lead())
+    frame.commands.insert(frame.commands.begin() + static_cast<std::ptrdiff_t>(queued), Lead{*frame.asked});
+  frame.asked.reset();
+}
+
+void CellTab::draw_cell(Frame& frame, Cell cell) {
+  const Look& look = frame.look;
+  const CellView view(frame.run(), cell);
+  heading(frame, cell);
   values(frame, view, chosen_value_);
   touched_line(frame, view);
   section_rule(look);
   draw_why(frame, view);
   section_rule(look);
-  past_.draw(frame, *cell);
+  past_.draw(frame, cell);
   code_excerpt(frame);
 }
 

@@ -85,7 +85,7 @@ bool number_setting(Frame& frame, const Parameter& parameter, const Hint& what, 
                              .decimals = decimals},
                             shown, what);
   if (moved) frame.panels.drafts[key] = shown;
-  const bool held = ImGui::IsItemActive() || ImGui::IsMouseDown(0);
+  const bool held = ImGui::IsItemActive();
   if (held || !frame.panels.drafts.contains(key)) return false;
   value = shown;
   frame.panels.drafts.erase(key);
@@ -199,7 +199,7 @@ bool drive_settings(Frame& frame, RobotSetup& robot) {
                                   });
   robot.motion = static_cast<Motion>(motion);
   const Parameter speed{.key = "robot speed",
-                        .label = "Speed",
+                        .label = "Driving speed",
                         .type = ParameterType::real,
                         .initial = RobotSetup{}.speed,
                         .low = 0.5,
@@ -207,7 +207,7 @@ bool drive_settings(Frame& frame, RobotSetup& robot) {
                         .unit = "cells/s"};
   changed |=
       number_setting(frame, speed,
-                     {"Speed", "",
+                     {"Driving speed", "",
                       "How fast the robot drives; beside the speed of moving obstacles it decides who is "
                       "where first."},
                      robot.speed);

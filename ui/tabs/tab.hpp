@@ -18,6 +18,8 @@ class SideTab {
   virtual ~SideTab() = default;
   /// In the current ImGui window.
   virtual void draw(Frame& frame) = 0;
+  /// The pane that it is about now.
+  [[nodiscard]] virtual std::size_t pane(const Frame& frame) const;
   /// Its action was done: what it shows at first is to show now.
   virtual void show_first() {}
 };

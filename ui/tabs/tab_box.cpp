@@ -32,6 +32,10 @@ std::size_t tab_number(std::string_view id) {
   return found < kinds.size() ? found : number_of([](const TabKind& kind) { return kind.at_first; });
 }
 
+std::size_t SideTab::pane(const Frame& frame) const {
+  return frame.session.lead();
+}
+
 TabBox::TabBox() {
   for (const TabKind& kind : tab_kinds()) tabs_.push_back(kind.make());
 }

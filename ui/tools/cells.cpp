@@ -36,8 +36,9 @@ class BrushDrag final : public Drag {
 
 }  // namespace
 
-std::unique_ptr<Drag> Tool::press_right(ToolContext&) {
-  return brush_drag();
+std::unique_ptr<Drag> Tool::press_right(ToolContext& context) {
+  context.view.menu = context.press.first;
+  return nullptr;
 }
 
 std::unique_ptr<Drag> brush_drag() {

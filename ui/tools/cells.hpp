@@ -46,4 +46,10 @@ class ShapeDrag : public Drag {
 /// A stroke of the brush, which paints or erases under the mouse.
 std::unique_ptr<Drag> brush_drag();
 
+/// A tool that draws obstacles: its right button erases them, with the brush if the tool has no other way.
+class DrawingTool : public Tool {
+ public:
+  std::unique_ptr<Drag> press_right(ToolContext&) override { return brush_drag(); }
+};
+
 }  // namespace replan::ui

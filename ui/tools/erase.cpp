@@ -5,7 +5,7 @@
 namespace replan::ui {
 namespace {
 
-class EraseTool final : public Tool {
+class EraseTool final : public DrawingTool {
   std::unique_ptr<Drag> press(ToolContext& context) override {
     context.press.kind = StrokeKind::erases;
     return brush_drag();
@@ -21,7 +21,9 @@ ToolKind erase_tool() {
   return {.label = "Erase obstacles",
           .icon = icon::eraser,
           .chord = plain('E'),
-          .teach = "Makes cells free again; the robot is told.",
+          .teach =
+              "Makes cells free again; the robot is told. With every tool that draws, the right button does "
+              "the same.",
           .group = ToolGroup::draw,
           .make = make_part<Tool, EraseTool>};
 }

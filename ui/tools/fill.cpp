@@ -5,7 +5,7 @@
 namespace replan::ui {
 namespace {
 
-class FillTool final : public Tool {
+class FillTool final : public DrawingTool {
   std::unique_ptr<Drag> press(ToolContext& context) override {
     const Run& run = context.run;
     const Cell at = context.press.first;

@@ -9,7 +9,7 @@ std::vector<CellSpan> straight_stroke(const Press& press, const ViewState& view)
   return stroke_spans(brush_of(view), press.first, press.last);
 }
 
-class LineTool final : public Tool {
+class LineTool final : public DrawingTool {
   std::unique_ptr<Drag> press(ToolContext&) override { return std::make_unique<ShapeDrag>(straight_stroke); }
   std::unique_ptr<Drag> press_right(ToolContext& context) override { return press(context); }
   [[nodiscard]] CellPreview preview(const ViewState& view, Cell at) const override {

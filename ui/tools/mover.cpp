@@ -83,22 +83,22 @@ bool movement(Frame& frame, double& speed, WayEnd& at_end) {
   static constexpr std::array<const char*, 3> kEnds = {"Back", "Round", "Stays"};
   const auto draft = frame.panels.drafts.find("mover speed");
   double shown = draft == frame.panels.drafts.end() ? speed : draft->second;
-  if (slider(
-          look,
-          {.label = "Speed",
-           .min = 0.1,
-           .max = 50,
-           .initial = 2,
-           .unit = "cells/s",
-           .decimals = 1,
-           .logarithmic = true},
-          shown,
-          {"Speed", "",
-           "A diagonal step takes as long as a straight one. The robot's own speed is in the Planner tab."}))
+  if (slider(look,
+             {.label = "Its speed",
+              .min = 0.1,
+              .max = 50,
+              .initial = 2,
+              .unit = "cells/s",
+              .decimals = 1,
+              .logarithmic = true},
+             shown,
+             {"Its speed", "",
+              "A diagonal step takes as long as a straight one. The robot's driving speed is in the Planner "
+              "tab."}))
     frame.panels.drafts["mover speed"] = shown;
   bool changed = false;
   // Handed on when the slider is let go: each change begins the run afresh.
-  if (!ImGui::IsMouseDown(0) && !ImGui::IsItemActive() && frame.panels.drafts.erase("mover speed") > 0) {
+  if (!ImGui::IsItemActive() && frame.panels.drafts.erase("mover speed") > 0) {
     speed = shown;
     changed = true;
   }
@@ -222,7 +222,7 @@ void draw_selected_mover(Frame& frame) {
                shown,
                {label, "", "Of the box of cells that moves; what lies outside the world is not there."}))
       frame.panels.drafts[key] = shown;
-    if (ImGui::IsMouseDown(0) || frame.panels.drafts.erase(key) == 0) return;
+    if (ImGui::IsItemActive() || frame.panels.drafts.erase(key) == 0) return;
     value = static_cast<int>(shown);
     changed = true;
   };

@@ -5,7 +5,7 @@
 namespace replan::ui {
 namespace {
 
-class PaintTool final : public Tool {
+class PaintTool final : public DrawingTool {
   std::unique_ptr<Drag> press(ToolContext&) override { return brush_drag(); }
   [[nodiscard]] CellPreview preview(const ViewState& view, Cell at) const override {
     return {brush_spans(brush_of(view), at)};
@@ -23,8 +23,7 @@ ToolKind paint_tool() {
           "Draw walls that the robot is told of. While a plan stands, it is repaired under the brush. The "
           "right button erases.",
       .group = ToolGroup::draw,
-      .make = make_part<Tool, PaintTool>,
-      .at_first = true};
+      .make = make_part<Tool, PaintTool>};
 }
 
 }  // namespace replan::ui

@@ -9,7 +9,7 @@ std::vector<CellSpan> cells_between(const Press& press, const ViewState&) {
   return rectangle_spans(press.first, press.last);
 }
 
-class RectangleTool final : public Tool {
+class RectangleTool final : public DrawingTool {
   std::unique_ptr<Drag> press(ToolContext&) override { return std::make_unique<ShapeDrag>(cells_between); }
   std::unique_ptr<Drag> press_right(ToolContext& context) override { return press(context); }
 };

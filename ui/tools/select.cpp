@@ -73,13 +73,17 @@ void select_with_tool(ViewState& view, const CellRect& region) {
 }
 
 ToolKind select_tool() {
-  return {.label = "Select",
-          .icon = icon::pointer,
-          .chord = plain('V'),
-          .teach = "Hover a cell to see its values; click to pin it; drag to select a region.",
-          .group = ToolGroup::look,
-          .make = make_part<Tool, SelectTool>,
-          .leads = true};
+  return {
+      .label = "Select",
+      .icon = icon::pointer,
+      .chord = plain('V'),
+      .teach =
+          "Hover a cell to see its values; click to pin it; drag to select a region. The right button opens "
+          "the cell's menu.",
+      .group = ToolGroup::look,
+      .make = make_part<Tool, SelectTool>,
+      .at_first = true,
+      .leads = true};
 }
 
 }  // namespace replan::ui

@@ -81,7 +81,7 @@ class Tool {
 
   /// The left button goes down. What begins with that; nullptr: it is done.
   virtual std::unique_ptr<Drag> press(ToolContext& context) = 0;
-  /// The right button does: it erases with the brush.
+  /// The right button does: it asks for the menu of the cell.
   virtual std::unique_ptr<Drag> press_right(ToolContext& context);
   /// A click on the start, the goal or the robot, which a drag would have moved.
   virtual void click(ToolContext&) {}

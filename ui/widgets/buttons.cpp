@@ -19,10 +19,11 @@ struct Pressed {
 };
 
 /// The behaviour of every button: an area that can be hovered, pressed and disabled.
-Pressed press(const char* id, ImVec2 size, bool enabled) {
+Pressed press(const Look& look, const char* id, ImVec2 size, bool enabled) {
   ImGui::BeginDisabled(!enabled);
   Pressed result{};
   result.clicked = ImGui::InvisibleButton(id, size);
+  tab_stop(look);
   result.hovered = enabled && ImGui::IsItemHovered();
   result.held = enabled && ImGui::IsItemActive();
   result.min = ImGui::GetItemRectMin();
@@ -62,8 +63,12 @@ ButtonColours colours_of(const Theme& theme, ButtonKind kind, bool hovered) {
 
 }  // namespace
 
+void tab_stop(const Look& look) {
+  if (look.focus != nullptr) look.focus->offer(look.theme.accent, look.px.radius, look.px(2));
+}
+
 bool tool_button(const Look& look, const char* id, const IconButton& button) {
-  const Pressed area = press(id, {look.px.tool, look.px.tool}, button.enabled);
+  const Pressed area = press(look, id, {look.px.tool, look.px.tool}, button.enabled);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (button.selected || area.hovered) {
     list.AddRectFilled(area.min, area.max, button.selected ? look.theme.selected : look.theme.hover,
@@ -78,7 +83,7 @@ bool tool_button(const Look& look, const char* id, const IconButton& button) {
 }
 
 bool transport_button(const Look& look, const char* id, const IconButton& button) {
-  const Pressed area = press(id, {look.px(32), look.px.control}, button.enabled);
+  const Pressed area = press(look, id, {look.px(32), look.px.control}, button.enabled);
   const ButtonKind kind = button.selected ? ButtonKind::primary : ButtonKind::plain;
   const ButtonColours colours = colours_of(look.theme, kind, area.hovered);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -89,7 +94,7 @@ bool transport_button(const Look& look, const char* id, const IconButton& button
 }
 
 bool small_button(const Look& look, const char* id, const IconButton& button) {
-  const Pressed area = press(id, {look.px(24), look.px(24)}, button.enabled);
+  const Pressed area = press(look, id, {look.px(24), look.px(24)}, button.enabled);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (area.hovered) list.AddRectFilled(area.min, area.max, look.theme.hover, look.px.radius);
   ImU32 colour = button.colour != 0 ? button.colour : area.hovered ? look.theme.text : look.theme.dim;
@@ -104,7 +109,7 @@ bool button(const Look& look, const char* label, ButtonKind kind, const char* ic
   const ImFont* font = look.fonts.ui;
   const float icon_room = icon[0] == '\0' ? 0 : look.px(22);
   const Pressed area =
-      press(label, {text_width(font, words) + icon_room + look.px(24), look.px.control}, true);
+      press(look, label, {text_width(font, words) + icon_room + look.px(24), look.px.control}, true);
   const ButtonColours colours = colours_of(look.theme, kind, area.hovered);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(area.min, area.max, colours.ground, look.px.radius);
@@ -116,30 +121,33 @@ bool button(const Look& look, const char* label, ButtonKind kind, const char* ic
 
 bool tabs(const Look& look, const char* id, std::span<const Tab> all, int& current) {
   ImGui::PushID(id);
-  const float height = look.px(38);
+  const float height = look.px(38), width = ImGui::GetContentRegionAvail().x;
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float bottom = origin.y + height;
-  list.AddRectFilled({origin.x, bottom - look.px.hair}, {origin.x + ImGui::GetContentRegionAvail().x, bottom},
-                     look.theme.line);
-  const int before = current;
   float words = 0;
   for (const Tab& tab : all) words += text_width(look.fonts.ui, tab.name);
-  // As much space between them as there is room for.
-  const float room = ImGui::GetContentRegionAvail().x - look.px(16) - words;
-  const float gap =
-      std::clamp(std::floor(room / (2 * static_cast<float>(all.size()))), look.px(3), look.px(10));
-  float x = origin.x + look.px(8);
+  // As much space between them as there is room for; in a narrow panel they stand in two rows.
+  const auto count = static_cast<float>(all.size());
+  const bool two = width - look.px(16) - words < 2 * count * look.px(3);
+  const float room = two ? 2 * width - look.px(64) - words : width - look.px(16) - words;
+  const float gap = std::clamp(std::floor(room / (2 * count)), look.px(3), look.px(10));
+  const float bottom = origin.y + (two ? 2 * height : height);
+  list.AddRectFilled({origin.x, bottom - look.px.hair}, {origin.x + width, bottom}, look.theme.line);
+  const int before = current;
+  ImVec2 at(origin.x + look.px(8), origin.y);
   for (int i = 0; i < static_cast<int>(all.size()); ++i) {
     const auto& [name, teach] = all[static_cast<std::size_t>(i)];
-    ImGui::SetCursorScreenPos({x, origin.y});
-    const Pressed area = press(name, {text_width(look.fonts.ui, name) + 2 * gap, height}, true);
+    const float wide = text_width(look.fonts.ui, name) + 2 * gap;
+    if (two && at.y == origin.y && at.x + wide > origin.x + width)
+      at = {origin.x + look.px(8), at.y + height};
+    ImGui::SetCursorScreenPos(at);
+    const Pressed area = press(look, name, {wide, height}, true);
     if (area.clicked) current = i;
     if (*teach.title != '\0') hint(look, teach);
     const ImU32 colour = i == current || area.hovered ? look.theme.text : look.theme.dim;
-    draw_text(list, look.fonts.ui, {x + gap, origin.y + look.px(14)}, colour, name);
-    if (i == current) list.AddRectFilled({area.min.x, bottom - look.px(2)}, area.max, look.theme.accent);
-    x = area.max.x;
+    draw_text(list, look.fonts.ui, {at.x + gap, at.y + look.px(14)}, colour, name);
+    if (i == current) list.AddRectFilled({area.min.x, area.max.y - look.px(2)}, area.max, look.theme.accent);
+    at.x = area.max.x;
   }
   ImGui::SetCursorScreenPos({origin.x, bottom});
   ImGui::PopID();
@@ -157,7 +165,7 @@ bool segments(const Look& look, const char* id, std::span<const char* const> nam
   for (int i = 0; i < static_cast<int>(names.size()); ++i) {
     const char* name = names[static_cast<std::size_t>(i)];
     ImGui::SetCursorScreenPos({origin.x + width * static_cast<float>(i), origin.y});
-    const Pressed area = press(name, {width, look.px.control}, true);
+    const Pressed area = press(look, name, {width, look.px.control}, true);
     if (area.clicked) current = i;
     if (i == current) list.AddRectFilled(area.min, area.max, look.theme.selected, look.px.radius);
     draw_text_centred(list, look.fonts.ui, area.min, area.max,

@@ -3,11 +3,13 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include "ui/icons.hpp"
+#include "ui/keys.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
@@ -43,18 +45,35 @@ bool is_initial(const SliderSpec& spec, double value) {
   return shown(spec, value) == shown(spec, spec.initial);
 }
 
+/// Presses of the arrow keys, if the last item has the keyboard.
+int arrow_steps(const Look& look) {
+  if (look.focus == nullptr || !look.focus->here() || ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyAlt)
+    return 0;
+  return (ImGui::IsKeyPressed(key::kRight) ? 1 : 0) - (ImGui::IsKeyPressed(key::kLeft) ? 1 : 0);
+}
+
+/// A value some fiftieths of the track farther on, and at least its smallest step.
+double stepped(const SliderSpec& spec, double value, int steps) {
+  const double grain = spec.step > 0 ? spec.step : std::pow(10.0, -spec.decimals);
+  const double there = to_value(spec, to_position(spec, value) + static_cast<float>(steps) / 50);
+  return rounded(spec, steps > 0 ? std::max(there, value + grain) : std::min(there, value - grain));
+}
+
 /// The track with its knob; drags, and steps by the wheel while Ctrl is held.
 bool slider_track(const Look& look, const SliderSpec& spec, double& value) {
   const float height = look.px.l;
   const float width = std::max(ImGui::GetContentRegionAvail().x, look.px(40));
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("track", {width, height});
-  const bool active = ImGui::IsItemActive();
+  tab_stop(look);
+  const bool active =
+      ImGui::IsItemActive() && ImGui::GetCurrentContext()->ActiveIdSource == ImGuiInputSource_Mouse;
   const float radius = look.px.s * 0.75f;
   const float left = origin.x + radius;
   const float span = width - radius * 2;
   const double before = value;
   if (active) value = to_value(spec, (ImGui::GetIO().MousePos.x - left) / span);
+  if (const int steps = arrow_steps(look); steps != 0) value = stepped(spec, value, steps);
   const float y = origin.y + height * 0.5f;
   const float x = left + span * to_position(spec, value);
   const float half = look.px(4) * 0.5f;
@@ -66,54 +85,74 @@ bool slider_track(const Look& look, const SliderSpec& spec, double& value) {
   return value != before;
 }
 
-/// The field into which a value is typed, in place of the value; closed by Enter or a click elsewhere.
-bool typed_value(const Look& look, const SliderSpec& spec, double& value, bool& typing) {
-  const double before = value;
-  ImGui::PushFont(look.fonts.mono);
-  ImGui::SetNextItemWidth(look.px(90));
-  const bool first = !ImGui::GetStateStorage()->GetBool(ImGui::GetID("focused"));
-  if (first) ImGui::SetKeyboardFocusHere();
-  const std::string format = "%." + std::to_string(spec.decimals) + "f";
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px.xs, 0));
-  double typed = value;
-  const bool entered =
-      ImGui::InputDouble("##typed", &typed, 0, 0, format.c_str(),
-                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  const bool left = ImGui::IsItemDeactivated();
-  ImGui::PopStyleVar();
-  ImGui::PopFont();
-  if (entered) value = rounded(spec, typed);
-  typing = !entered && !left;
-  ImGui::GetStateStorage()->SetBool(ImGui::GetID("focused"), typing);
-  return value != before;
-}
-
-/// The value with its unit at the right of the label's line; a click begins typing.
+/// The value with its unit at the right of the label's line; a click or Tab begins typing.
 bool slider_value(const Look& look, const SliderSpec& spec, double& value, float right) {
-  const ImGuiID typing_id = ImGui::GetID("typing");
-  bool typing = ImGui::GetStateStorage()->GetBool(typing_id);
   const std::string number = shown(spec, value);
   const std::string unit = spec.unit[0] == '\0' ? "" : std::string(" ") + spec.unit;
-  const float width =
-      typing ? look.px(90) : text_width(look.fonts.mono, number) + text_width(look.fonts.mono, unit);
+  const bool typing = ImGui::GetActiveID() == ImGui::GetID("##typed");
+  const float digits = text_width(look.fonts.mono, number);
+  const float width = typing ? look.px(90) : digits + text_width(look.fonts.mono, unit);
   ImGui::SetCursorScreenPos({right - width, ImGui::GetCursorScreenPos().y});
   const ImVec2 pos = ImGui::GetCursorScreenPos();
-  bool changed = false;
-  if (typing) {
-    changed = typed_value(look, spec, value, typing);
-  } else {
-    if (ImGui::InvisibleButton("value", {std::max(width, 1.0f), look.fonts.mono->FontSize})) typing = true;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImU32 colour = ImGui::IsItemHovered() ? look.theme.accent : look.theme.text;
-    draw_text(list, look.fonts.mono, pos, colour, number);
-    draw_text(list, look.fonts.mono, {pos.x + text_width(look.fonts.mono, number), pos.y}, look.theme.faint,
-              unit);
-  }
-  ImGui::GetStateStorage()->SetBool(typing_id, typing);
+  const bool hovered =
+      ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(pos, {right, pos.y + look.fonts.mono->FontSize});
+  ImGui::SetNextItemWidth(typing ? width : std::max(std::ceil(width), 1.0f));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(typing ? look.px.xs : 0, 0));
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, typing ? ImGui::GetStyle().FrameBorderSize : 0.0f);
+  if (!typing) ImGui::PushStyleColor(ImGuiCol_FrameBg, 0);
+  ImGui::PushStyleColor(ImGuiCol_Text, hovered && !typing ? look.theme.accent : look.theme.text);
+  double typed = value;
+  const std::string format = "%." + std::to_string(spec.decimals) + "f";
+  const bool changed = number_field(look, "##typed", ImGuiDataType_Double, &typed, format.c_str());
+  ImGui::PopStyleColor(typing ? 1 : 2);
+  ImGui::PopStyleVar(2);
+  if (changed) value = rounded(spec, typed);
+  if (!typing)
+    draw_text(*ImGui::GetWindowDrawList(), look.fonts.mono, {pos.x + digits, pos.y}, look.theme.faint, unit);
   return changed;
 }
 
+/// A number while it is typed: ImGui's storage has room for halves of it.
+struct Draft {
+  ImGuiStorage& storage;
+  ImGuiID id;
+
+  void keep(std::uint64_t bits) {
+    storage.SetInt(id, static_cast<int>(bits & 0xffffffffu));
+    storage.SetInt(id + 1, static_cast<int>(bits >> 32));
+  }
+  [[nodiscard]] std::uint64_t bits() const {
+    return std::uint64_t{static_cast<std::uint32_t>(storage.GetInt(id))} |
+           std::uint64_t{static_cast<std::uint32_t>(storage.GetInt(id + 1))} << 32;
+  }
+};
+
+bool is_enter_down(const ImGuiIO& io) {
+  return io.KeysDown[key::kEnter] || io.KeysDown[key::kKeypadEnter];
+}
+
 }  // namespace
+
+bool number_field(const Look& look, const char* id, ImGuiDataType type, void* value, const char* format) {
+  const ImGuiID own = ImGui::GetID(id);
+  Draft draft{*ImGui::GetStateStorage(), own};
+  const bool typing = ImGui::GetActiveID() == own;
+  std::uint64_t before = 0, typed = 0;
+  std::memcpy(&before, value, sizeof before);
+  // A field that another one has just taken the keyboard from is not active any more, and has yet to hand over.
+  const bool begun = typing || ImGui::GetCurrentContext()->ActiveIdPreviousFrame == own;
+  typed = begun ? draft.bits() : before;
+  if (look.focus != nullptr) look.focus->offer_field(id);
+  ImGui::PushFont(look.fonts.mono);
+  ImGui::InputScalar(id, type, &typed, nullptr, nullptr, format, ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::PopFont();
+  if (ImGui::IsItemActive()) draft.keep(typed);
+  if (typing)
+    for (const int each : {key::kEnter, key::kKeypadEnter, key::kEscape}) key::take(ImGui::GetIO(), each);
+  if (!ImGui::IsItemDeactivatedAfterEdit()) return false;
+  std::memcpy(value, &typed, sizeof typed);
+  return typed != before;
+}
 
 bool slider(const Look& look, const SliderSpec& spec, double& value, const Hint& what) {
   ImGui::PushID(spec.label);
@@ -151,6 +190,7 @@ bool toggle(const Look& look, const char* label, bool& on) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const bool clicked =
       ImGui::InvisibleButton(label, {track.x + look.px.s + text_width(font, words), look.px(20)});
+  tab_stop(look);
   if (clicked) on = !on;
   const float y = origin.y + look.px(2);
   const float radius = track.y * 0.5f;
@@ -161,6 +201,25 @@ bool toggle(const Look& look, const char* label, bool& on) {
   list.AddCircleFilled({knob, y + radius}, radius - look.px(2), on ? look.theme.on_accent : look.theme.dim);
   const ImU32 colour = on || ImGui::IsItemHovered() ? look.theme.text : look.theme.dim;
   draw_text(list, font, {origin.x + track.x + look.px.s, y}, colour, words);
+  return clicked;
+}
+
+bool choice(const Look& look, const char* label, bool& on) {
+  const std::string_view whole(label);
+  const std::string_view words = whole.substr(0, whole.find("##"));
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float mark = look.px.l, height = look.px(20);
+  const bool clicked =
+      ImGui::InvisibleButton(label, {mark + look.px.s + text_width(look.fonts.ui, words), height});
+  tab_stop(look);
+  if (clicked) on = !on;
+  const float radius = mark * 0.5f;
+  const ImVec2 centre(origin.x + radius, origin.y + height * 0.5f);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddCircle(centre, radius - look.px(2), on ? look.theme.accent : look.theme.dim, 0, look.px(1.5f));
+  if (on) list.AddCircleFilled(centre, radius - look.px(5), look.theme.accent);
+  const ImU32 colour = on || ImGui::IsItemHovered() ? look.theme.text : look.theme.dim;
+  draw_text(list, look.fonts.ui, {origin.x + mark + look.px.s, origin.y + look.px(2)}, colour, words);
   return clicked;
 }
 
@@ -182,6 +241,7 @@ bool combo(const Look& look, const char* id, std::span<const char* const> items,
     ImGui::EndCombo();
   }
   ImGui::PopStyleVar();
+  tab_stop(look);
   const ImVec2 max = ImGui::GetItemRectMax();
   const float y = (ImGui::GetItemRectMin().y + max.y) * 0.5f;
   if (!open) {
@@ -198,7 +258,18 @@ bool code_field(const Look& look, const char* id, const char* placeholder, std::
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(10), vertical));
   if (bad) ImGui::PushStyleColor(ImGuiCol_Text, look.theme.bad);
   ImGui::SetNextItemWidth(width);
-  const bool entered = ImGui::InputTextWithHint(id, placeholder, &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  // Enter would take the keyboard away from the field, and the next keys would do what they do elsewhere.
+  ImGuiIO& io = ImGui::GetIO();
+  const bool typing = ImGui::GetActiveID() == ImGui::GetID(id);
+  const bool entered =
+      typing && (ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false));
+  if (typing && is_enter_down(io))
+    for (const int each : {key::kEnter, key::kKeypadEnter}) key::take(io, each);
+  if (look.focus != nullptr) look.focus->offer_field(id);
+  ImGui::InputTextWithHint(id, placeholder, &text);
+  ImGuiInputTextState* state = ImGui::GetInputTextState(ImGui::GetID(id));
+  if (entered && state != nullptr && bad) state->SelectAll();
+  if (entered && state != nullptr && !bad) state->ClearText();
   if (bad) ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   ImGui::PopFont();
@@ -210,6 +281,7 @@ bool search_box(const Look& look, const char* id, const char* placeholder, const
   const float vertical = (look.px(26) - look.fonts.ui->FontSize) * 0.5f;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(10), vertical));
   ImGui::SetNextItemWidth(width);
+  if (look.focus != nullptr) look.focus->offer_field(id);
   const bool changed = ImGui::InputTextWithHint(id, placeholder, &text);
   ImGui::PopStyleVar();
   const ImVec2 max = ImGui::GetItemRectMax();

@@ -152,7 +152,7 @@ struct Pen {
 };
 
 void write_legend(Pen& pen, const LegendField& field, std::span<const LegendEntry> entries,
-                  std::vector<LegendBox>* boxes = nullptr) {
+                  std::vector<ScreenArea>* boxes = nullptr) {
   const Look& look = pen.look;
   const auto box = [&](float from) {
     const float half = look.px.xs, top = pen.top - look.px.xs;
@@ -216,7 +216,7 @@ ImVec2 legend_size(const Look& look, const LegendField& field, std::span<const L
 }
 
 ImVec2 legend(const Look& look, ImDrawList& list, ImVec2 pos, const LegendField& field,
-              std::span<const LegendEntry> entries, Corner corner, std::vector<LegendBox>* boxes) {
+              std::span<const LegendEntry> entries, Corner corner, std::vector<ScreenArea>* boxes) {
   const ImVec2 size = legend_size(look, field, entries);
   const ImVec2 min = top_left(pos, size, corner);
   draw_ground(look, list, min, size);

@@ -80,6 +80,7 @@ bool link(const Look& look, const char* id, std::string_view words, const ImFont
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float width = text_width(font, words);
   const bool clicked = ImGui::InvisibleButton(id, {std::max(width, 1.0f), font->FontSize});
+  tab_stop(look);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_text(list, font, origin, look.theme.accent, words);
   if (ImGui::IsItemHovered()) {

@@ -45,6 +45,11 @@ void hint(const Look& look, const Hint& what);
 /// A key as a chip, as an item.
 void key_chip(const Look& look, const char* keys);
 
+// --- Keyboard -------------------------------------------------------------------------------------------
+
+/// The last item can be come to by Tab and pressed by Space; while it has the keyboard there is a ring around it.
+void tab_stop(const Look& look);
+
 // --- Buttons --------------------------------------------------------------------------------------------
 
 struct IconButton {
@@ -161,6 +166,9 @@ bool combo(const Look& look, const char* id, std::span<const char* const> items,
 /// A switch with its label; returns whether it changed.
 bool toggle(const Look& look, const char* label, bool& on);
 
+/// One of several of which at most one is on: the same, with the mark of a choice.
+bool choice(const Look& look, const char* label, bool& on);
+
 struct SliderSpec {
   const char* label;
   double min = 0;
@@ -171,10 +179,16 @@ struct SliderSpec {
   bool logarithmic = false;
   double step = 0;  ///< 0: continuous
 };
-/// A label, its value with unit, and a track; a click on the value lets it be typed. Whether it changed.
+/// A field for a number of 8 bytes, in the face of numbers. However it is left, by Enter, Tab or a click elsewhere, it
+/// keeps what was typed; Escape takes it back. Neither key is pressed for anybody else. Whether the number changed.
+bool number_field(const Look& look, const char* id, ImGuiDataType type, void* value,
+                  const char* format = nullptr);
+
+/// A label, its value with unit, and a track; the value can be typed. Whether it changed.
 bool slider(const Look& look, const SliderSpec& spec, double& value, const Hint& what = {});
 
-/// A field for an expression, in the face of numbers; its text is red while `bad`. Whether Enter was pressed.
+/// A field for an expression, in the face of numbers; its text is red while `bad`. Whether Enter was pressed: the field
+/// keeps the keyboard, with its text selected if that is bad, else ready for the next one.
 bool code_field(const Look& look, const char* id, const char* placeholder, std::string& text, float width,
                 bool bad);
 /// Words that can be clicked, in the accent's colour.
@@ -185,6 +199,14 @@ bool search_box(const Look& look, const char* id, const char* placeholder, const
                 std::string& text, float width);
 
 // --- Over the canvas ------------------------------------------------------------------------------------
+
+/// A rectangle of the screen; an empty one holds nothing.
+struct ScreenArea {
+  ImVec2 min, max;
+  [[nodiscard]] bool holds(ImVec2 at) const {
+    return at.x >= min.x && at.x < max.x && at.y >= min.y && at.y < max.y;
+  }
+};
 
 struct TextRun {
   std::string_view text;
@@ -227,13 +249,10 @@ struct LegendField {
   std::string_view max;
   float mark = -1;  ///< where a value is marked, 0 to 1; below 0: nowhere
 };
-/// `boxes`: takes where the field, if it has a map, and the entries stand.
-struct LegendBox {
-  ImVec2 min, max;
-};
 ImVec2 legend_size(const Look& look, const LegendField& field, std::span<const LegendEntry> entries);
+/// `boxes` takes where the field, if it has a map, and the entries stand.
 ImVec2 legend(const Look& look, ImDrawList& list, ImVec2 pos, const LegendField& field,
               std::span<const LegendEntry> entries, Corner corner = Corner::bottom_left,
-              std::vector<LegendBox>* boxes = nullptr);
+              std::vector<ScreenArea>* boxes = nullptr);
 
 }  // namespace replan::ui

@@ -31,8 +31,11 @@ bool is_path(const std::string& typed) {
   return typed.find('/') != std::string::npos || typed == "~" || typed == "..";
 }
 
-bool knows(const FileFilter& filter, const std::string& extension) {
-  return std::find(filter.extensions.begin(), filter.extensions.end(), extension) != filter.extensions.end();
+/// The extension of that kind that a name ends in, if it does.
+std::string_view extension_of(const FileFilter& filter, std::string_view name) {
+  for (const std::string& each : filter.extensions)
+    if (name.ends_with(each)) return each;
+  return {};
 }
 
 }  // namespace
@@ -46,7 +49,7 @@ FileDialog::FileDialog(ImGuiRenderer& renderer, const WorkPlace& place, FileDial
   const std::string name = folder ? "" : file_name(path);
   int kind = 0;
   for (std::size_t i = 0; i < spec_.filters.size(); ++i)
-    if (spec_.saving && knows(spec_.filters[i], file_extension(name))) kind = static_cast<int>(i);
+    if (spec_.saving && !extension_of(spec_.filters[i], name).empty()) kind = static_cast<int>(i);
   set_kind(kind);
   if (spec_.saving) set_text(name);
   came_from_ = name;
@@ -54,21 +57,43 @@ FileDialog::FileDialog(ImGuiRenderer& renderer, const WorkPlace& place, FileDial
 }
 
 void FileDialog::go(const std::string& folder) {
-  folder_ = folder;
+  folder_ = shown_ = folder;
   error_.clear();
   if (!spec_.saving) set_text("");
   read();
 }
 
 void FileDialog::go_up() {
-  const std::string above = fs::path(folder_).parent_path().string();
-  if (above == folder_ || above.empty()) return;
-  came_from_ = file_name(folder_);
+  const std::string above = fs::path(shown_).parent_path().string();
+  if (above == shown_ || above.empty()) return;
+  came_from_ = file_name(shown_);
   go(above);
 }
 
 void FileDialog::read() {
-  reader_.start([folder = folder_](const std::stop_token&) { return read_folder(folder); });
+  reader_.start([folder = shown_](const std::stop_token&) { return read_folder(folder); });
+}
+
+/// Shows the folder of a path that is being typed, with what is called as its last part begins.
+void FileDialog::follow_text() {
+  std::string folder = folder_, rest = text_;
+  if (is_path(text_)) {
+    const std::string path = typed_from(folder_, typed_path(text_));
+    const bool whole = is_folder(path);
+    folder = whole ? path : file_folder(path);
+    rest = whole ? "" : file_name(path);
+  }
+  const bool there = is_folder(folder);
+  if (there && folder != shown_) {
+    shown_ = folder;
+    came_from_ = rest;
+    read();
+  }
+  if (spec_.saving)
+    list_.jump_to(rest);
+  else
+    list_.set_search(there ? rest : "");
+  scroll_ = true;
 }
 
 void FileDialog::set_kind(int filter) {
@@ -82,11 +107,11 @@ void FileDialog::set_kind(int filter) {
 void FileDialog::set_text(std::string text) {
   text_ = std::move(text);
   ++generation_;
-  if (!spec_.saving) list_.set_search(is_path(text_) ? "" : text_);
+  if (!spec_.saving) follow_text();
 }
 
 void FileDialog::open_entry(const FileEntry& entry) {
-  const std::string path = typed_from(folder_, entry.name);
+  const std::string path = typed_from(shown_, entry.name);
   if (entry.kind == FileKind::folder)
     go(path);
   else
@@ -111,6 +136,8 @@ void FileDialog::accept() {
     choose(with_extension(path));
   } else if (is_there(path)) {
     choose(path);
+  } else if (entry != nullptr) {
+    open_entry(*entry);  // the one that is called so, as far as it was typed
   } else {
     error_ = is_path(typed) ? "There is no file '" + path + "'; Tab completes what is there."
                             : "No file here has '" + typed + "' in its name.";
@@ -120,8 +147,9 @@ void FileDialog::accept() {
 void FileDialog::choose(const std::string& path) {
   error_.clear();
   std::error_code failed;
-  if (spec_.saving && !fs::is_directory(file_folder(path), failed)) {
-    error_ = "There is no folder '" + file_folder(path) + "'; make it first, or choose another.";
+  const std::string place = file_folder(path.ends_with('/') ? path.substr(0, path.size() - 1) : path);
+  if (spec_.saving && !fs::is_directory(place, failed)) {
+    error_ = "There is no folder '" + place + "'; make it first, or choose another.";
   } else if (spec_.saving && is_there(path)) {
     pending_ = path;
     mode_ = Mode::replace;
@@ -132,14 +160,23 @@ void FileDialog::choose(const std::string& path) {
 
 /// The path with the extension of the chosen kind, unless it has that of another kind.
 std::string FileDialog::with_extension(std::string path) const {
-  const std::string extension = file_extension(path);
   for (const FileFilter& filter : spec_.filters)
-    if (knows(filter, extension)) return path;
+    if (!extension_of(filter, path).empty()) return path;
   return path + spec_.filters[static_cast<std::size_t>(filter_)].extensions.front();
 }
 
+/// What is typed with the extension of the chosen kind in place of its own.
+std::string FileDialog::with_chosen_extension() const {
+  std::string stem = text_;
+  for (const FileFilter& filter : spec_.filters)
+    if (const auto extension = extension_of(filter, text_); !extension.empty())
+      stem.resize(text_.size() - extension.size());
+  if (stem == text_) stem = file_stem(text_);
+  return stem + spec_.filters[static_cast<std::size_t>(filter_)].extensions.front();
+}
+
 void FileDialog::make_folder() {
-  const std::string path = typed_from(folder_, text_);
+  const std::string path = typed_from(shown_, text_);
   if (typed_path(text_).empty()) {
     error_ = "Type a name for the folder.";
     return;

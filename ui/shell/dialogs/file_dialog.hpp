@@ -28,6 +28,9 @@ struct FileDialogSpec {
   std::vector<Place> places;
   /// When saving: what a file with that extension cannot hold, a sentence each.
   std::function<std::vector<std::string>(const std::string& extension)> losses;
+  /// What else there is to choose, drawn above the buttons for the name as it stands, and how high that is in the design.
+  std::function<void(const Look& look, const std::string& name)> options = {};
+  float options_height = 0;
 };
 
 struct FileChoice {
@@ -45,10 +48,10 @@ class FileDialog {
   /// Says what went wrong with the chosen file.
   void complain(std::string sentence) { error_ = std::move(sentence); }
   /// Where the dialog stands: the next one begins there.
-  [[nodiscard]] const std::string& folder() const { return folder_; }
+  [[nodiscard]] const std::string& folder() const { return shown_; }
   [[nodiscard]] bool saving() const { return spec_.saving; }
   /// All names of the folder, for the fonts: the same ones while the user types.
-  [[nodiscard]] std::string words() const { return folder_ + names_; }
+  [[nodiscard]] std::string words() const { return shown_ + names_; }
 
  private:
   enum class Mode : std::uint8_t { browse, replace, new_folder };
@@ -56,6 +59,7 @@ class FileDialog {
   void go(const std::string& folder);
   void go_up();
   void read();
+  void follow_text();
   void set_kind(int filter);
   void set_text(std::string text);
   void open_entry(const FileEntry& entry);
@@ -63,6 +67,7 @@ class FileDialog {
   void choose(const std::string& path);
   void make_folder();
   [[nodiscard]] std::string with_extension(std::string path) const;
+  [[nodiscard]] std::string with_chosen_extension() const;
   void take_keys();
   void draw_head(const Look& look);
   void draw_crumbs(const Look& look);
@@ -79,7 +84,8 @@ class FileDialog {
   Background<Result<std::vector<FileEntry>>> reader_;
   PreviewPane preview_;
   FileList list_;
-  std::string folder_;
+  std::string folder_;             // where the user has gone to: what is typed counts from there
+  std::string shown_;              // that, or the folder of a path that is being typed
   std::string came_from_;          // the entry to choose once the folder is read
   std::string text_;               // what stands in the field
   std::string names_;              // all that were found
@@ -88,9 +94,10 @@ class FileDialog {
   std::vector<std::string> lost_;  // of a document in the chosen kind of file
   int filter_ = 0;
   Mode mode_ = Mode::browse;
-  std::string pending_;  // the path that the question is about
-  int generation_ = 0;   // of the field: ImGui keeps the text of a field that is being typed in
-  bool scroll_ = false;  // to the chosen row
+  std::string pending_;   // the path that the question is about
+  int generation_ = 0;    // of the field: ImGui keeps the text of a field that is being typed in
+  bool scroll_ = false;   // to the chosen row
+  bool replaces_ = true;  // the next key takes the place of the name that was proposed
   FileChoice choice_;
 };
 

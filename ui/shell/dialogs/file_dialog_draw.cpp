@@ -66,13 +66,13 @@ FileChoice FileDialog::draw(const Look& look, float height) {
   }
   if (mode_ == Mode::browse) take_keys();
   // Before anything is drawn: a picture that is on show must not be given back.
-  preview_.show(folder_, list_.selected());
+  preview_.show(shown_, list_.selected());
   const float top = ImGui::GetCursorPosY();
   draw_head(look);
   draw_crumbs(look);
   draw_field(look);
   ImGui::Dummy({0, look.px(2)});
-  const float foot = look.px.control + look.px(44);
+  const float foot = look.px.control + look.px(44) + (spec_.options ? look.px(spec_.options_height) : 0);
   const float body = std::max(height - (ImGui::GetCursorPosY() - top) - foot, look.px(120));
   const float whole = ImGui::GetContentRegionAvail().x;
   const bool roomy = whole > look.px(760);
@@ -127,7 +127,7 @@ void FileDialog::draw_crumbs(const Look& look) {
   const float right = origin.x + ImGui::GetContentRegionAvail().x;
   if (small_button(look, "up", {.icon = icon::arrow_up, .hint = {"To the folder above", "Backspace"}}))
     go_up();
-  const std::vector<Crumb> all = crumbs(folder_);
+  const std::vector<Crumb> all = crumbs(shown_);
   // A deep folder shows its end: that is where one is.
   float room = right - origin.x - look.px(48);
   std::size_t first = all.size();
@@ -152,24 +152,13 @@ void FileDialog::draw_crumbs(const Look& look) {
       draw_icon(list, look.fonts.ui, {at.x + long_ + look.px(13), at.y + look.px(12)}, look.theme.faint,
                 icon::angle_right);
   }
-  if (!target.empty() && target != folder_) {
+  if (!target.empty() && target != shown_) {
     came_from_.clear();
     go(target);
   }
 }
 
 void FileDialog::draw_field(const Look& look) {
-  struct Completion {
-    const std::string& folder;
-    static int call(ImGuiInputTextCallbackData* data) {
-      const auto& self = *static_cast<const Completion*>(data->UserData);
-      const std::string whole =
-          completed(self.folder, {data->Buf, static_cast<std::size_t>(data->BufTextLen)});
-      data->DeleteChars(0, data->BufTextLen);
-      data->InsertChars(0, whole.c_str());
-      return 0;
-    }
-  } completion{folder_};
   const char* placeholder = mode_ == Mode::new_folder ? "Name of the new folder"
                             : spec_.saving            ? "Name of the file"
                                                       : "Type to filter, or a path; Tab completes";
@@ -180,20 +169,20 @@ void FileDialog::draw_field(const Look& look) {
   ImGui::SetNextItemWidth(-1);
   // The field has the keyboard whatever is clicked, so that typing always means it.
   if (!ImGui::IsAnyItemActive() && mode_ != Mode::replace) ImGui::SetKeyboardFocusHere();
-  ImGui::InputTextWithHint("##path", placeholder, &text_, ImGuiInputTextFlags_CallbackCompletion,
-                           Completion::call, &completion);
+  const bool proposed = spec_.saving && replaces_;
+  ImGui::InputTextWithHint("##path", placeholder, &text_, proposed ? ImGuiInputTextFlags_AutoSelectAll : 0);
+  if (look.focus != nullptr) look.focus->leave_tab_to_it();
+  const bool typing = ImGui::IsItemActive();
   ImGui::PopStyleVar();
   ImGui::PopID();
   if (escape_pressed()) text_ = before;  // ImGui takes typing back; Escape is answered in the foot
   if (mode_ != Mode::browse) return;
   if (before.empty() && ImGui::IsKeyPressed(key::kBackspace, false)) go_up();
+  if (text_ != before) replaces_ = false;
+  if (typing && ImGui::IsKeyPressed(key::kTab)) set_text(completed(folder_, text_));
   if (text_ == before) return;
   error_.clear();
-  if (spec_.saving)
-    list_.jump_to(text_);
-  else
-    list_.set_search(text_.find('/') == std::string::npos ? text_ : "");
-  scroll_ = true;
+  follow_text();
 }
 
 void FileDialog::draw_places(const Look& look) {
@@ -207,7 +196,7 @@ void FileDialog::draw_places(const Look& look) {
     if (ImGui::InvisibleButton("place", size)) target = place.path;
     ImGui::PopID();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const bool here = place.path == folder_, hovered = ImGui::IsItemHovered();
+    const bool here = place.path == shown_, hovered = ImGui::IsItemHovered();
     if (here || hovered)
       list.AddRectFilled(min, {min.x + size.x, min.y + size.y}, here ? look.theme.selected : look.theme.hover,
                          look.px.radius);
@@ -305,6 +294,7 @@ void FileDialog::draw_row(const Look& look, std::size_t index) {
   figure(right, date_text(entry.modified));
   if (clicked) {
     list_.select(index);
+    replaces_ = true;
     if (spec_.saving && !folder) set_text(entry.name);
   }
   if (hovered && ImGui::IsMouseDoubleClicked(0) && mode_ == Mode::browse) open_entry(entry);
@@ -330,7 +320,7 @@ void FileDialog::draw_losses(const Look& look) {
 void FileDialog::draw_question(const Look& look) {
   const bool replacing = mode_ == Mode::replace;
   const std::string words = replacing ? "'" + file_name(pending_) + "' is there already. Replace it?"
-                                      : "The folder is made in '" + file_name(folder_) + "'.";
+                                      : "The folder is made in '" + file_name(shown_) + "'.";
   const float y = ImGui::GetCursorPosY();
   ImGui::SetCursorPosY(y + (look.px.control - look.fonts.ui->FontSize) * 0.5f);
   text(look.fonts.ui, replacing ? look.theme.warning : look.theme.dim, words);
@@ -365,12 +355,12 @@ void FileDialog::draw_foot(const Look& look) {
     draw_question(look);
     return;
   }
+  if (spec_.options) spec_.options(look, text_);
   std::vector<const char*> labels;
   for (const FileFilter& filter : spec_.filters) labels.push_back(filter.label.c_str());
   if (combo(look, "##kind", labels, filter_, look.px(250))) {
     set_kind(filter_);
-    const FileFilter& kind = spec_.filters[static_cast<std::size_t>(filter_)];
-    if (spec_.saving && !text_.empty()) set_text(file_stem(text_) + kind.extensions.front());
+    if (spec_.saving && !text_.empty()) set_text(with_chosen_extension());
   }
   ImGui::SameLine();
   align_right(button_width(look, "Cancel") + look.px.s + button_width(look, spec_.action.c_str()));

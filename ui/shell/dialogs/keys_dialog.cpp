@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "ui/canvas/chips.hpp"
+#include "ui/canvas/legend.hpp"
 #include "ui/keys.hpp"
 #include "ui/shell/actions.hpp"
 #include "ui/shell/dialogs.hpp"
@@ -22,7 +22,7 @@ struct Section {
   std::vector<Line> lines;
 };
 
-constexpr std::array<std::pair<Menu, const char*>, 9> kMenus = {{{Menu::planner, "Play and step"},
+constexpr std::array<std::pair<Menu, const char*>, 9> kMenus = {{{Menu::run, "Run"},
                                                                  {Menu::debug, "Debug"},
                                                                  {Menu::view, "View"},
                                                                  {Menu::file, "File"},
@@ -45,10 +45,20 @@ std::vector<Section> sections() {
                   {"Middle drag", "Pan; Space and drag too"},
                   {"Hover", "Show a cell's values"},
                   {"Click", "Use the tool; Select pins"},
-                  {"Right drag", "Erase"},
-                  {"Shift+Right", "Menu of the cell"},
+                  {"Right", "Menu of the cell"},
+                  {"Right drag", "Erase, with a tool that draws"},
+                  {"Shift+Right", "Menu of the cell, with any tool"},
                   {"Drag", "Start, goal and robot move"},
-                  {"Title", "Lead; choose the planner"}}});
+                  {"Title", "Lead; choose the planner"},
+                  {"Card", "Click for the last repair"},
+                  {"Legend", "Click a key for its words"}}});
+  all.push_back({"By the keyboard alone",
+                 {{"Tab", "To the next control"},
+                  {"Shift+Tab", "To the one before"},
+                  {"Space", "Press it"},
+                  {"← →", "Move its slider"},
+                  {"Enter", "End a number; else the dialog's button"},
+                  {"Esc", "Give the keys back to the world"}}});
   return all;
 }
 

@@ -1,10 +1,6 @@
-// What to call a trace of the run, and whether its map goes with it.
-#include <imgui.h>
-#include <imgui_stdlib.h>
-
+// Where a trace of the run goes, and whether its map goes with it.
 #include "core/export/posthoc.hpp"
 #include "ui/shell/dialogs.hpp"
-#include "ui/shell/dialogs/parts.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/trace_export.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -26,34 +22,28 @@ std::string prospect(const TraceFacts& facts, TraceFormat format) {
 
 }  // namespace
 
-DialogDecision Dialogs::trace_dialog(const Look& look) {
-  heading(look, "Export the trace");
-  paragraph(look.fonts.ui, look.theme.dim,
-            "Every event of the leading pane's run so far. The ending chooses the kind: .trace.yaml or "
-            ".trace.json for "
-            "the Posthoc visualiser, .jsonl for programs: JSON Lines.");
-  if (fresh_) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(-1);
-  ImGui::InputTextWithHint("##path", "folder/name.trace.yaml", &capture_path_,
-                           ImGuiInputTextFlags_AutoSelectAll);
-  hint(look, {"File", "", "A file of that name is replaced once the new one is complete."});
-  const Result<TraceFormat> format = trace_format(capture_path_);
-  const bool posthoc = format.ok() && *format != TraceFormat::json_lines;
-  if (posthoc) {
-    toggle(look, "With its map", trace_map_);
-    hint(look, {"With its map", "",
-                "Writes what the robot knows at the beginning to a .map file of the same name: open it in "
-                "Posthoc as "
-                "the layer under the trace."});
-  }
-  paragraph(look.fonts.ui, format ? look.theme.dim : look.theme.warning,
-            format ? prospect(trace_facts_, *format) : as_sentence(format.error()) + ".");
-  const Answer answer = confirm(look, "Export");
-  if (answer == Answer::no) return {.kind = DialogDecision::Kind::cancel};
-  if (answer == Answer::none || !format) return {};
-  DialogDecision decision{.kind = DialogDecision::Kind::export_trace, .path = capture_path_};
-  decision.map = posthoc && trace_map_;
-  return decision;
+void Dialogs::ask_trace(const TraceFacts& facts, FileDialogSpec spec, const WorkPlace& place) {
+  trace_facts_ = facts;
+  spec.title = "Export the trace of the leading pane";
+  spec.action = "Export";
+  spec.filters = {{"For the Posthoc visualiser (.trace.yaml)", {".trace.yaml"}},
+                  {"For the Posthoc visualiser (.trace.json)", {".trace.json"}},
+                  {"JSON Lines, for programs (.jsonl)", {".jsonl"}}};
+  spec.options_height = 52;
+  spec.options = [this](const Look& look, const std::string& name) { trace_options(look, name); };
+  choose_file(std::move(spec), place, DialogDecision::Kind::export_trace);
+}
+
+void Dialogs::trace_options(const Look& look, const std::string& name) {
+  const Result<TraceFormat> format = trace_format(name);
+  if (!format) return paragraph(look.fonts.ui, look.theme.warning, as_sentence(format.error()) + ".");
+  paragraph(look.fonts.ui, look.theme.dim, prospect(trace_facts_, *format));
+  if (*format == TraceFormat::json_lines) return;
+  toggle(look, "With its map", trace_map_);
+  hint(look,
+       {"With its map", "",
+        "Writes what the robot knows at the beginning to a .map file of the same name: open it in Posthoc as "
+        "the layer under the trace."});
 }
 
 }  // namespace replan::ui

@@ -73,6 +73,11 @@ bool parameter_control(const Look& look, const Parameter& parameter, double long
   return changed;
 }
 
+/// Of the settings: as high as they are, but so that the buttons below are in the window.
+float fitting_height(const Look& look, float wanted) {
+  return std::min(look.px(wanted), std::max(ImGui::GetIO().DisplaySize.y - look.px(210), look.px(80)));
+}
+
 int moved(Side side, int before, int after) {
   return side == Side::low ? 0 : side == Side::high ? after - before : (after - before) / 2;
 }
@@ -132,6 +137,7 @@ void WorldDialogs::anchors(const Look& look) {
     ImGui::PushID(i);
     if (ImGui::InvisibleButton("anchor", {max.x - min.x, max.y - min.y}))
       size_.across = across, size_.down = down;
+    tab_stop(look);
     ImGui::PopID();
     hint(look,
          {"Where the old world lies", "", "The cells that are added or cut off lie on the other sides."});
@@ -182,8 +188,9 @@ void WorldDialogs::resize_preview(const Look& look, const Session& session, ImVe
 void WorldDialogs::resize(const Look& look, const Session& session, std::vector<Command>& commands) {
   const Scenario& scenario = session.scenario();
   heading(look, "Resize the world");
-  const float whole = ImGui::GetContentRegionAvail().x, left = whole * 0.45f;
-  ImGui::BeginChild("settings", {left, look.px(270)});
+  const float whole = ImGui::GetContentRegionAvail().x, left = whole * 0.45f,
+              height = fitting_height(look, 270);
+  ImGui::BeginChild("settings", {left, height});
   size_slider(look, "Width", scenario.map.width, size_.width);
   size_slider(look, "Height", scenario.map.height, size_.height);
   anchors(look);
@@ -191,7 +198,7 @@ void WorldDialogs::resize(const Look& look, const Session& session, std::vector<
   hint(look, {"New cells", "", "On: what is added is solid. Off: it is free."});
   ImGui::EndChild();
   ImGui::SameLine(0, look.px(24));
-  resize_preview(look, session, {whole - left - look.px(24), look.px(270)});
+  resize_preview(look, session, {whole - left - look.px(24), height});
   const int dx = moved(size_.across, scenario.map.width, size_.width),
             dy = moved(size_.down, scenario.map.height, size_.height);
   const auto lost = [&](Cell cell) {
@@ -252,7 +259,8 @@ void WorldDialogs::generate_preview(const Look& look, ImVec2 size) const {
 
 void WorldDialogs::generate(const Look& look, std::vector<Command>& commands) {
   heading(look, "Generate a world");
-  const float whole = ImGui::GetContentRegionAvail().x, left = whole * 0.45f, height = look.px(360);
+  const float whole = ImGui::GetContentRegionAvail().x, left = whole * 0.45f,
+              height = fitting_height(look, 360);
   ImGui::BeginChild("settings", {left, height});
   stale_ |= generator_settings(look);
   ImGui::EndChild();
@@ -265,12 +273,10 @@ void WorldDialogs::generate(const Look& look, std::vector<Command>& commands) {
   text(look.fonts.ui, look.theme.dim, "Seed");
   ImGui::SameLine(0, look.px.s);
   ImGui::SetNextItemWidth(look.px(110));
-  ImGui::PushFont(look.fonts.mono);
   auto seed = static_cast<std::uint64_t>(wanted_.seed);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px.s, look.px.xs));
-  const bool typed = ImGui::InputScalar("##seed", ImGuiDataType_U64, &seed);
+  const bool typed = number_field(look, "##seed", ImGuiDataType_U64, &seed);
   ImGui::PopStyleVar();
-  ImGui::PopFont();
   hint(look, term_hint("seed"));
   ImGui::SameLine(0, look.px.xs);
   const bool rolled = small_button(

@@ -76,6 +76,7 @@ FileChoice WorldPicker::draw(const Look& look, float height) {
   if (!ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
   const std::string before = text_;
   ImGui::InputTextWithHint("##search", "Type what the world is about", &text_);
+  if (look.focus != nullptr) look.focus->leave_tab_to_it();  // arrows choose, and Enter opens
   if (escape_pressed()) text_ = before;
   if (text_ != before) selected_ = 0;
   ImGui::PopStyleVar();

@@ -1,0 +1,116 @@
+// Fields keep what was typed into them, however they are left, and nothing that is typed goes elsewhere.
+#include <gtest/gtest.h>
+
+#include "tests/ui/shell_fixture.hpp"
+#include "ui/tabs/debug.hpp"
+
+namespace replan::ui::fields_test {
+namespace {
+
+constexpr const char* kWorld = R"({"replan": 1, "name": "Room",
+    "map": {"rows": ["..........", "..........", "..........", "..........", ".........."]}, "start": [0, 0], "goal": [9, 1],
+    "planners": [{"id": "dld-star-lite"}]})";
+
+class FieldsTest : public ShellTest {
+ protected:
+  void SetUp() override { open("room.json", kWorld, 1280, 900); }
+  [[nodiscard]] bool typing() const { return offscreen_->stage().io().WantTextInput; }
+  [[nodiscard]] bool is_dialog_open() {
+    bool open = false;
+    offscreen_->frame([&] {
+      session_->update(0);
+      shell_->draw(offscreen_->stage().look(), *session_, 0);
+      open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    });
+    return open;
+  }
+  /// Clicks down a column until a field has the keyboard; where that was.
+  ImVec2 click_a_field(float x, float from, float to) {
+    for (float y = from; y < to; y += 4) {
+      click({x, y});
+      if (typing()) return {x, y};
+    }
+    ADD_FAILURE() << "there is no field";
+    return {};
+  }
+};
+
+TEST_F(FieldsTest, TabGoesFromNumberToNumberAndEnterEndsOne) {
+  press('G', true);
+  ASSERT_TRUE(is_dialog_open());
+  for (int i = 0; i < 12 && !typing(); ++i)
+    press(key::kTab);  // over the choice of the generator to the width
+  ASSERT_TRUE(typing());
+  type("61");
+  for (int i = 0; i < 12; ++i) {  // over its track to the height
+    press(key::kTab);
+    if (typing()) break;
+  }
+  type("41");
+  press(key::kEnter);
+  ASSERT_TRUE(is_dialog_open()) << "Enter in a number pressed the button";
+  EXPECT_FALSE(typing());
+  press(key::kEnter);
+  ASSERT_FALSE(is_dialog_open());
+  session_->settle();
+  EXPECT_EQ(session_->scenario().map.width, 61);
+  EXPECT_EQ(session_->scenario().map.height, 41);
+}
+
+TEST_F(FieldsTest, AClickElsewhereKeepsANumber) {
+  press('G', true);
+  const ImVec2 middle(640, 450);
+  const ImVec2 field = click_a_field(middle.x - 48, middle.y - 160, middle.y + 100);
+  type("23");
+  click({field.x + 200, field.y});  // the picture
+  EXPECT_FALSE(typing());
+  press(key::kEnter);
+  session_->settle();
+  EXPECT_EQ(session_->scenario().map.width, 23);
+}
+
+TEST_F(FieldsTest, EscapeTakesANumberBackAndLeavesTheDialog) {
+  press('G', true);
+  click_a_field(592, 290, 550);
+  type("23");
+  press(key::kEscape);
+  ASSERT_TRUE(is_dialog_open());
+  press(key::kEnter);
+  session_->settle();
+  EXPECT_EQ(session_->scenario().map.width, 10);
+}
+
+TEST_F(FieldsTest, ASettingThatIsTypedIsSetWhenItIsLeft) {
+  press(key::kF1 + 1);  // the Planner tab
+  const PixelArea canvas = shell_->panels().canvas;
+  const std::size_t before = session_->history().size();
+  click_a_field(1280 - 28, 200, 700);
+  type("3");
+  EXPECT_EQ(session_->history().size(), before) << "each key was an edit";
+  click({(canvas.min.x + canvas.max.x) / 2, canvas.max.y - 4});
+  EXPECT_EQ(session_->history().size(), before + 1);
+}
+
+TEST_F(FieldsTest, ARefusedBreakpointKeepsTheKeyboard) {
+  press(key::kF1 + 6);
+  std::string& draft = shell_->panels().tabs.get<DebugTab>().breakpoint;
+  for (float y = 120; y < 420 && !typing(); y += 6) click({1000, y});
+  ASSERT_TRUE(typing());
+  type("g(3,3) > ");
+  press(key::kEnter);
+  EXPECT_TRUE(session_->breakpoints().list().empty());
+  EXPECT_TRUE(typing()) << "the next keys go to the canvas";
+  type("size(U) > 100");  // takes the place of what was refused
+  EXPECT_EQ(draft, "size(U) > 100");
+  EXPECT_EQ(shell_->view().tools.chosen_id(), "select");
+  press(key::kEnter);
+  ASSERT_EQ(session_->breakpoints().list().size(), 1u);
+  EXPECT_EQ(session_->breakpoints().list()[0].condition, "size(U) > 100");
+  EXPECT_TRUE(typing());
+  type("E");
+  EXPECT_EQ(draft, "E");
+  EXPECT_EQ(shell_->view().tools.chosen_id(), "select");
+}
+
+}  // namespace
+}  // namespace replan::ui::fields_test

@@ -1,0 +1,41 @@
+// The legend: one for all panes. A click on a key explains it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene/scene.hpp"
+#include "ui/widgets/widgets.hpp"
+
+namespace replan::ui {
+
+/// All that the canvas can show, with the mark that the legend gives it.
+std::vector<LegendEntry> all_signs(const Look& look);
+
+/// What a key of the legend means: a heading and a few sentences. Empty if there is no such key.
+struct LegendWords {
+  std::string title, text;
+};
+LegendWords legend_words(std::string_view label);
+
+class Legend {
+ public:
+  /// The height that it takes in one row, with the space around it.
+  [[nodiscard]] static float height(const Look& look);
+
+  /// In a window of its own at the lower left of `min`..`max`: the field of the leading pane's scene, and the signs that
+  /// any pane shows. What has no room in its row unfolds above it while the mouse is there.
+  void draw(const Look& look, const Scene& leading, std::uint32_t signs, ImVec2 min, ImVec2 max);
+
+ private:
+  void row(const Look& look, const LegendField& field, const std::vector<LegendEntry>& entries, float bottom);
+  void key(const Look& look, std::string_view label, const ScreenArea& box);
+  void explain(const Look& look);
+
+  bool unfolded_ = false;   // the mouse was on it
+  std::string_view field_;  // the field's name in the list of overlays
+  std::string asked_;       // the key that was clicked last
+};
+
+}  // namespace replan::ui
