@@ -19,7 +19,7 @@ void Shell::ask_for_trace(const Session& session) {
       folder + (name.empty() ? "run" : name) + "." + session.run().choice().id + ".trace.yaml");
 }
 
-void Shell::export_trace(const Session& session, const Decision& decision) {
+void Shell::export_trace(const Session& session, const DialogDecision& decision) {
   const Result<void> begun = export_.begin(session, typed_path(decision.path), decision.map);
   if (!begun) tell(begun.error(), true);
 }
