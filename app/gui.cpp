@@ -12,6 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/about.hpp"
 #include "app/gui_settings.hpp"
 #include "app/platform/window.hpp"
 #include "app/recording.hpp"
@@ -135,6 +136,7 @@ Result<void> Program::open() {
   shell_->panels().unit = remembered_.unit;
   shell_->panels().caption = remembered_.caption;
   shell_->panels().notices = window_->stage().notices();
+  shell_->panels().about = about_lines();
   ViewSetup view = session_.scenario().view;
   if (session_.file().empty()) view.theme.reset();  // the demo goes by the user's own choice
   shell_->show(view);
@@ -149,6 +151,7 @@ Result<void> Program::open() {
   window_->on_close([this] { return shell_->documents().may_close(session_); });
   shell_->documents().settle_in(session_,
                                 {state_folder(), library_folder(), {false, [] { Window::wake(); }}});
+  if (remembered_.first_start && session_.file().empty()) shell_->welcome();
   return {};
 }
 

@@ -8,7 +8,9 @@
 
 namespace replan::ui {
 
-/// Named colours (IM_COL32 layout).
+/// Named colours (IM_COL32 layout). Words are written in text, dim, faint, accent, warning, bad and good, on background,
+/// panel, raised, hover and selected; each of these stands out from each of those by kTextContrast or more. The others
+/// are for marks.
 struct Theme {
   std::string_view name;
   ImU32 background;  ///< behind everything
@@ -31,13 +33,13 @@ struct Theme {
   ImU32 obstacle;
   ImU32 free;
   ImU32 path;
-  ImU32 grid;      ///< grid lines, already translucent
-  ImU32 arrow;     ///< lp arrows, already translucent
-  ImU32 outline;   ///< the ring around start, goal and robot, against any field colour
-  ImU32 selected;  ///< behind the chosen tool, the winning row, the current line
-  ImU32 hover;     ///< behind what the mouse is over
-  ImU32 series;    ///< filled curves, as of expansions over the timeline
-  ImU32 shade;     ///< over the window behind a dialog, translucent
+  ImU32 grid;           ///< grid lines, already translucent
+  ImU32 arrow;          ///< lp arrows, already translucent
+  ImU32 outline;        ///< the ring around start, goal and robot, against any field colour
+  ImU32 selected;       ///< behind the chosen tool, the winning row, the current line
+  ImU32 hover;          ///< behind what the mouse is over
+  ImU32 series;         ///< filled curves, as of expansions over the timeline
+  ImU32 shade;          ///< over the window behind a dialog, translucent
   float field_opacity;  ///< of colour maps over free cells
   bool is_dark;
 };
@@ -54,6 +56,10 @@ ImU32 with_alpha(ImU32 colour, float alpha);
 ImU32 over_free(const Theme& theme, ImU32 field);
 /// The ratio of luminances after WCAG 2 (1 to 21), for tests of readability.
 float contrast(ImU32 a, ImU32 b);
+/// What text needs to be read by everybody, after WCAG 2 (AA).
+inline constexpr float kTextContrast = 4.5f;
+/// The ground of a button that loses something, while the mouse is over it.
+ImU32 danger_ground(const Theme& theme);
 
 /// The chips' share of panel colour over the canvas.
 inline constexpr float kChipOpacity = 0.88f;

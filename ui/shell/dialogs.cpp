@@ -66,6 +66,11 @@ void Dialogs::offer(std::vector<AutosaveNote> notes) {
   show(DialogKind::recover);
 }
 
+void Dialogs::show_about(std::vector<AboutLine> lines) {
+  about_ = std::move(lines);
+  show(DialogKind::about);
+}
+
 void Dialogs::ask_capture(bool film, std::string path) {
   capture_path_ = std::move(path);
   show(film ? DialogKind::film : DialogKind::picture);
@@ -159,6 +164,8 @@ DialogDecision Dialogs::content(const Look& look) {
       return recover_dialog(look);
     case DialogKind::keys:
       return keys_dialog(look);
+    case DialogKind::about:
+      return about_dialog(look);
     case DialogKind::film:
       return capture_dialog(look, true);
     case DialogKind::picture:

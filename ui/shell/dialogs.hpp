@@ -23,6 +23,7 @@ enum class DialogKind : std::uint8_t {
   question,
   recover,
   keys,
+  about,
   film,
   picture,
   trace
@@ -85,6 +86,7 @@ class Dialogs {
   void choose_file(FileDialogSpec spec, const WorkPlace& place);
   void choose_world(WorldLibrary& library);
   void offer(std::vector<AutosaveNote> notes);
+  void show_about(std::vector<AboutLine> lines);
   /// Asks for the name of a film or picture, `path` to begin with.
   void ask_capture(bool film, std::string path);
   /// Asks for the name of a trace, `path` to begin with.
@@ -118,6 +120,7 @@ class Dialogs {
   DialogDecision recover_dialog(const Look& look);
   DialogDecision opening_dialog(const Look& look);
   DialogDecision keys_dialog(const Look& look);
+  DialogDecision about_dialog(const Look& look);
 
   ImGuiRenderer& renderer_;
   DialogKind kind_ = DialogKind::none;
@@ -126,6 +129,7 @@ class Dialogs {
   std::unique_ptr<WorldPicker> worlds_, closed_worlds_;
   Question question_;
   std::vector<AutosaveNote> notes_;
+  std::vector<AboutLine> about_;
   std::string name_;  // of what is being opened
   std::chrono::steady_clock::time_point since_;
   std::string folder_;

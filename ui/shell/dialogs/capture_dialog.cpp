@@ -11,9 +11,11 @@ namespace replan::ui {
 DialogDecision Dialogs::capture_dialog(const Look& look, bool film) {
   heading(look, film ? "Record a film" : "Save a picture");
   paragraph(look.fonts.ui, look.theme.dim,
-            film ? "The ending chooses the kind: .gif, .webp or .mp4 (all made by FFmpeg), or a folder/ for "
+            film ? "The ending of the name decides the format: .gif, .webp or .mp4 (all made by FFmpeg), or "
+                   "a folder/ for "
                    "numbered pictures. While it records, time goes by frame by frame: none is dropped."
-                 : "The ending chooses the kind: .png as it is on the screen, or .svg as a drawing of the "
+                 : "The ending of the name decides the format: .png as it is on the screen, or .svg as a "
+                   "drawing of the "
                    "canvas.");
   if (fresh_) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);

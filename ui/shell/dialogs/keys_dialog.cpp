@@ -48,7 +48,7 @@ std::vector<Section> sections() {
                   {"Right drag", "Erase"},
                   {"Shift+Right", "Menu of the cell"},
                   {"Drag", "Start, goal and robot move"},
-                  {"Title", "Lead; choose the planner"}}});
+                  {"Title", "Make the pane lead, choose its planner"}}});
   return all;
 }
 

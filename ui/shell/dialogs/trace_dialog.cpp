@@ -29,7 +29,8 @@ std::string prospect(const TraceFacts& facts, TraceFormat format) {
 DialogDecision Dialogs::trace_dialog(const Look& look) {
   heading(look, "Export the trace");
   paragraph(look.fonts.ui, look.theme.dim,
-            "Every event of the leading pane's run so far. The ending chooses the kind: .trace.yaml or "
+            "Every event of the leading pane's run so far. The ending of the name decides the format: "
+            ".trace.yaml or "
             ".trace.json for "
             "the Posthoc visualiser, .jsonl for programs: JSON Lines.");
   if (fresh_) ImGui::SetKeyboardFocusHere();
