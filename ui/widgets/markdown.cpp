@@ -43,7 +43,8 @@ std::vector<Word> words_of(const Look& look, ImU32 colour, std::span<const Markd
       rest.remove_prefix(begin);
       word.text = rest.substr(0, rest.find(' '));
       word.glued = glued;
-      if (!word.text.empty()) words.push_back(word);
+      if (word.text.empty()) break;  // a blank at the end parts it from the next stretch
+      words.push_back(word);
       glued = true;
       rest.remove_prefix(word.text.size());
     }
