@@ -12,6 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/about.hpp"
 #include "app/gui_settings.hpp"
 #include "app/platform/window.hpp"
 #include "app/recording.hpp"
@@ -158,6 +159,7 @@ Result<void> Program::open() {
   shell_->panels().unit = remembered_.unit;
   shell_->panels().caption = remembered_.caption;
   shell_->panels().notices = window_->stage().notices();
+  shell_->panels().about = about_lines();
   ViewSetup view = session_.scenario().view;
   if (session_.file().empty()) view.theme.reset();  // the demo goes by the user's own choice
   shell_->show(view);
@@ -173,6 +175,7 @@ Result<void> Program::open() {
   window_->on_close([this] { return shell_->documents().may_close(session_); });
   shell_->documents().settle_in(session_,
                                 {state_folder(), library_folder(), {false, [] { Window::wake(); }}});
+  if (remembered_.first_start && session_.file().empty()) shell_->welcome();
   return {};
 }
 
@@ -291,7 +294,7 @@ void Program::report_first_frame() {
 void Program::report_slow_frame(double update_ms, double draw_ms) {
   if (update_ms + draw_ms < kSlowFrameMs) return;
   std::string actions;
-  for (const ui::ActionId id : shell_->panels().performed) actions += std::string(" ") + ui::action(id).name;
+  for (const char* name : shell_->panels().performed) actions += std::string(" ") + name;
   std::fprintf(
       stderr, "a frame took %.0f ms of processor time: %.0f for the session, %.0f for the window;%s\n",
       update_ms + draw_ms, update_ms, draw_ms, actions.empty() ? " nothing was asked for" : actions.c_str());

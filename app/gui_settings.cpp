@@ -54,6 +54,7 @@ Remembered read_settings(const std::string& path) {
   const Result<std::string> text =
       path.empty() ? Result<std::string>(Error{"no home"}) : read_file(path, 1 << 20);
   if (!text) return result;
+  result.first_start = false;
   const Json json = Json::parse(*text, nullptr, false);
   if (!json.is_object()) return result;
   result.window.width = whole(json, "width", 640, 16384, result.window.width);

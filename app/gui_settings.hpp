@@ -14,6 +14,7 @@ std::string settings_path();
 /// Reads what was remembered. What is missing, unreadable or out of range keeps its default: this file is
 /// never a reason not to start.
 struct Remembered {
+  bool first_start = true;  ///< nothing was remembered yet
   WindowSettings window;
   int size_step = 0;  ///< of words, buttons and panels
   bool dark = true, panels = true, legend = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/about.hpp"
 #include "core/world/library.hpp"
 #include "ui/canvas/pane_grid.hpp"
 #include "ui/documents/files.hpp"
@@ -71,6 +72,7 @@ void Studio::draw_window(Session& session) {
     shell_ = std::make_unique<ui::Shell>(stage.renderer());
     shell_->view() = std::move(state_);  // which is drawn by it from now on
     shell_->panels().panes = settings_.panes;
+    shell_->panels().about = about_lines();
   }
   shell_->draw(stage.look(), session, settings_.seconds);
 }

@@ -15,10 +15,10 @@ constexpr ImU32 rgb(unsigned hex, unsigned alpha = 255) {
 constexpr Theme kDark = {
     .name = "dark",
     .background = rgb(0x14171c), .panel = rgb(0x1b1f26), .raised = rgb(0x222832), .line = rgb(0x2d3440),
-    .text = rgb(0xe6e9ee), .dim = rgb(0x97a1b0), .faint = rgb(0x626c7a),
+    .text = rgb(0xe6e9ee), .dim = rgb(0xa3adbb), .faint = rgb(0x939eae),
     .accent = rgb(0x4cc2ff), .on_accent = rgb(0x10131a),
     .start = rgb(0x3ddc97), .goal = rgb(0xff5c8a), .robot = rgb(0xffc94d),
-    .surprise = rgb(0xff8a3d), .mover = rgb(0xb79cff), .warning = rgb(0xffb454), .bad = rgb(0xff6b6b), .good = rgb(0x3ddc97),
+    .surprise = rgb(0xff8a3d), .mover = rgb(0xb79cff), .warning = rgb(0xffb454), .bad = rgb(0xff7676), .good = rgb(0x3ddc97),
     .obstacle = rgb(0x39414d), .free = rgb(0x10131a),
     .surround = rgb(0x1f252e), .unseen = rgb(0x62584c), .rhs = rgb(0xc5f06b), .path = rgb(0xffffff),
     .grid = rgb(0xffffff, 13), .arrow = rgb(0xffffff, 115), .outline = rgb(0x10131a),
@@ -29,10 +29,10 @@ constexpr Theme kDark = {
 constexpr Theme kLight = {
     .name = "light",
     .background = rgb(0xeceff3), .panel = rgb(0xffffff), .raised = rgb(0xf4f6f9), .line = rgb(0xd9dee6),
-    .text = rgb(0x1b2430), .dim = rgb(0x586576), .faint = rgb(0x8d98a7),
-    .accent = rgb(0x0077c2), .on_accent = rgb(0xffffff),
+    .text = rgb(0x1b2430), .dim = rgb(0x4d5a6b), .faint = rgb(0x5a6677),
+    .accent = rgb(0x006bb0), .on_accent = rgb(0xffffff),
     .start = rgb(0x12855a), .goal = rgb(0xd6336c), .robot = rgb(0xd98a00),
-    .surprise = rgb(0xe8590c), .mover = rgb(0x6f42c1), .warning = rgb(0xb86e00), .bad = rgb(0xc92a2a), .good = rgb(0x12855a),
+    .surprise = rgb(0xe8590c), .mover = rgb(0x6f42c1), .warning = rgb(0x8f5600), .bad = rgb(0xbf2626), .good = rgb(0x0f7049),
     .obstacle = rgb(0x3f4a59), .free = rgb(0xffffff),
     .surround = rgb(0xdbe1e9), .unseen = rgb(0xb5aa9a), .rhs = rgb(0x4d7c0f), .path = rgb(0x111827),
     .grid = rgb(0x111827, 26), .arrow = rgb(0x111827, 115), .outline = rgb(0xffffff),
@@ -170,6 +170,10 @@ ImU32 with_alpha(ImU32 colour, float alpha) {
 
 ImU32 over_free(const Theme& theme, ImU32 field) {
   return mix(theme.free, field, theme.field_opacity);
+}
+
+ImU32 danger_ground(const Theme& theme) {
+  return mix(theme.panel, theme.bad, 0.12f);
 }
 
 float contrast(ImU32 a, ImU32 b) {

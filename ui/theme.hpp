@@ -8,7 +8,9 @@
 
 namespace replan::ui {
 
-/// Named colours (IM_COL32 layout).
+/// Named colours (IM_COL32 layout). Words are written in text, dim, faint, accent, warning, bad and good, on background,
+/// panel, raised, hover and selected; each of these stands out from each of those by kTextContrast or more. The others
+/// are for marks.
 struct Theme {
   std::string_view name;
   ImU32 background;  ///< behind everything
@@ -58,6 +60,10 @@ ImU32 with_alpha(ImU32 colour, float alpha);
 ImU32 over_free(const Theme& theme, ImU32 field);
 /// The ratio of luminances after WCAG 2 (1 to 21), for tests of readability.
 float contrast(ImU32 a, ImU32 b);
+/// What text needs to be read by everybody, after WCAG 2 (AA).
+inline constexpr float kTextContrast = 4.5f;
+/// The ground of a button that loses something, while the mouse is over it.
+ImU32 danger_ground(const Theme& theme);
 
 /// The chips' share of panel colour over the canvas.
 inline constexpr float kChipOpacity = 0.88f;

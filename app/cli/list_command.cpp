@@ -8,7 +8,9 @@
 #include "app/cli/output.hpp"
 #include "app/cli/window.hpp"
 #include "core/base/file.hpp"
+#include "core/base/markdown.hpp"
 #include "core/lattice/box_words.hpp"
+#include "core/lesson/lesson.hpp"
 #include "core/plan/glossary.hpp"
 #include "core/plan/registry.hpp"
 #include "core/plan/stage.hpp"
@@ -179,6 +181,23 @@ Result<Listing> list_maps() {
   return listing;
 }
 
+Result<Listing> list_lessons() {
+  Listing listing;
+  listing.json["lessons"] = Json::array();
+  Table table({{"id", left}, {"name", left}, {"steps"}, {"what it is about", left}});
+  for (const LessonFile& file : lesson_files()) {
+    const Result<Lesson> lesson = read_lesson(file);
+    if (!lesson) return Error{lesson.error()};
+    const std::string summary = without_markdown(lesson->summary);
+    table.add({lesson->id, lesson->title, std::to_string(lesson->steps.size()), summary});
+    Json entry = {{"id", lesson->id}, {"name", lesson->title}, {"summary", summary}, {"path", file.path}};
+    for (const LessonStep& step : lesson->steps) entry["steps"].push_back(step.title);
+    listing.json["lessons"].push_back(std::move(entry));
+  }
+  listing.text = table.text() + "\nA lesson is opened in the window: Help > Lessons.\n";
+  return listing;
+}
+
 Result<Listing> list_terms() {
   constexpr std::size_t kIndent = 4;
   Listing listing;
@@ -206,10 +225,10 @@ struct Kind {
   std::string_view name;
   Result<Listing> (*list)();
 };
-constexpr Kind kKinds[] = {{"planners", list_planners}, {"stages", list_stages},
-                           {"robots", list_robots},     {"maps", list_maps},
-                           {"overlays", list_overlays}, {"generators", list_generators},
-                           {"terms", list_terms},       {"actions", list_actions}};
+constexpr Kind kKinds[] = {
+    {"planners", list_planners}, {"stages", list_stages},     {"robots", list_robots},
+    {"maps", list_maps},         {"overlays", list_overlays}, {"generators", list_generators},
+    {"terms", list_terms},       {"actions", list_actions},   {"lessons", list_lessons}};
 
 Result<int> list(const std::string& what, bool json) {
   std::vector<std::string_view> names;
@@ -221,9 +240,10 @@ Result<int> list(const std::string& what, bool json) {
     print(json ? listing->json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : listing->text);
     return kDone;
   }
-  return Error{"cannot list '" + what + "'" +
-               suggestion(what, names,
-                          "; give planners, stages, robots, maps, overlays, generators, terms or actions")};
+  return Error{
+      "cannot list '" + what + "'" +
+      suggestion(what, names,
+                 "; give planners, stages, robots, maps, overlays, generators, terms, actions or lessons")};
 }
 
 std::string list_footer() {
@@ -246,11 +266,11 @@ Command add_list(CLI::App& program) {
   };
   CLI::App* app = program.add_subcommand(
       "list",
-      "Show which planners, stages, robots, maps, overlays, generators or actions of the "
+      "Show which planners, stages, robots, maps, overlays, generators, lessons or actions of the "
       "window there are, and what words mean");
   const auto arguments = std::make_shared<Arguments>();
   app->add_option("WHAT", arguments->what,
-                  "planners, stages, robots, maps, overlays, generators, terms or actions")
+                  "planners, stages, robots, maps, overlays, generators, terms, actions or lessons")
       ->required();
   app->add_flag("--json", arguments->json, "Print the list as JSON");
   app->footer(list_footer);

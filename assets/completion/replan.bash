@@ -86,7 +86,7 @@ _replan() {
     run | render | show) _replan_files json ;;
     batch) _replan_files scen 3dscen ;;
     convert) _replan_files json 3dmap $maps ;;
-    list) COMPREPLY=($(compgen -W "planners stages robots maps overlays generators terms actions" -- "$cur")) ;;
+    list) COMPREPLY=($(compgen -W "planners stages robots maps overlays generators terms actions lessons" -- "$cur")) ;;
     *)
       _replan_files json $maps
       COMPREPLY+=($(compgen -W "$commands" -- "$cur"))

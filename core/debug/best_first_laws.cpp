@@ -24,7 +24,7 @@ class BestFirstLaws final : public LawBook<D> {
   static constexpr const char* kParentLaw =
       "g(s) is its parent's g and the move, or more while the parent's g has yet to spread";
   static constexpr const char* kSpreadLaw =
-      "a vertex that was taken from the list has offered its g to all neighbours";
+      "a cell that was taken from the list has offered its g to all neighbours";
   static constexpr const char* kWayLaw =
       "parents lead from the goal to the start, by moves along which g falls";
 

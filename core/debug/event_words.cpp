@@ -141,7 +141,7 @@ std::string event_text(const LogView& view, std::size_t position) {
 std::string line_name(const PlannerPage& page, int number) {
   const PseudoLine* line = page.line(number);
   if (line == nullptr) return "line " + std::to_string(number);
-  const std::string name = "line " + std::to_string(line->printed);
+  const std::string name = "line " + std::to_string(number);
   return page.code.size() < 2 ? name : name + " of " + page.block_of(number)->title;
 }
 

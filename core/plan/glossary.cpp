@@ -2,6 +2,7 @@
 #include "core/plan/glossary.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace replan {
 namespace {
@@ -171,20 +172,23 @@ constexpr GlossaryTerm kTerms[] = {
      "remote parents as printed; it can lead into a wall."},
     // A run
     {"plan", "Plan",
-     "The path that the robot follows, and the search's values that it was read out of. It stands once the "
-     "search "
-     "has nothing left to do."},
+     "The path that the robot follows, and the search's values that it was read out of. It is complete once "
+     "the "
+     "search has nothing left to do."},
     {"replan", "Replan",
      "What happens when the robot's map has changed: the planner takes in the changed cells and searches "
      "until a "
-     "plan stands again."},
+     "plan is complete again."},
     {"repair", "Repair",
-     "A replan that keeps what is still right and works out only the rest. The fewer vertices it touches "
+     "A replan that keeps what is still right and works out only the rest. The fewer cells it touches "
      "beside a "
      "plan from scratch, the more the incremental search has saved."},
     {"from-scratch", "Plan from scratch",
      "Forgetting everything and planning on the map as it is now: what a repair is measured against."},
-    {"vertex", "Vertex", "A place that a path can go through: the centre of a free cell."},
+    {"cell", "Cell",
+     "A square of the world, free or an obstacle, and a place of the search with a g and a key. Pseudo-code "
+     "and papers "
+     "call it a vertex or a node."},
     {"surprise", "Surprise",
      "A change of the world while the robot drives: obstacles that appear or go, at a step or when the robot "
      "comes "
@@ -218,6 +222,7 @@ constexpr GlossaryTerm kTerms[] = {
      "The corners of the path's polyline, both ends counted. Fewer nodes, fewer manoeuvres."},
     {"length", "Path length",
      "Measured along the path's straight segments, in cells; penalties are not in it."},
+    {"to-go", "To go", "How much of the plan's path the robot still has before it, in cells."},
     {"cost", "Path cost",
      "What the search minimises: the moves of the path over the grid and the clearance penalties on it."},
     {"turns", "Turns", "Inner corners where the path changes its heading."},
@@ -303,7 +308,7 @@ constexpr Alias kAliases[] = {
     {"over", "overconsistent"},
     {"under", "underconsistent"},
     {"consistency", "state"},
-    {"as number", "order"},
+    {"last expansion", "order"},
     {"expanded", "times"},
     {"local parent", "lp"},
     {"remote parent", "rp"},
@@ -322,7 +327,17 @@ constexpr Alias kAliases[] = {
     {"mean clearance", "mean-clearance"},
     {"first plan", "plan-ms"},
     {"path length", "length"},
+    {"vertex", "cell"},
 };
+
+/// Whether the text has the words in it, in capitals or not.
+bool contains(std::string_view text, std::string_view words) {
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  };
+  return std::search(text.begin(), text.end(), words.begin(), words.end(), same) != text.end() ||
+         words.empty();
+}
 
 }  // namespace
 
@@ -336,6 +351,18 @@ const GlossaryTerm* find_term(std::string_view id) {
   const auto* const found = std::find_if(std::begin(kTerms), std::end(kTerms),
                                          [&](const GlossaryTerm& term) { return term.id == id; });
   return found == std::end(kTerms) ? nullptr : found;
+}
+
+std::vector<const GlossaryTerm*> search_glossary(std::string_view typed) {
+  const GlossaryTerm* const named = find_term(typed);
+  std::vector<const GlossaryTerm*> found;
+  if (named != nullptr) found.push_back(named);
+  for (const bool in_title : {true, false})
+    for (const GlossaryTerm& term : kTerms)
+      if (&term != named && contains(term.title, typed) == in_title &&
+          (in_title || contains(term.text, typed)))
+        found.push_back(&term);
+  return found;
 }
 
 }  // namespace replan

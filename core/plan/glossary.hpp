@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace replan {
 
@@ -19,5 +20,9 @@ std::span<const GlossaryTerm> glossary();
 /// The word with that id, or that is also written so ("U", "|U|", "in U": the open list). nullptr if there is
 /// none.
 const GlossaryTerm* find_term(std::string_view id);
+
+/// The words that what was typed can mean: the one that is written so, then those whose title has it, then those whose
+/// explanation has it; whether letters are capitals does not matter. Nothing typed: all words.
+std::vector<const GlossaryTerm*> search_glossary(std::string_view typed);
 
 }  // namespace replan

@@ -28,14 +28,6 @@ bool take_number(std::string_view& text, int& number) {
   return true;
 }
 
-/// `code` spans and emphasis are for other readers: here words are all of one kind.
-std::string without_marks(std::string_view text) {
-  std::string plain;
-  for (const char c : text)
-    if (c != '`') plain += c;
-  return plain;
-}
-
 class Reader {
  public:
   Reader(std::string_view text, const std::string& origin, const std::string& folder)
@@ -87,9 +79,9 @@ class Reader {
     const bool item = words.starts_with("- ");
     if (item) words.remove_prefix(2);
     if (!open_ || item || paragraphs.empty())
-      paragraphs.push_back((item ? "• " : "") + without_marks(words));
+      paragraphs.push_back((item ? "• " : "") + std::string(words));
     else
-      paragraphs.back() += " " + without_marks(words);
+      paragraphs.back() += " " + std::string(words);
     open_ = true;
   }
 
@@ -116,14 +108,13 @@ class Reader {
   Result<void> take_line(std::string_view line, int base, PseudoBlock& block) {
     std::string_view text = line.substr(std::min(line.find_first_not_of(' '), line.size()));
     PseudoLine pseudo;
-    if (take_number(text, pseudo.printed) && text.starts_with(':')) {
-      pseudo.number = base + pseudo.printed;
+    if (int number = 0; take_number(text, number) && text.starts_with(':')) {
+      pseudo.number = base + number;
       text.remove_prefix(1);
       if (text.starts_with(' ')) text.remove_prefix(1);
       if (pseudo.number < 1 || pseudo.number > 255) return error("line numbers go from 1 to 255");
     } else {
       if (block.lines.empty()) return error("a block's first line needs a number: '1: text'");
-      pseudo.printed = 0;
       text = line;
       const std::size_t margin = std::min<std::size_t>(4, text.size());
       if (text.substr(0, margin) == std::string_view("    ").substr(0, margin)) text.remove_prefix(margin);
@@ -135,8 +126,7 @@ class Reader {
 
   Result<void> take_reference(std::string_view text) {
     text = text.substr(0, text.find("-->"));
-    const std::size_t part = std::min(text.find(';'), text.size());
-    const std::string id(trimmed(text.substr(0, part)));
+    const std::string id(trimmed(text));
     const std::string path = folder_ + "/" + id + ".md";
     if (path == origin_) return error("a page cannot take its pseudo-code from itself");
     const Result<std::string> bytes = read_file(path, kMaxPageBytes);
@@ -146,29 +136,6 @@ class Reader {
     Result<PlannerPage> other = parse_page(*bytes, path, folder_);
     if (!other) return Error{other.error()};
     for (PseudoBlock& block : other->code) page_.code.push_back(std::move(block));
-    return mark_unused(trimmed(text.substr(std::min(part + 1, text.size()))));
-  }
-
-  /// "unused: 12, 35-39".
-  Result<void> mark_unused(std::string_view list) {
-    if (list.empty()) return {};
-    if (!list.starts_with("unused:")) return error("expected 'unused:' and line numbers after the ';'");
-    list.remove_prefix(7);
-    while (!(list = trimmed(list)).empty()) {
-      int first = 0;
-      if (!take_number(list, first)) return error("'" + std::string(list) + "' is no line number");
-      int last = first;
-      if (list.starts_with('-')) {
-        list.remove_prefix(1);
-        if (!take_number(list, last)) return error("a range of lines is written 35-39");
-      }
-      if (list.starts_with(',')) list.remove_prefix(1);
-      bool found = false;
-      for (PseudoBlock& block : page_.code)
-        for (PseudoLine& line : block.lines)
-          if (line.number >= first && line.number <= last) found = line.unused = true;
-      if (!found) return error("there is no line " + std::to_string(first));
-    }
     return {};
   }
 

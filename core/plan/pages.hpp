@@ -4,12 +4,12 @@
 // block whose language is `pseudo` is pseudo-code. A line of it is "NUMBER: text"; a line without a number
 // goes on the one before.
 //
-//   ```pseudo 100 Algorithm 1: main          numbers are recorded with 100 added
+//   ```pseudo 100 Algorithm 1: main          its lines are 101, 102 and so on, in the log and wherever they show
 //   ```pseudo 0 Algorithm 2: helper functions
 //
-// A page may use another's pseudo-code and name the lines that its planner never comes to:
+// A page whose planner has the same code as another uses that one's:
 //
-//   <!-- pseudo: dld-star-lite; unused: 12, 35-39, 114 -->
+//   <!-- pseudo: astar -->
 #pragma once
 
 #include <string>
@@ -21,10 +21,9 @@
 namespace replan {
 
 struct PseudoLine {
-  int number = 0;       ///< as events hold it (Event::line); 0: goes on the line before
-  int printed = 0;      ///< as in the paper
-  std::string text;     ///< with its indentation
-  bool unused = false;  ///< the planner never comes here
+  int number =
+      0;  ///< as events hold it (Event::line): no two of a page are equal; 0: goes on the line before
+  std::string text;  ///< with its indentation
 };
 
 struct PseudoBlock {
@@ -33,8 +32,9 @@ struct PseudoBlock {
 };
 
 struct PageSection {
-  std::string title;                    ///< "Idea", "Settings", "Limits", "Source"
-  std::vector<std::string> paragraphs;  ///< list items begin with "• "
+  std::string title;  ///< "Idea", "Settings", "Limits", "Source"
+  std::vector<std::string>
+      paragraphs;  ///< with the marks of core/base/markdown.hpp; list items begin with "• "
 };
 
 struct PlannerPage {

@@ -27,7 +27,7 @@ const char* status_sentence(PlanStatus status) {
     case PlanStatus::found:
       return "A path is found.";
     case PlanStatus::no_path:
-      return "No path leads from the start to the goal.";
+      return "No path leads to the goal.";
     case PlanStatus::start_blocked:
       return "The start is inside an obstacle: move it, or clear its cell.";
     case PlanStatus::goal_blocked:

@@ -1,7 +1,6 @@
 #include "core/session/history.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 namespace replan {
@@ -63,13 +62,18 @@ std::vector<std::string> History::labels() const {
   return labels;
 }
 
+std::uint64_t History::document_state() const {
+  const auto last = std::find_if(done_.rbegin(), done_.rend(), [](const Edit& edit) { return edit.is_lost; });
+  return last == done_.rend() ? 0 : last->serial;
+}
+
 std::size_t History::unsaved() const {
   if (!modified()) return 0;
   // What was saved and then taken back differs from the file just as what was done since.
-  const auto after = [this](const Edit& edit) { return edit.serial > saved_at_; };
+  const auto after = [this](const Edit& edit) { return edit.is_lost && edit.serial > saved_at_; };
+  const auto before = [this](const Edit& edit) { return edit.is_lost && edit.serial <= saved_at_; };
   const auto done = std::count_if(done_.begin(), done_.end(), after);
-  const auto taken_back =
-      saved_at_ == 0 ? 0 : std::count_if(undone_.begin(), undone_.end(), std::not_fn(after));
+  const auto taken_back = saved_at_ == 0 ? 0 : std::count_if(undone_.begin(), undone_.end(), before);
   return std::max<std::size_t>(1, taken_up_ + static_cast<std::size_t>(done + taken_back));
 }
 

@@ -33,6 +33,8 @@ class History {
   [[nodiscard]] bool goes_on(std::uint64_t stroke) const {
     return stroke != 0 && !done_.empty() && done_.back().stroke == stroke;
   }
+  /// The last edit changed only what is looked at: it can be taken back, but nothing is lost if it is not saved.
+  void excuse_last() { done_.back().is_lost = false; }
   void relabel(const std::string& label) { done_.back().label = label; }
 
   /// Takes the last edit back, or brings the last one back that was; there must be one. `now` is where the runs
@@ -50,7 +52,7 @@ class History {
   [[nodiscard]] std::vector<std::string> labels() const;
 
   /// Another number after every edit, the same one where edits and undo have led back to the same document.
-  [[nodiscard]] std::uint64_t document_state() const { return done_.empty() ? 0 : done_.back().serial; }
+  [[nodiscard]] std::uint64_t document_state() const;
   [[nodiscard]] bool modified() const { return document_state() != saved_at_ || taken_up_ > 0; }
   /// How many edits lie between the document and its file; 0 if and only if it is not modified.
   [[nodiscard]] std::size_t unsaved() const;
@@ -64,6 +66,7 @@ class History {
     std::string label;
     std::uint64_t stroke = 0;
     std::uint64_t serial = 0;  // of the document's state after it
+    bool is_lost = true;       // if it is not saved
     DocumentChange change;
     std::size_t scripted_before = 0, scripted_after = 0;
     RunPositions left, undone;  // when it was made, and when it was taken back

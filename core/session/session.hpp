@@ -115,7 +115,7 @@ class Session {
   void commit(std::string label, std::uint64_t stroke, Scenario changed, std::size_t scripted);
   void relabel(const std::string& label);
   void commit_in_place(std::string label, Scenario changed, std::size_t scripted);
-  Result<void> replace_map(std::string label, GridMap map, std::optional<Cell> start,
+  Result<void> replace_map(std::string label, std::string name, GridMap map, std::optional<Cell> start,
                            std::optional<Cell> goal);
   void replace(std::shared_ptr<const Scenario> scenario);
   [[nodiscard]] RunPositions positions() const;

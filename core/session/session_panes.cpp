@@ -47,6 +47,7 @@ Result<void> Session::run_command(const SetPanes& command) {
     changed.planners.push_back(choice_of(*info, run().choice().settings));
   }
   commit("show " + counted(command.count, "pane"), 0, std::move(changed));
+  history_.excuse_last();
   return {};
 }
 

@@ -105,7 +105,8 @@ Result<void> Session::run_command(const ResizeWorld& command) {
          scripted() - static_cast<std::size_t>(lost));
   if (done->ends_moved) say("the start or the goal lay outside and moved to the nearest cell inside");
   if (done->cells_lost > 0)
-    say(std::to_string(done->cells_lost) + " cells of surprises lay outside and are gone");
+    say(counted(done->cells_lost, "cell") + " of surprises lay outside and " +
+        (done->cells_lost == 1 ? "is" : "are") + " gone");
   return {};
 }
 
@@ -124,7 +125,8 @@ Result<void> Session::run_command(const ClearWorld&) {
   return edit_cells(cells, true, 0, "clear the world");
 }
 
-Result<void> Session::replace_map(std::string label, GridMap map, std::optional<Cell> start,
+/// What the old world was called, and what it was about, is not said of the new one.
+Result<void> Session::replace_map(std::string label, std::string name, GridMap map, std::optional<Cell> start,
                                   std::optional<Cell> goal) {
   if (map.blocked.empty()) return Error{"a world has at least one cell"};
   for (const auto& end : {start, goal})
@@ -133,6 +135,7 @@ Result<void> Session::replace_map(std::string label, GridMap map, std::optional<
   changed.map = std::move(map);
   changed.map_file.clear();
   changed.map_found = {};
+  changed.name = std::move(name);
   changed.caption.clear();
   changed.surprises.clear();
   changed.movers.clear();
@@ -148,7 +151,7 @@ Result<void> Session::replace_map(std::string label, GridMap map, std::optional<
 }
 
 Result<void> Session::run_command(const ReplaceMap& command) {
-  return replace_map("put in a map of " + sides_text(command.map.box()), command.map, command.start,
+  return replace_map("put in a map of " + sides_text(command.map.box()), "", command.map, command.start,
                      command.goal);
 }
 
@@ -158,8 +161,10 @@ Result<void> Session::run_command(const GenerateWorld& command) {
   Result<GridMap> map =
       generate(command.generator, command.settings, command.width, command.height, command.seed);
   if (!map) return Error{map.error()};
-  return replace_map("generate " + std::string((*info)->id) + ", seed " + std::to_string(command.seed),
-                     *std::move(map), std::nullopt, std::nullopt);
+  const std::string size = sides_text(map->box());
+  return replace_map(
+      "generate " + std::string((*info)->id) + " of " + size + ", seed " + std::to_string(command.seed),
+      std::string((*info)->name) + ", " + size, *std::move(map), std::nullopt, std::nullopt);
 }
 
 }  // namespace replan

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 
 #include "core/plan/registry.hpp"
 
@@ -13,31 +14,33 @@ using enum FigureGroup;
 using enum Better;
 
 constexpr FigureInfo kFigures[] = {
-    {"nodes", path, "nodes", "", lower, 0, false, "Corners of the path's polyline, both ends counted."},
-    {"length", path, "length", "cells", lower, 3, false, "Along the straight segments."},
-    {"turns", path, "turns", "", lower, 0, false, "Inner corners where the heading changes."},
-    {"turning_angle_deg", path, "turning", "°", lower, 1, false, "The sum of all changes of heading."},
-    {"min_clearance", path, "least clearance", "cells", higher, 3, false,
+    {"nodes", first_plan, "nodes", "", lower, 0, false, "Corners of the path's polyline, both ends counted."},
+    {"length", first_plan, "length", "cells", lower, 3, false, "Along the straight segments."},
+    {"turns", first_plan, "turns", "", lower, 0, false, "Inner corners where the heading changes."},
+    {"turning_angle_deg", first_plan, "turning", "°", lower, 1, false, "The sum of all changes of heading."},
+    {"min_clearance", first_plan, "least clearance", "cells", higher, 3, false,
      "From the path to the nearest obstacle's edge, at the narrowest place."},
-    {"mean_clearance", path, "mean clearance", "cells", higher, 3, false,
+    {"mean_clearance", first_plan, "mean clearance", "cells", higher, 3, false,
      "The mean over the whole path, sampled every tenth of a cell."},
     {"last_expansions", latest_plan, "expansions", "", lower, 0, false,
-     "Vertices that the latest plan or replan took from the open list and settled or raised."},
+     "Cells that the latest plan or replan took from the open list and settled or raised."},
     {"last_queue_operations", latest_plan, "queue operations", "", lower, 0, false,
      "Inserts, removals, changes of key and pops."},
     {"last_sight_checks", latest_plan, "sight checks", "", neither, 0, false,
      "Lines of sight that were looked along. Fewer is not better in itself: planners without them ask none."},
-    {"plan_ms", run, "first plan", "ms", lower, 3, true, "Wall time of the first plan."},
-    {"replan_ms", run, "replans", "ms", lower, 3, true, "Wall time of all replans together."},
+    // One timing says nothing of its scatter: no time is the best.
+    {"plan_ms", run, "first plan", "ms", neither, 3, true, "Wall time of the first plan, measured once."},
+    {"replan_ms", run, "replans", "ms", neither, 3, true,
+     "Wall time of all replans together, measured once."},
     {"replans", run, "replans", "", neither, 0, false, "How often the plan was repaired or made anew."},
     {"expansions", run, "expansions", "", lower, 0, false, "Of all plans so far together."},
     {"queue_operations", run, "queue operations", "", lower, 0, false, "Of all plans so far together."},
     {"sight_checks", run, "sight checks", "", neither, 0, false, "Of all plans so far together."},
-    {"memory_bytes", run, "peak memory", "kB", lower, 0, false,
-     "What the planner held at most, the map not counted."},
+    {"memory_bytes", run, "planner's memory", "kB", lower, 0, false,
+     "The most that the planner alone held at once: not the map, the log or the program."},
     {"moves", robot, "moves", "", neither, 0, false, "Cells that the robot has entered."},
-    {"travelled", robot, "travelled", "cells", neither, 3, false,
-     "The way the robot has gone, along its paths."},
+    {"travelled", robot, "travelled", "cells", lower, 3, false,
+     "The way that the robot has gone, along its paths. Drives are compared once all robots have arrived."},
     {"collisions", robot, "collisions", "", lower, 0, false,
      "Times that a plan led into an obstacle. Only with remote parents as printed."},
 };
@@ -62,6 +65,38 @@ std::optional<double> value_of(std::span<const NamedFigure> figures, std::string
   const auto found =
       std::find_if(figures.begin(), figures.end(), [&](const NamedFigure& f) { return f.key == key; });
   return found == figures.end() ? std::nullopt : found->value;
+}
+
+/// The value as it is printed.
+double printed(const FigureInfo& info, double value) {
+  return std::strtod(figure_text(info, value).c_str(), nullptr);
+}
+
+/// How far the runs have come.
+enum class Progress : std::uint8_t { unplanned, first_plans, under_way, whole_drives };
+
+Progress progress_of(std::span<const RunReport> reports) {
+  const auto all = [&](auto&& condition) { return std::all_of(reports.begin(), reports.end(), condition); };
+  if (!all([](const RunReport& each) { return each.status != status_name(PlanStatus::searching); }))
+    return Progress::unplanned;
+  if (all([](const RunReport& each) {
+        return !each.robot || (!each.robot->reached() && each.robot->moves == 0 && each.replans == 0);
+      }))
+    return Progress::first_plans;
+  const bool ended = all([](const RunReport& each) {
+    return each.robot && each.robot->ending != MissionState::planning &&
+           each.robot->ending != MissionState::driving;
+  });
+  return ended ? Progress::whole_drives : Progress::under_way;
+}
+
+/// FigureRow::competes of a run.
+bool can_be_compared(const RunReport& report, FigureGroup group, Progress progress) {
+  const bool planned = report.status == status_name(PlanStatus::found);
+  if (progress == Progress::unplanned || !planned) return false;
+  if (group == first_plan) return true;
+  if (progress == Progress::first_plans) return group != robot;
+  return progress == Progress::whole_drives && group != latest_plan && report.succeeded();
 }
 
 std::vector<std::string> names_of(std::span<const RunReport> reports) {
@@ -182,7 +217,8 @@ std::string latex(const FiguresTable& table) {
 }  // namespace
 
 const char* figure_group_title(FigureGroup group) {
-  constexpr std::array kTitles = {"The plan that stands", "What it cost", "The run so far", "The robot"};
+  constexpr std::array kTitles = {"The first plan", "Work for the latest plan", "Work for all plans",
+                                  "The robot's drive"};
   return kTitles[static_cast<std::size_t>(group)];
 }
 
@@ -192,27 +228,32 @@ std::optional<double> FigureRow::ratio(std::size_t run) const {
 }
 
 bool FigureRow::best(std::size_t run) const {
-  if (info->better == Better::neither || !values[run]) return false;
+  if (info->better == Better::neither || !values[run] || !competes[run]) return false;
+  const double own = printed(*info, *values[run]);
   bool differs = false;
-  for (const auto& other : values) {
-    if (!other) continue;
-    if (info->better == Better::lower ? *other < *values[run] : *other > *values[run]) return false;
-    differs |= *other != *values[run];
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!values[i] || !competes[i]) continue;
+    const double other = printed(*info, *values[i]);
+    if (info->better == Better::lower ? other < own : other > own) return false;
+    differs |= other != own;
   }
   return differs;
 }
 
 FiguresTable figures_table(std::span<const RunReport> reports) {
   FiguresTable table{names_of(reports), {}};
+  const Progress progress = progress_of(reports);
   std::vector<std::vector<NamedFigure>> figures;
   for (const RunReport& report : reports) figures.push_back(all_figures(report));
   for (const FigureInfo& info : kFigures) {
-    FigureRow row{&info, {}};
+    FigureRow row{&info, {}, {}};
+    for (const RunReport& report : reports)
+      row.competes.push_back(can_be_compared(report, info.group, progress));
     bool any = false;
     for (const auto& each : figures) {
       row.values.push_back(value_of(each, info.key));
       // A figure that a run could have stays in the table, so that its rows do not come and go.
-      any |= row.values.back().has_value() || info.group == path || info.group == FigureGroup::run;
+      any |= row.values.back().has_value() || info.group == first_plan || info.group == FigureGroup::run;
     }
     if (any) table.rows.push_back(std::move(row));
   }

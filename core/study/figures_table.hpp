@@ -16,8 +16,8 @@ namespace replan {
 enum class Better : std::uint8_t { neither, lower, higher };
 
 /// What a figure is about.
-enum class FigureGroup : std::uint8_t { path, latest_plan, run, robot };
-/// "The plan", ...
+enum class FigureGroup : std::uint8_t { first_plan, latest_plan, run, robot };
+/// "The first plan", ...
 const char* figure_group_title(FigureGroup group);
 
 /// A figure as users read it.
@@ -36,10 +36,15 @@ struct FigureInfo {
 struct FigureRow {
   const FigureInfo* info = nullptr;
   std::vector<std::optional<double>> values;  ///< by run; nothing where the run has no such figure
+  /// By run: whether its value can be held against those of the others that can. First plans lead from one start to one
+  /// goal on one map. Work and ways can be compared as long as all have no more than their first plans, and once all
+  /// have come to their end; in between the robots stand in different places. A run that failed competes for nothing.
+  std::vector<bool> competes;
 
   /// The value over the first run's; nothing for the first, or if one of the two is missing or divides by 0.
   [[nodiscard]] std::optional<double> ratio(std::size_t run) const;
-  /// Whether no other run has a better value. False for all where all are equal, or nothing is better.
+  /// Whether no run that it can be compared with has a better value, as they are printed: so what reads alike is
+  /// marked alike. False for all where all are equal, or nothing is better.
   [[nodiscard]] bool best(std::size_t run) const;
 };
 

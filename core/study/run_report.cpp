@@ -155,10 +155,11 @@ std::string explanation(const RunReport& report) {
   return {};
 }
 
-RunReport report_at(const Decision& decision, const PathFigures& figures, const PlannerChoice& choice) {
+RunReport report_at(const Decision& decision, const Plan& first, const PathFigures& figures,
+                    const PlannerChoice& choice) {
   RunReport report;
   report.planner = choice.id;
-  report.status = status_name(decision.plan->status);
+  report.status = status_name(first.status);
   report.figures = figures;
   report.plan_ms = decision.figures.plan_ms;
   report.replan_ms = decision.figures.replan_ms;

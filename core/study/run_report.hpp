@@ -59,9 +59,10 @@ RunReport drive(const Scenario& scenario, const PlannerChoice& choice);
 /// Why a run did not succeed, as a sentence; empty if it did.
 std::string explanation(const RunReport& report);
 
-/// How a run stands at a decision: the plan that stands there with the figures of its path, and the work until
-/// then. The path itself is left out.
-RunReport report_at(const Decision& decision, const PathFigures& figures, const PlannerChoice& choice);
+/// How a run stands at a decision: its first plan with the figures of its path, as everywhere, and the work until then.
+/// The path itself is left out.
+RunReport report_at(const Decision& decision, const Plan& first, const PathFigures& figures,
+                    const PlannerChoice& choice);
 
 /// A figure by its fixed name in JSON and CSV.
 struct NamedFigure {

@@ -8,7 +8,8 @@ namespace replan {
 
 /// The folder maps/ beside assets/, or the one that REPLAN_MAPS names.
 std::string library_folder();
-/// The scenarios and maps of a folder and those below it, by their path.
+/// The scenarios and maps of a folder and those below it: first those that its order.txt names, a line each and in the
+/// order of its lines, then the others by their path.
 std::vector<std::string> library_files(const std::string& folder);
 
 }  // namespace replan

@@ -25,7 +25,7 @@ TEST(RunBreak, tellsWhereEachRunStopsFirst) {
     EXPECT_GT(stop["expansions"], 0);
     EXPECT_TRUE(stop["values"].empty());
   }
-  EXPECT_EQ(stops[1]["line"]["name"], "line 9 of Algorithm 1: main");
+  EXPECT_EQ(stops[1]["line"]["name"], "line 109 of Algorithm 1: main");
   EXPECT_EQ(stops[1]["line"]["text"], "if any edge costs changed");
 }
 

@@ -53,7 +53,7 @@ TEST_F(WorldDialogsTest, EnterCreatesTheWorldThatIsShown) {
   EXPECT_EQ(wanted->width, 31);
   EXPECT_EQ(wanted->height, 21);
   ASSERT_TRUE(session_->apply(commands_.front()).ok());
-  EXPECT_EQ(session_->undo_text(), "generate maze, seed 1");
+  EXPECT_EQ(session_->undo_text(), "generate maze of 31 x 21, seed 1");
 }
 
 TEST_F(WorldDialogsTest, EscapeChangesNothing) {

@@ -55,7 +55,7 @@ TEST(EventWords, nameLinesAsThePageDoes) {
       "helpers\n 1: c\n```\n",
       "p.md", "/nowhere");
   ASSERT_TRUE(page.ok()) << page.error();
-  EXPECT_EQ(line_name(*page, 112), "line 12 of Algorithm 1: main");
+  EXPECT_EQ(line_name(*page, 112), "line 112 of Algorithm 1: main");
   EXPECT_EQ(line_name(*page, 1), "line 1 of Algorithm 2: helpers");
   EXPECT_EQ(line_name(*page, 77), "line 77");
 }

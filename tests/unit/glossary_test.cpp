@@ -48,7 +48,7 @@ TEST(Glossary, KnowsWhatTheWindowWrites) {
                               "rp",
                               "parent",
                               "expanded",
-                              "as number",
+                              "last expansion",
                               "km",
                               "|U|",
                               "k1",

@@ -45,6 +45,25 @@ TEST(SessionPanes, GrowByThePlannersLeastAlikeAndShrinkFromTheEnd) {
   EXPECT_EQ(session.history_position(), 4u) << "what was refused is no edit";
 }
 
+TEST(SessionPanes, AreNoWorkThatCouldBeLost) {
+  Session session(wall_with_gap());
+  session.settle();
+  ASSERT_TRUE(session.apply(SetPanes{1}).ok());
+  ASSERT_TRUE(session.apply(SetPanes{4}).ok());
+  EXPECT_FALSE(session.modified());
+  EXPECT_EQ(session.unsaved_edits(), 0u);
+  ASSERT_TRUE(session.apply(PaintCells{{{{1, 1}, true}}}).ok());
+  ASSERT_TRUE(session.apply(SetPanes{2}).ok());
+  EXPECT_TRUE(session.modified());
+  EXPECT_EQ(session.unsaved_edits(), 1u) << "the paint alone";
+  session.saved("a.json");
+  ASSERT_TRUE(session.apply(SetPanes{1}).ok());
+  EXPECT_FALSE(session.modified());
+  ASSERT_TRUE(session.apply(Undo{}).ok());
+  EXPECT_EQ(planners_of(session).size(), 2u) << "it can be taken back for all that";
+  EXPECT_FALSE(session.modified());
+}
+
 TEST(SessionPanes, ANewPanePlansByTheSameRules) {
   Scenario scenario = wall_with_gap();
   scenario.planners.front().settings.set("moves", 1);

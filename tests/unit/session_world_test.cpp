@@ -230,7 +230,8 @@ TEST(SessionWorld, AGeneratedWorldHasEndsThatMeet) {
   session.settle();
   ASSERT_TRUE(session.apply(GenerateWorld{"maze", {}, 31, 21, 7}).ok());
   session.settle();
-  EXPECT_EQ(session.undo_text(), "generate maze, seed 7");
+  EXPECT_EQ(session.undo_text(), "generate maze of 31 x 21, seed 7");
+  EXPECT_EQ(session.scenario().name, "Maze, 31 x 21") << "it is another world";
   EXPECT_EQ(session.scenario().map.width, 31);
   EXPECT_TRUE(session.scenario().surprises.empty());
   EXPECT_EQ(session.run().decisions().back().state, MissionState::driving);
@@ -272,7 +273,7 @@ TEST(SessionWorld, TheHistoryGoesToAnyEdit) {
     states.push_back(session.scenario());
   }
   EXPECT_EQ(session.history().size(), edits.size());
-  EXPECT_EQ(session.history()[3], "generate caves, seed 3");
+  EXPECT_EQ(session.history()[3], "generate caves of 40 x 30, seed 3");
   for (const std::size_t position : {0u, 6u, 3u, 5u, 1u, 4u, 2u, 6u}) {
     ASSERT_TRUE(session.apply(GoToHistory{position}).ok());
     EXPECT_EQ(session.history_position(), position);

@@ -1,4 +1,5 @@
 // The library of worlds in maps/: each runs to the end that its caption tells of.
+#include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -6,7 +7,9 @@
 #include "core/base/file.hpp"
 #include "core/plan/registry.hpp"
 #include "core/sim/mission.hpp"
+#include "core/world/library.hpp"
 #include "tests/support/shared_data.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace replan::shipped_worlds_test {
 namespace {
@@ -29,8 +32,25 @@ TEST(ShippedWorlds, AreManyAndEachSaysWhatItIsFor) {
     ASSERT_TRUE(scenario.ok()) << scenario.error();
     EXPECT_TRUE(names.insert(scenario->name).second) << scenario->name << " is there twice";
     EXPECT_GT(scenario->caption.size(), 60u) << file;
+    const auto& overlays = scenario->view.overlays;
+    EXPECT_TRUE(overlays.empty() || std::find(overlays.begin(), overlays.end(), "grid") != overlays.end())
+        << file << " hides the grid that every opened map has";
   }
   EXPECT_GE(names.size(), 15u);
+}
+
+TEST(ShippedWorlds, StandInTheOrderOfTheList) {
+  const std::string maps = REPLAN_SOURCE_DIR "/maps";
+  const std::vector<std::string> files = library_files(maps);
+  EXPECT_EQ(file_name(files.front()), "demo.json");
+  EXPECT_EQ(file_name(files.back()), "broken-planner.json") << "each world stands in maps/order.txt";
+  const test::TemporaryFolder folder;
+  for (const char* name : {"a.json", "b.json", "c.json"}) folder.with(name, "{}");
+  EXPECT_EQ(library_files(folder.path().string()),
+            (std::vector<std::string>{folder.file("a.json"), folder.file("b.json"), folder.file("c.json")}));
+  folder.with("order.txt", "# first\n\nc.json\nnot-there.json\n");
+  EXPECT_EQ(library_files(folder.path().string()),
+            (std::vector<std::string>{folder.file("c.json"), folder.file("a.json"), folder.file("b.json")}));
 }
 
 TEST(ShippedWorlds, CheckedPlannersArriveWithoutACollision) {

@@ -248,7 +248,7 @@ bool Canvas::Parts::title(const Look& look, const Session& session, std::size_t 
   if (over) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     hint(look, {session.runs()[pane]->info().name.data(), "",
-                leads ? "A click chooses another planner for this pane."
+                leads ? "Click to choose another planner for this pane."
                       : "A click makes this pane lead: the transport shows its run, and the others follow."});
   }
   if (over && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {

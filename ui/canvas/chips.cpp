@@ -48,13 +48,17 @@ std::string grouped(std::int64_t number) {
   return number < 0 ? "-" + text : text;
 }
 
+std::string count_text(std::int64_t count, const char* one, const char* many) {
+  return grouped(count) + " " + (count == 1 ? one : many);
+}
+
 StateMessage state_message(const Run& run, SceneMemory& memory) {
   const std::size_t cursor = run.timeline().cursor();
   const Decision* decision = run.decision_at(cursor);
   if (memory.searching_since(run, cursor)) {
     if (!run.busy() || cursor != run.timeline().size()) return {};
     const std::int64_t expanded = memory.expansions(run, cursor);
-    return {"Planning: " + grouped(expanded) + " expansions so far", false};
+    return {"Planning: " + count_text(expanded, "expansion", "expansions") + " so far", false};
   }
   if (decision == nullptr) return {};
   switch (decision->state) {
@@ -63,7 +67,7 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
     case MissionState::loop:
       return {std::string("The plan leads round in a circle") + why_wrong(run), true};
     case MissionState::endless:
-      return {"What moves turned the robot back, or kept it waiting, again and again; it has given up.",
+      return {"Moving obstacles turned the robot back, or kept it waiting, again and again; it has given up.",
               true};
     case MissionState::nearest:
       return {"The goal cannot be reached: the robot stands on the reachable cell nearest to it.", false};
@@ -99,9 +103,9 @@ ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, SceneM
   const float margin = look.px(12);
   const std::size_t cursor = run.timeline().cursor();
   const Decision* decision = run.decision_at(cursor);
-  std::string figures = grouped(memory.expansions(run, cursor)) + " expansions";
+  std::string figures = count_text(memory.expansions(run, cursor), "expansion", "expansions");
   if (decision != nullptr && !decision->plan->path->empty())
-    figures += " · " + grouped(static_cast<std::int64_t>(decision->plan->path->size())) + " nodes";
+    figures += " · " + count_text(static_cast<std::int64_t>(decision->plan->path->size()), "node", "nodes");
   if (run.lattice().solid()) figures += " · layer " + std::to_string(state.view.slice);
   const std::string name = std::string(run.info().name) + distinction(run);
   const std::array<TextRun, 3> title = {{{name, theme.text, look.fonts.title},

@@ -31,5 +31,7 @@ StateMessage state_message(const Run& run, SceneMemory& memory);
 
 /// 1391 as "1 391".
 std::string grouped(std::int64_t number);
+/// "3 cells", "1 cell".
+std::string count_text(std::int64_t count, const char* one, const char* many);
 
 }  // namespace replan::ui

@@ -16,7 +16,7 @@ namespace {
 constexpr double kWholeSeconds = 5;
 
 std::string cells(std::int64_t count) {
-  return grouped(count) + (count == 1 ? " cell" : " cells");
+  return count_text(count, "cell", "cells");
 }
 
 std::string milliseconds(double ms) {
@@ -32,7 +32,7 @@ struct Row {
 
 std::vector<Row> rows_of(const ReplanReport& report) {
   const auto fresh = [&](const std::string& value) { return report.fresh ? value : std::string("…"); };
-  std::vector<Row> rows = {{"vertices touched", grouped(report.repair.touched),
+  std::vector<Row> rows = {{"cells touched", grouped(report.repair.touched),
                             fresh(report.fresh ? grouped(report.fresh->touched) : "")}};
   if (report.times)
     rows.push_back({"milliseconds", report.repair.ms ? milliseconds(*report.repair.ms) : "…",
@@ -121,9 +121,10 @@ void draw_brief(const Look& look, ImVec2 min, const ReplanReport& report) {
 std::string cause_sentence(const ReplanCause& cause) {
   if (cause.new_goal) return "The goal has moved: planned from scratch.";
   if (cause.to_goal_again) return "The goal can be reached again: planned from scratch.";
-  if (cause.to_nearest) return "The goal cannot be reached: to the nearest cell that can.";
-  if (cause.put_down) return "Somebody has put the robot down here.";
-  if (cause.forgotten > 0) return "It no longer counts on " + cells(cause.forgotten) + " out of sight.";
+  if (cause.to_nearest) return "The goal cannot be reached: now to the nearest cell that can.";
+  if (cause.put_down) return "The robot was put down here by hand.";
+  if (cause.forgotten > 0)
+    return "The robot no longer reckons with " + cells(cause.forgotten) + " out of sight.";
   if (cause.blocked > 0 && cause.freed > 0)
     return cells(cause.blocked) + " blocked, " + grouped(cause.freed) + " free again.";
   if (cause.freed > 0) return cells(cause.freed) + " free again.";

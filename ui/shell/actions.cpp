@@ -3,9 +3,12 @@
 #include <algorithm>
 
 #include "ui/icons.hpp"
+#include "ui/shell/lesson_card.hpp"
 #include "ui/shell/panels.hpp"
+#include "ui/tabs/code.hpp"
 #include "ui/tabs/log.hpp"
 #include "ui/tabs/open_list.hpp"
+#include "ui/tabs/words.hpp"
 #include "ui/tools/mover.hpp"
 
 namespace replan::ui {

@@ -56,7 +56,7 @@ void cell_menu_items(Frame& frame, Cell cell) {
   text(look.fonts.title, look.theme.text, "Cell " + cell_text(cell));
   ImGui::Separator();
   const bool pinned = frame.view.view.pinned == cell;
-  if (item(pinned ? "Let go of it" : "Pin it", icon::pin)) {
+  if (item(pinned ? "Unpin it" : "Pin it", icon::pin)) {
     if (pinned)
       frame.view.view.pinned.reset();
     else

@@ -4,11 +4,14 @@
 #include <utility>
 
 #include "core/base/file.hpp"
+#include "core/base/markdown.hpp"
 #include "core/plan/glossary.hpp"
 #include "ui/documents/world_library.hpp"
 #include "ui/icons.hpp"
 #include "ui/keys.hpp"
+#include "ui/shell/lesson_card.hpp"
 #include "ui/shell/panels.hpp"
+#include "ui/tabs/words.hpp"
 
 namespace replan::ui {
 namespace {
@@ -113,16 +116,25 @@ PaletteEntry opens(const char* kind, Wish wish, const std::string& title, const 
 void add_terms(std::vector<PaletteEntry>& entries) {
   for (const GlossaryTerm& term : glossary())
     entries.push_back({.id = "term " + std::string(term.id),
-                       .label = "What is " + std::string(term.title) + "?",
+                       .label = "Meaning of " + std::string(term.title),
                        .place = "Words",
                        .keys = {},
                        .teach = std::string(term.text),
                        .icon = icon::question,
                        .reason = {},
-                       .effect = [text = std::string(term.title) + ": " + std::string(term.text)](Frame& f) {
-                         f.panels.said = text;
-                         f.panels.said_bad = false;
-                       }});
+                       .effect = [id = term.id](Frame& f) { show_word(f.view, f.panels, id); }});
+}
+
+void add_lessons(Frame& frame, std::vector<PaletteEntry>& entries) {
+  for (const Lesson& lesson : lessons_of(frame.panels))
+    entries.push_back({.id = "lesson " + lesson.id,
+                       .label = "Lesson: " + lesson.title,
+                       .place = "Help",
+                       .keys = {},
+                       .teach = without_markdown(lesson.summary),
+                       .icon = icon::graduation,
+                       .reason = {},
+                       .effect = [id = lesson.id](Frame& f) { wish_for_lesson(f.wish, f.panels, id); }});
 }
 
 /// The label with its matched letters in the accent's colour and heavier.
@@ -152,6 +164,7 @@ std::vector<PaletteEntry> palette_entries(Frame& frame, const WorldLibrary* libr
   if (library != nullptr)
     for (const LibraryWorld& world : library->worlds())
       entries.push_back(opens("Open world: ", Wish::open_world, world.title(), world.path, icon::map));
+  add_lessons(frame, entries);
   add_terms(entries);
   return entries;
 }
@@ -229,7 +242,7 @@ void CommandPalette::draw_hits(Frame& frame, std::span<const PaletteEntry> entri
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::BeginChild("hits", {0, height});
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (count == 0) text(look.fonts.ui, look.theme.dim, "Nothing is called so. Fewer letters find more.");
+  if (count == 0) text(look.fonts.ui, look.theme.dim, "Nothing has that name. Fewer letters find more.");
   for (std::size_t i = 0; i < count; ++i) {
     const PaletteEntry& entry = entries[hits[i].entry];
     const ImVec2 min = ImGui::GetCursorScreenPos();

@@ -67,6 +67,11 @@ void Dialogs::offer(std::vector<AutosaveNote> notes) {
   show(DialogKind::recover);
 }
 
+void Dialogs::show_about(std::vector<AboutLine> lines) {
+  about_ = std::move(lines);
+  show(DialogKind::about);
+}
+
 void Dialogs::wait_for(std::string name) {
   name_ = std::move(name);
   since_ = std::chrono::steady_clock::now();
@@ -149,6 +154,8 @@ DialogDecision Dialogs::content(const Look& look) {
       return recover_dialog(look);
     case DialogKind::keys:
       return keys_dialog(look);
+    case DialogKind::about:
+      return about_dialog(look);
     case DialogKind::none:
       break;
   }

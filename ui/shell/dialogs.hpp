@@ -14,7 +14,17 @@
 
 namespace replan::ui {
 
-enum class DialogKind : std::uint8_t { none, file, worlds, opening, new_world, question, recover, keys };
+enum class DialogKind : std::uint8_t {
+  none,
+  file,
+  worlds,
+  opening,
+  new_world,
+  question,
+  recover,
+  keys,
+  about
+};
 
 /// What the user decided.
 struct DialogDecision {
@@ -75,6 +85,7 @@ class Dialogs {
                    DialogDecision::Kind decision = DialogDecision::Kind::none);
   void choose_world(WorldLibrary& library);
   void offer(std::vector<AutosaveNote> notes);
+  void show_about(std::vector<AboutLine> lines);
   /// Asks where a film or picture goes; `spec` says where to begin.
   void ask_capture(bool film, bool window, FileDialogSpec spec, const WorkPlace& place);
   /// Asks where a trace goes.
@@ -107,6 +118,7 @@ class Dialogs {
   DialogDecision recover_dialog(const Look& look);
   DialogDecision opening_dialog(const Look& look);
   DialogDecision keys_dialog(const Look& look);
+  DialogDecision about_dialog(const Look& look);
 
   ImGuiRenderer& renderer_;
   DialogKind kind_ = DialogKind::none;
@@ -115,6 +127,7 @@ class Dialogs {
   std::unique_ptr<WorldPicker> worlds_, closed_worlds_;
   Question question_;
   std::vector<AutosaveNote> notes_;
+  std::vector<AboutLine> about_;
   std::string name_;  // of what is being opened
   std::chrono::steady_clock::time_point since_;
   std::string folder_;

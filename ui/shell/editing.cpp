@@ -137,7 +137,7 @@ void ActionContext::paste() {
   select_with_tool(view, {at, end});
   const bool whole = end.x - at.x + 1 == cells.width && end.y - at.y + 1 == cells.height;
   say(panels, "Pasted " + size_text(cells.width, cells.height) +
-                  (whole ? "" : "; what reached over the edge of the world was left out") + noted);
+                  (whole ? "" : "; what did not fit into the world was left out") + noted);
 }
 
 }  // namespace replan::ui

@@ -40,10 +40,6 @@ std::string date_text(std::int64_t seconds) {
   return std::to_string(at.tm_mday) + " " + kMonths[at.tm_mon] + " " + text.data();
 }
 
-std::string count_text(std::int64_t count, const char* one, const char* many) {
-  return grouped(count) + " " + (count == 1 ? one : many);
-}
-
 std::string as_sentence(std::string words) {
   const std::size_t end = words.find_first_not_of("abcdefghijklmnopqrstuvwxyz");
   const bool plain_word = end != 0 && !words.empty() && (end == std::string::npos || words[end] == ' ');

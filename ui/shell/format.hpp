@@ -23,9 +23,6 @@ std::string bytes_text(std::size_t bytes);
 /// When it was, in local time and as short as it is clear: "10:42" today, "3 May 10:42" this year, else
 /// "2024-05-03". `seconds` since 1970.
 std::string date_text(std::int64_t seconds);
-/// "3 cells", "1 cell".
-std::string count_text(std::int64_t count, const char* one, const char* many);
-
 /// Begins with a capital letter, unless the first word is a path or a name.
 std::string as_sentence(std::string words);
 

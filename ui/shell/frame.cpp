@@ -127,7 +127,7 @@ std::string origin_text(Frame& frame, std::size_t event) {
   if (const Result<PlannerPage>& page = page_of(frame.panels, run.choice().id); page && number != 0) {
     const PseudoLine* line = page->line(number);
     const std::string function = function_of(*page, number);
-    if (line != nullptr) words = "line " + std::to_string(line->printed);
+    if (line != nullptr) words = "line " + std::to_string(line->number);
     if (line != nullptr && !function.empty()) words += " of " + function;
   }
   const auto milestones = run.milestones();

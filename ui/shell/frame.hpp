@@ -10,6 +10,7 @@
 #include <imgui.h>
 
 #include "core/debug/touched.hpp"
+#include "core/lesson/lesson.hpp"
 #include "core/plan/pages.hpp"
 #include "core/session/session.hpp"
 #include "ui/canvas/canvas.hpp"
@@ -22,8 +23,6 @@ struct CaseMoment;
 }
 
 namespace replan::ui {
-
-enum class ActionId : std::uint16_t;
 
 /// What an action asks of the shell itself; done after drawing.
 enum class Wish : std::uint8_t {
@@ -49,7 +48,14 @@ enum class Wish : std::uint8_t {
   resize,
   palette,
   open_world,  ///< of the library: PanelState::wished
-  save_figures
+  save_figures,
+  lesson,  ///< PanelState::wished
+  about
+};
+
+/// A thing that the program is made of, and its version.
+struct AboutLine {
+  std::string name, version;
 };
 
 /// What the panels share between frames; no part of the document.
@@ -72,12 +78,14 @@ struct PanelState {
   RecordingState recording;                  ///< told by the owner of the pixels
   PixelArea canvas;                          ///< where the canvas was drawn last
   double frame_ms = 0;                       ///< CPU time of a frame, smoothed; 0: not measured
-  std::vector<ActionId> performed;           ///< in this frame
   float tool_height = 0;                     ///< what the tool's choices took in the last frame, in pixels
   std::string said;                          ///< a sentence for the user, to be shown over the canvas
   bool said_bad = false;
-  std::vector<std::string> recent;   ///< files that were opened last, the latest first
-  std::string wished;                ///< the file that a wish is about
+  std::vector<std::string> recent;             ///< files that were opened last, the latest first
+  std::string wished;                          ///< the file, or the lesson, that a wish is about
+  std::optional<std::vector<Lesson>> lessons;  ///< once they were asked for
+  std::vector<const char*> performed;          ///< actions of this frame, by their names
+  std::vector<AboutLine> about;                ///< told by the owner of the pixels
   bool caption = false;              ///< what the world is about is told over the canvas, if it says so
   std::vector<std::string> notices;  ///< for the Log: what the platform had to say (missing fonts)
 };

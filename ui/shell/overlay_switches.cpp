@@ -41,7 +41,7 @@ void draw_overlay_switches(Frame& frame) {
   const float width = look.px(190);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px.l, look.px(6)));
   ImGui::BeginGroup();
-  section_title(look, "Colours: one at a time");
+  section_title(look, "One colour map at a time");
   for (const OverlayInfo& info : overlays())
     if (info.is_field()) overlay_switch(frame, info, width);
   range_switch(frame);

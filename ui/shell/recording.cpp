@@ -34,7 +34,7 @@ void draw_recording(Frame& frame) {
   const ImVec2 size{dot + look.px.s + text_width(look.fonts.mono, words), look.px.menu};
   if (ImGui::InvisibleButton("recording", size) && recording.on)
     perform(frame, recording.window ? ActionId::record_window : ActionId::record_canvas);
-  hint(look, {"Recording", "", "Click to stop. The film is complete once that is said."});
+  hint(look, {"Recording", "", "Click to stop. A message says when the film is complete."});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float middle = ImGui::GetWindowPos().y + look.px.menu * 0.5f;
   list.AddCircleFilled({origin.x + dot * 0.5f, middle}, look.px(5),

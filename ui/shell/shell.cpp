@@ -7,6 +7,7 @@
 #include <imgui_internal.h>
 
 #include "core/scene/scene.hpp"
+#include "core/session/command_name.hpp"
 #include "ui/canvas/pane_grid.hpp"
 #include "ui/icons.hpp"
 #include "ui/keys.hpp"
@@ -44,8 +45,8 @@ ActionContext context_of(Frame& frame) {
 void perform(Frame& frame, ActionId id) {
   ActionContext context = context_of(frame);
   if (!action(id).available(context)) return;
-  frame.panels.performed.push_back(id);
   action(id).effect(context);
+  frame.panels.performed.push_back(action(id).name);
 }
 
 void Shell::draw(const Look& look, Session& session, double) {
@@ -67,6 +68,7 @@ void Shell::draw(const Look& look, Session& session, double) {
   world_dialogs_.draw(look, session, commands);
   if (!panels_.said.empty()) tell(std::exchange(panels_.said, {}), panels_.said_bad);
   take_commands(session, commands);
+  follow_lesson(session);
   take_wish(session, wish);
   take_decision(session, decision);
   if (const auto outcome = export_.go_on(session)) tell(outcome->words, outcome->bad);
@@ -160,9 +162,13 @@ void Shell::draw_parts(Frame& frame) {
   if (panels)
     area("tools", {0, look.px.menu}, {left, under - look.px.menu}, look.theme.panel, {look.px(7), look.px(8)},
          [&] { draw_tool_strip(frame); });
-  const bool told = panels_.caption && !session_caption.empty();
-  const float top = look.px.menu + (told ? look.px(kCaption) : 0);
-  if (told) draw_caption(frame, {left, look.px.menu}, {split - left, look.px(kCaption)});
+  const bool told = panels_.caption && !session_caption.empty() && !lesson_.open();
+  const float strip = lesson_.open() ? lesson_.height(look) : told ? look.px(kCaption) : 0;
+  const float top = look.px.menu + strip;
+  if (told) draw_caption(frame, {left, look.px.menu}, {split - left, strip});
+  if (lesson_.open())
+    area("lesson", {left, look.px.menu}, {split - left, strip}, look.theme.panel, {look.px.m, look.px.s},
+         [&] { lesson_.draw(frame); });
   draw_canvas(frame, {left, top}, {split, under});
   area("transport", {0, under}, {transport_end, look.px.transport}, look.theme.panel,
        {look.px.l, look.px(14)}, [&] { draw_transport(frame); });
@@ -283,11 +289,15 @@ void Shell::draw_splitter(Frame& frame, float x, float top, float bottom) {
 
 void Shell::take_commands(Session& session, std::vector<Command>& commands) {
   for (const Command& command : commands)
-    if (const Result<void> done = session.apply(command); !done && !is_quiet(command))
+    if (const Result<void> done = session.apply(command); done)
+      lesson_.note(command_name(command));
+    else if (!is_quiet(command))
       tell(done.error(), true);
 }
 
+/// The document is another one: a lesson that was open is not about it.
 void Shell::show(const ViewSetup& view) {
+  lesson_.close();
   if (const Result<OverlaySet> set = parse_overlays(view.overlays); set && !view.overlays.empty())
     view_.view.overlays = *set;
   if (view.theme) view_.dark = *view.theme == "dark";

@@ -17,6 +17,7 @@
 #include "ui/shell/dialogs.hpp"
 #include "ui/shell/dialogs/world_dialogs.hpp"
 #include "ui/shell/frame.hpp"
+#include "ui/shell/lesson_card.hpp"
 #include "ui/shell/message.hpp"
 #include "ui/shell/trace_export.hpp"
 
@@ -38,6 +39,7 @@ class Shell {
   [[nodiscard]] PanelState& panels() { return panels_; }
   [[nodiscard]] const PanelState& panels() const { return panels_; }
   [[nodiscard]] Documents& documents() { return documents_; }
+  [[nodiscard]] const LessonCard& lesson() const { return lesson_; }
 
   /// Takes over what a scenario says of its view: overlays, theme, camera. The whole world is shown if it
   /// names none.
@@ -46,6 +48,8 @@ class Shell {
   std::optional<CaptureRequest> take_capture() { return std::exchange(capture_, std::nullopt); }
   /// Does what the action does, in the next frame; nothing if it is not available then.
   void perform_next(ActionId id) { next_actions_.push_back(id); }
+  /// At the very first start: the first lesson, unless the user is asked something.
+  void welcome();
   /// A sentence over the canvas for a while.
   void tell(std::string sentence, bool bad) { message_.tell(std::move(sentence), bad); }
 
@@ -75,6 +79,8 @@ class Shell {
   void pin_difference(Frame& frame);
   void take_commands(Session& session, std::vector<Command>& commands);
   void take_wish(Session& session, Wish wish);
+  void open_lesson(Session& session, const std::string& id);
+  void follow_lesson(const Session& session);
   void ask_for_capture(bool film, bool window);
   void ask_for_trace(const Session& session);
   void export_trace(const Session& session, const DialogDecision& decision);
@@ -95,6 +101,7 @@ class Shell {
   Legend legend_;
   std::optional<ActionId> let_go_;  // to be done once its key is let go
   std::optional<Paused> paused_;
+  LessonCard lesson_;
   TraceExport export_;
   std::optional<Awaited> awaited_;
   CaptureRequest asked_;  // while its dialog is open

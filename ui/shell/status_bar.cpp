@@ -60,7 +60,7 @@ Verdict verdict(const Theme& theme, const Run& run) {
     case PlanStatus::found_nearest:
       return {theme.warning, "plan to the nearest reachable cell", "nearest-goal"};
     default:
-      return {theme.good, "plan stands", "plan"};
+      return {theme.good, "plan found", "plan"};
   }
 }
 
@@ -141,7 +141,8 @@ float right_side(Frame& frame) {
     ImGui::Dummy({std::max(1.0f, to - from), look.fonts.ui->FontSize});
     hint(look, what);
   };
-  explain(time_x, right, {"Time of a frame", "", "What the processor works on one picture of this window."});
+  explain(time_x, right,
+          {"Time of a frame", "", "How long the processor works on one picture of this window."});
   if (decision != nullptr) explain(moves_x, time_x - look.px(16), term_hint("steps"));
   ImGui::SetCursorScreenPos(origin);
   return moves_x;
@@ -213,7 +214,7 @@ void exporting(Frame& frame, Line& line) {
   ImGui::SameLine(0, look.px.xs);
   ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y - look.px(5)});
   if (small_button(look, "stop export",
-                   {.icon = icon::times, .hint = {"Stop", "", "Gives the trace up; no file is left."}}))
+                   {.icon = icon::times, .hint = {"Stop", "", "Stops the export; no file is left."}}))
     frame.wish = Wish::stop_export;
 }
 
@@ -260,12 +261,13 @@ void draw_status_bar(Frame& frame) {
   if (decision != nullptr && decision->state == MissionState::arrived)
     line.pair("travelled", fixed(decision->figures.travelled, 1), term_hint("travelled"));
   else if (decision != nullptr && has_path(decision->plan->status))
-    line.pair("path", fixed(decision->plan->length, 1), term_hint("length"));
+    line.pair("to go", fixed(std::max(decision->plan->length - decision->along_plan, 0.0), 1),
+              term_hint("to-go"));
   line.pair("|U|", grouped(run.timeline().state().queue_size()), term_hint("open-list"));
   if (run.info().from_goal) line.pair("km", cost_text(run.timeline().state().km(), 2), term_hint("km"));
   const double zoom = frame.panels.zoom / static_cast<double>(look.px.scale);
-  line.pair("Zoom", fixed(zoom, zoom < 10 ? 1 : 0) + "×",
-            {"Zoom", "", "Pixels per cell, at the display's scale."});
+  line.pair("Zoom", fixed(zoom, zoom < 10 ? 1 : 0) + " px",
+            {"Zoom", "", "How many pixels of the display a cell is wide."});
   zoom_buttons(frame, line);
 }
 

@@ -46,34 +46,37 @@ std::optional<MarkKind> kind_of(const Milestone& milestone) {
 MarkStyle style_of(const Theme& theme, MarkKind kind) {
   switch (kind) {
     case MarkKind::collision:
-      return {MarkShape::cross, theme.bad, "The robot would hit an obstacle", "collisions"};
+      return {MarkShape::cross, theme.bad, "The robot would hit an obstacle", "collision", "collisions"};
     case MarkKind::gave_up:
-      return {MarkShape::cross, theme.bad, "The mission ends without arrival", "ends"};
+      return {MarkShape::cross, theme.bad, "The mission ends without arrival", "end", "ends"};
     case MarkKind::arrival:
-      return {MarkShape::circle, theme.goal, "The robot arrives", "arrivals"};
+      return {MarkShape::circle, theme.goal, "The robot arrives", "arrival", "arrivals"};
     case MarkKind::put_down:
-      return {MarkShape::diamond, theme.start, "The robot is put down elsewhere", "times put down"};
+      return {MarkShape::diamond, theme.start, "The robot is put down elsewhere", "time put down",
+              "times put down"};
     case MarkKind::new_goal:
-      return {MarkShape::diamond, theme.goal, "The goal moves: a plan from scratch", "moves of the goal"};
+      return {MarkShape::diamond, theme.goal, "The goal moves: a plan from scratch", "move of the goal",
+              "moves of the goal"};
     case MarkKind::surprise:
-      return {MarkShape::diamond, theme.surprise, "A surprise: the world changes", "surprises"};
+      return {MarkShape::diamond, theme.surprise, "A surprise: the world changes", "surprise", "surprises"};
     case MarkKind::first_plan:
-      return {MarkShape::triangle, theme.start, "The first plan begins", "first plans"};
+      return {MarkShape::triangle, theme.start, "The first plan begins", "first plan", "first plans"};
     default:
-      return {MarkShape::triangle, theme.surprise, "A replan begins", "replans"};
+      return {MarkShape::triangle, theme.surprise, "A replan begins", "replan", "replans"};
   }
 }
 
 using Counts = std::array<std::int64_t, static_cast<std::size_t>(MarkKind::count)>;
 
-/// "and 4 replans, 1 surprise more" for what a crowd holds besides its head.
+/// "Here too: 4 replans, 1 surprise" for what a crowd holds besides its head.
 std::string others_text(const Theme& theme, Counts counts, MarkKind head) {
   --counts[static_cast<std::size_t>(head)];
   std::string words;
   for (std::size_t i = 0; i < counts.size(); ++i)
-    if (counts[i] > 0)
-      words += (words.empty() ? "Here too: " : ", ") + grouped(counts[i]) + " " +
-               style_of(theme, static_cast<MarkKind>(i)).plural;
+    if (counts[i] > 0) {
+      const MarkStyle style = style_of(theme, static_cast<MarkKind>(i));
+      words += (words.empty() ? "Here too: " : ", ") + count_text(counts[i], style.one, style.many);
+    }
   return words;
 }
 
@@ -119,7 +122,7 @@ MarkGroup breach_group(const Look& look, const TimelineScale& scale, const First
   const std::size_t event = breach.position == 0 ? 0 : breach.position - 1;
   const char* title =
       breach.law ? "The first breach of a law" : "The first plan that the oracle disagrees with";
-  return {{MarkShape::cross, look.theme.bad, title, ""}, scale.x(event), breach.position, title, ""};
+  return {{MarkShape::cross, look.theme.bad, title, "", ""}, scale.x(event), breach.position, title, ""};
 }
 
 }  // namespace
@@ -168,7 +171,7 @@ std::vector<MarkGroup> stops(const Look& look, const Session& session, const Tim
   std::vector<MarkGroup> groups;
   const std::span<const Hit> hits = session.breakpoints().hits();
   const std::span<const Breakpoint> list = session.breakpoints().list();
-  const MarkStyle style{MarkShape::flag, look.theme.bad, "A breakpoint stops here", "stops"};
+  const MarkStyle style{MarkShape::flag, look.theme.bad, "A breakpoint stops here", "stop", "stops"};
   for (auto first = hits.begin(); first != hits.end();) {
     const float begin = scale.x(first->position), end = begin + look.px(kApart);
     const auto next =

@@ -14,8 +14,8 @@ enum class MarkShape : std::uint8_t { triangle, diamond, circle, cross, flag };
 struct MarkStyle {
   MarkShape shape;
   ImU32 colour;
-  const char* name;    ///< of one: "A replan begins"
-  const char* plural;  ///< of several: "replans"
+  const char* name;        ///< of one: "A replan begins"
+  const char *one, *many;  ///< of it: "replan", "replans"
 };
 
 /// Where events stand on the strip.

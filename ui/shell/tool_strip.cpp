@@ -30,7 +30,7 @@ void brush_size(Frame& frame) {
   const std::string keys = action(ActionId::brush_smaller).keys + " " + action(ActionId::brush_larger).keys;
   hint(look,
        {"Brush size", keys.c_str(),
-        "How wide paint, erase and line write, and how large a moving obstacle is. The wheel changes it."});
+        "How wide the tools paint and erase, and how large a moving obstacle is. The wheel changes it."});
   if (hovered && ImGui::GetIO().MouseWheel != 0)
     context_of(frame).resize_brush(ImGui::GetIO().MouseWheel > 0 ? 1 : -1);
   ImDrawList& list = *ImGui::GetWindowDrawList();

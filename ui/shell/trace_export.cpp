@@ -47,7 +47,7 @@ std::optional<ExportOutcome> TraceExport::go_on(const Session& session) {
   const auto runs = session.runs();
   if (std::none_of(runs.begin(), runs.end(), [this](const auto& run) { return run->log_id() == log_; })) {
     cancel();
-    return ExportOutcome{"The trace was given up: the run that it is of was changed. Export it again", true};
+    return ExportOutcome{"The export was stopped, because its run has changed. Export it again", true};
   }
   const auto end = Clock::now() + kFrameTime;
   do {

@@ -15,6 +15,10 @@ void Shell::take_wish(Session& session, Wish wish) {
       return world_dialogs_.show_generate(session);
     case Wish::resize:
       return world_dialogs_.show_resize(session);
+    case Wish::lesson:
+      return open_lesson(session, panels_.wished);
+    case Wish::about:
+      return dialogs_.show_about(panels_.about);
     case Wish::keys:
       return dialogs_.show(DialogKind::keys);
     case Wish::record_canvas:
@@ -33,6 +37,26 @@ void Shell::take_wish(Session& session, Wish wish) {
     default:
       return documents_.take_wish(session, wish);
   }
+}
+
+void Shell::open_lesson(Session& session, const std::string& id) {
+  const Result<Lesson> lesson = read_lesson(id);
+  if (!lesson) return tell(lesson.error(), true);
+  documents_.after_saving(session, [this, lesson = lesson.value()](Session& its) {
+    documents_.replace(its, {lesson.scenario, ""});
+    lesson_.begin(lesson);
+  });
+}
+
+/// Tells the lesson what was given in this frame.
+void Shell::follow_lesson(const Session& session) {
+  for (const char* name : panels_.performed) lesson_.note(name);
+  if (lesson_.look(session)) panels_.animated = true;
+}
+
+void Shell::welcome() {
+  const std::vector<Lesson>& lessons = lessons_of(panels_);
+  if (!dialogs_.open() && !lessons.empty()) perform_next(ActionId::first_steps);
 }
 
 /// A film that is being recorded ends; anything else is asked for by its name.

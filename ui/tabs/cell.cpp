@@ -85,7 +85,8 @@ std::vector<ValueRow> rows_of(const Theme& theme, const CellView& view) {
     add_rows(rows, view, type);
   if (state.order(view.node) != 0) {
     rows.push_back({"expanded", std::to_string(state.times_expanded(view.node)) + "×", EventKind::visit});
-    rows.push_back({"as number", grouped(std::int64_t{state.order(view.node)}), EventKind::visit});
+    rows.push_back(
+        {"last expansion", "no. " + grouped(std::int64_t{state.order(view.node)}), EventKind::visit});
   }
   return rows;
 }
@@ -154,9 +155,9 @@ void touched_line(Frame& frame, const CellView& view) {
   ImGui::Dummy({0, look.px.xs});
   const std::string name = "Replan " + grouped(last_replan(view.run)->number);
   if (link(look, "touched", name, look.fonts.ui)) perform(frame, ActionId::show_touched);
-  const std::string all =
-      "It touched " + count_text(static_cast<std::int64_t>(touched->list().size()), "vertex", "vertices") +
-      ". Click for all of them.";
+  const std::string all = "It touched " +
+                          count_text(static_cast<std::int64_t>(touched->list().size()), "cell", "cells") +
+                          ". Click for all of them.";
   hint(look, {name.c_str(), "", all.c_str()});
   ImGui::SameLine(0, look.px.xs);
   const std::string words = touched_text(mine);

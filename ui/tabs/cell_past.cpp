@@ -41,11 +41,10 @@ void change_row(Frame& frame, std::size_t row, const ValueChange& change, std::s
   const std::string event = grouped(change.event + 1), what(field.label),
                     before = raw_text(run, field, change.before), after = raw_text(run, field, change.after);
   const ImU32 words = ahead ? look.theme.faint : look.theme.dim;
-  const std::array<TableCell, 4> cells = {
-      {{event, ahead ? mix(look.theme.panel, look.theme.accent, 0.5f) : look.theme.accent},
-       {what, words},
-       {before, words},
-       {after, ahead ? look.theme.faint : look.theme.text}}};
+  const std::array<TableCell, 4> cells = {{{event, ahead ? look.theme.faint : look.theme.accent},
+                                           {what, words},
+                                           {before, words},
+                                           {after, ahead ? look.theme.faint : look.theme.text}}};
   if (table_row(look, static_cast<int>(row % (std::size_t{1} << 30)), columns, cells, here))
     frame.commands.push_back(Seek{change.event + 1});
   if (!ImGui::IsItemHovered()) return;

@@ -18,7 +18,7 @@ const char* special_case(const CellView& view, const std::vector<Offer>& all) {
                           : "This is the start: its g is 0.";
   if (view.state.known_blocked(view.node))
     return "The robot takes this cell for an obstacle: no move leads in or out.";
-  if (all.empty()) return "Obstacles stand all around: no move leads from here.";
+  if (all.empty()) return "There are obstacles all around: no move leads from here.";
   if (all.front().sum.is_infinite()) return "No neighbour has a value now: no way leads on from here yet.";
   return "";
 }
@@ -59,8 +59,7 @@ const char* remote_words(const CellView& view) {
     return remote == kNoNode
                ? "Sight is checked along the path alone, and no leap from this cell is kept: it "
                  "has no rp."
-               : "Its rp was found in sight along a path. It is kept until a cell of the box "
-                 "between both changes.";
+               : "Its rp was seen along a path. It is kept until a cell of the box between the two changes.";
   if (remote == kNoNode || remote == view.node) return "";
   if (remote == local) return "Its rp is its lp, which needs no sight check.";
   return view.state.queued(view.node) ? "Sight to its rp is assumed. It is checked when the cell is taken."
@@ -103,7 +102,7 @@ void draw_why(Frame& frame, const CellView& view) {
   ImGui::Dummy({0, look.px.xs});
   paragraph(look.fonts.ui, look.theme.warning,
             view.lookahead ? "The least sum is " + cost_text(all.front().sum) +
-                                 ": UpdateVertex has yet to come to this cell."
+                                 ": the search has not updated this cell yet."
                            : "A neighbour offers less: it has not been expanded yet.");
 }
 

@@ -1,5 +1,8 @@
 // The Code tab: what just happened, the planner's pseudo-code with the current line lit, and its page.
+#include "ui/tabs/code.hpp"
+
 #include <algorithm>
+#include <utility>
 
 #include <imgui_internal.h>
 
@@ -32,25 +35,17 @@ void continuation(const Look& look, const PseudoLine& line, bool current, ImU32 
 void pseudo_line(Frame& frame, const PseudoLine& line, bool current) {
   const Look& look = frame.look;
   if (line.number == 0) {
-    continuation(look, line, current,
-                 current       ? look.theme.text
-                 : line.unused ? look.theme.faint
-                               : look.theme.dim);
+    continuation(look, line, current, current ? look.theme.text : look.theme.dim);
     return;
   }
-  if (!line.unused) {
-    const std::string condition = when_line(line.number);
-    const bool set = find_breakpoint(frame.session, condition).has_value();
-    if (code_line(look, {line.printed, line.text, current, set}))
-      frame.commands.push_back(toggle_breakpoint(frame.session, condition));
-    if (ImGui::GetIO().MousePos.x < ImGui::GetItemRectMin().x + look.px(34))
-      hint(look, {set ? "Remove the breakpoint" : "Set a breakpoint", "",
-                  set ? "The playhead no longer stops on this line."
-                      : "The playhead stops whenever the planner comes to this line."});
-    return;
-  }
-  code_line(look, {.number = line.printed, .text = line.text, .current = current, .reached = false});
-  hint(look, {"", "", "This planner never comes to this line."});
+  const std::string condition = when_line(line.number);
+  const bool set = find_breakpoint(frame.session, condition).has_value();
+  if (code_line(look, {line.number, line.text, current, set}))
+    frame.commands.push_back(toggle_breakpoint(frame.session, condition));
+  if (ImGui::GetIO().MousePos.x < ImGui::GetItemRectMin().x + look.px(34))
+    hint(look, {set ? "Remove the breakpoint" : "Set a breakpoint", "",
+                set ? "The playhead no longer stops on this line."
+                    : "The playhead stops whenever the planner comes to this line."});
 }
 
 void what_happened(Frame& frame) {
@@ -66,21 +61,32 @@ void what_happened(Frame& frame) {
     paragraph(look.fonts.mono, look.theme.text, last_event_text(run));
 }
 
-void sections(Frame& frame, const PlannerPage& page) {
-  const Look& look = frame.look;
-  for (const PageSection& section : page.sections) {
-    if (section.title == "Pseudo-code") continue;
-    section_rule(look);
-    section_title(look, section.title);
-    for (const std::string& paragraph_text : section.paragraphs)
-      paragraph(look.fonts.ui, look.theme.dim, paragraph_text);
+void draw_section(const Look& look, const PageSection& section) {
+  section_title(look, section.title);
+  for (const std::string& each : section.paragraphs) marked_paragraph(look, look.theme.dim, each);
+  section_rule(look);
+}
+
+/// All of the code, behind what there is to say of its numbers; `scrolled` as in draw_pseudo_code().
+void draw_code(Frame& frame, const PlannerPage& page, int& scrolled) {
+  if (const PageSection* about = page.section("Pseudo-code"))
+    for (const std::string& each : about->paragraphs)
+      marked_paragraph(frame.look, frame.look.theme.dim, each);
+  for (const PseudoBlock& block : page.code) {
+    section_title(frame.look, block.title);
+    draw_pseudo_code(frame, block, 0, &scrolled);
+    section_rule(frame.look);
   }
 }
 
 class CodeTab final : public SideTab {
+ public:
   void draw(Frame& frame) override;
+  void show_page() { to_top_ = true; }
 
-  int scrolled_ = 0;  // the line that the page was scrolled to
+ private:
+  int scrolled_ = 0;     // the line that the page was scrolled to
+  bool to_top_ = false;  // the page is to be shown from its beginning
 };
 
 }  // namespace
@@ -125,26 +131,33 @@ void CodeTab::draw(Frame& frame) {
   // The page scrolls under what happened, which stays in sight.
   // Its scroll bar stands in the padding, so that it takes no room from the code.
   ImGui::BeginChild("page", {ImGui::GetContentRegionAvail().x + look.px(12), 0});
-  bool first = true;
-  for (const PseudoBlock& block : page->code) {
-    if (!first) section_rule(look);
-    first = false;
-    section_title(look, block.title);
-    draw_pseudo_code(frame, block, 0, &scrolled_);
+  if (std::exchange(to_top_, false)) {
+    ImGui::SetScrollY(0);
+    scrolled_ = current_line(frame.run());
   }
-  sections(frame, *page);
+  // What is behind the code before the code: who understands the idea can read it.
+  const PageSection* idea = page->section("Idea");
+  if (idea != nullptr) draw_section(look, *idea);
+  draw_code(frame, *page, scrolled_);
+  for (const PageSection& section : page->sections)
+    if (&section != idea && section.title != "Pseudo-code") draw_section(look, section);
   ImGui::EndChild();
+}
+
+void show_page(ViewState& view, PanelState& panels) {
+  show_tab(view, panels, "code");
+  panels.tabs.get<CodeTab>().show_page();
 }
 
 TabKind code_tab() {
   return {.name = "Code",
-          .label = "Pseudo-code, idea and limits",
+          .label = "Idea, pseudo-code and limits",
           .icon = icon::code,
           .chord = fn(5),
           .teach =
-              "The planner's pseudo-code with the line that runs, and its idea, limits and source. A click "
-              "beside a line "
-              "sets a breakpoint.",
+              "The planner's idea, its pseudo-code with the line that runs, its limits and its source. A "
+              "click beside a "
+              "line sets a breakpoint.",
           .make = make_part<SideTab, CodeTab>};
 }
 

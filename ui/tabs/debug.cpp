@@ -54,7 +54,7 @@ bool entry_field(Frame& frame, const Entry& entry, std::string& draft) {
   entered |=
       small_button(look, "add", {.icon = icon::plus, .hint = {"Add", "Enter"}, .enabled = !draft.empty()});
   ImGui::SameLine(0, look.px.xs);
-  if (small_button(look, "help", {.icon = icon::question, .hint = {"What can be written here"}}))
+  if (small_button(look, "help", {.icon = icon::question, .hint = {"What can be typed here"}}))
     ImGui::OpenPopup("language");
   language_help(frame, entry);
   if (!error.empty())
@@ -185,7 +185,7 @@ void watch_row(Frame& frame, std::size_t index) {
   hint(look, {expression.c_str(), "", as_sentence(problem).c_str()});
   draw_text(*ImGui::GetWindowDrawList(), look.fonts.mono_bold, {value_x, origin.y}, look.theme.text, value);
   ImGui::SetCursorScreenPos({right - look.px(24), origin.y - look.px(5)});
-  if (small_button(look, "remove", {.icon = icon::times, .hint = {"Watch it no longer"}}))
+  if (small_button(look, "remove", {.icon = icon::times, .hint = {"Stop watching it"}}))
     frame.commands.push_back(RemoveWatch{index});
   ImGui::SetCursorScreenPos({origin.x, origin.y + look.px(20)});
   if (problem.empty()) watch_chart(frame, index, look.px(48));
@@ -198,12 +198,12 @@ void watches_section(Frame& frame, std::string& draft) {
   section_title(look, "Watches");
   const auto list = frame.session.watches().list();
   if (list.empty()) {
-    paragraph(
-        look.fonts.ui, look.theme.dim,
-        "A quantity, drawn over the whole run. Right click a value in the Cell tab, or take one of these:");
+    paragraph(look.fonts.ui, look.theme.dim,
+              "A watch draws a quantity over the whole run. Right click a value in the Cell tab, or take one "
+              "of these:");
     const std::array<std::pair<std::string, const char*>, 3> suggestions = {
         {{value_expression(EventKind::g, some_cell(frame)), "the cost of a cell"},
-         {"size(U)", "how many vertices wait"},
+         {"size(U)", "how many cells wait"},
          {"km", "how far keys were shifted"}}};
     examples(look, suggestions, draft);
   }

@@ -31,7 +31,7 @@ void ways_to(Frame& frame, std::size_t pane, std::size_t position, const char* c
   if (link(look, "go", "Go there", look.fonts.ui)) go_to(frame, pane, position);
   ImGui::SameLine(0, look.px.l);
   const bool set = find_breakpoint(frame.session, condition).has_value();
-  if (link(look, "break", set ? "Break on it no longer" : "Break on it", look.fonts.ui))
+  if (link(look, "break", set ? "Stop breaking on it" : "Break on it", look.fonts.ui))
     frame.commands.push_back(toggle_breakpoint(frame.session, condition));
   ImGui::Dummy({0, look.px.xs});
 }
@@ -90,7 +90,7 @@ void oracle_of(Frame& frame, std::size_t pane) {
   } else if (report.busy || asked == 0) {
     status(look, look.theme.dim,
            name + (report.busy ? "being asked… " + count_text(asked, "plan", "plans") + " so far"
-                               : "nothing to ask yet: no plan stands"));
+                               : "nothing to ask yet: there is no plan"));
   } else {
     status(look, look.theme.good, name + "agrees with " + count_text(asked, "plan", "plans"));
     if (!report.exact)
@@ -149,7 +149,7 @@ void difference_choices(Frame& frame, Comparison& comparison) {
   combo(look, "##what", kWhat, comparison.what, half);
   hint(look,
        {"What is compared", "",
-        "Every event that both planners write; which vertex is taken and the g that it gets; what each plan "
+        "Every event that both planners write; which cell is taken and the g that it gets; what each plan "
         "costs; or where the robot goes."});
   ImGui::SameLine(0, look.px.s);
   if (comparison.panes[0] != comparison.panes[1] && button(look, "Find", ButtonKind::primary, icon::search)) {

@@ -12,16 +12,6 @@
 namespace replan::ui {
 namespace {
 
-/// The robot's map changed after the decision: what is known at the cursor is not what this plan was made for.
-bool map_changed_since(const Run& run, const Decision& decision) {
-  for (std::size_t i = decision.event; i < run.timeline().cursor(); ++i) {
-    const EventKind kind = run.timeline().event(i).kind;
-    if (kind == EventKind::known) return true;
-    if (kind == EventKind::pop || kind == EventKind::move) return false;
-  }
-  return false;
-}
-
 /// As the window prints it: thousands apart.
 std::string shown(const FigureRow& row, std::size_t pane, bool standing) {
   if (!standing) return "–";
@@ -132,14 +122,19 @@ void export_menu(Frame& frame) {
 
 }  // namespace
 
-/// The figures of the plan that stands; computed once for each plan.
-const PathFigures& FiguresTab::figures_of(const Run& run, std::size_t pane, const Decision& decision) {
+/// The figures of the first plan, on the map that it was made for.
+const PathFigures& FiguresTab::first_figures(const Run& run, std::size_t pane) {
   if (kept_.size() <= pane) kept_.resize(pane + 1);
-  Kept& cache = kept_[pane];
-  if (cache.plan == decision.plan || map_changed_since(run, decision)) return cache.figures;
-  cache = {decision.plan,
-           path_figures(run.lattice(), run.timeline().state().known_map().plain(), *decision.plan->path)};
-  return cache.figures;
+  Kept& kept = kept_[pane];
+  const Decision& first = run.decisions().front();
+  if (kept.plan == first.plan) return kept.figures;
+  const Timeline& log = run.timeline();
+  const auto figures = [&](const SearchState& state) {
+    return path_figures(run.lattice(), state.known_map().plain(), *first.plan->path);
+  };
+  kept = {first.plan,
+          log.cursor() == first.event ? figures(log.state()) : figures(log.state_at(first.event))};
+  return kept.figures;
 }
 
 std::vector<RunReport> FiguresTab::now(const Session& session) {
@@ -152,7 +147,8 @@ std::vector<RunReport> FiguresTab::now(const Session& session) {
       reports.back().planner = run.choice().id;
       reports.back().status = status_name(PlanStatus::searching);
     } else {
-      reports.push_back(report_at(*decision, figures_of(run, pane, *decision), run.choice()));
+      reports.push_back(
+          report_at(*decision, *run.decisions().front().plan, first_figures(run, pane), run.choice()));
     }
   }
   return reports;
@@ -171,16 +167,16 @@ void FiguresTab::draw(Frame& frame) {
   for (const auto& run : frame.session.runs())
     standing.push_back(run->decision_at(run->timeline().cursor()) != nullptr);
   if (std::find(standing.begin(), standing.end(), true) == standing.end()) {
-    empty_state(look, icon::bar_chart, "No plan stands here yet",
+    empty_state(look, icon::bar_chart, "No plan yet",
                 "Step or play on until the first plan is found; its figures show here.");
     return;
   }
   const FiguresTable table = figures_table(now(frame.session));
   const FiguresLayout layout = figures_layout(look, standing.size());
-  section_title(look, figure_group_title(FigureGroup::path));
+  section_title(look, figure_group_title(FigureGroup::first_plan));
   export_menu(frame);
   draw_names(look, layout, table);
-  FigureGroup group = FigureGroup::path;
+  FigureGroup group = FigureGroup::first_plan;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, look.px(1)));
   for (const FigureRow& row : table.rows) {
     if (row.info->wall_time && !frame.view.live) continue;  // a picture is the same on every machine
@@ -195,15 +191,16 @@ void FiguresTab::draw(Frame& frame) {
 }
 
 TabKind figures_tab() {
-  return {
-      .name = "Figures",
-      .label = "Figures of the panes",
-      .icon = icon::bar_chart,
-      .chord = fn(6),
-      .teach =
-          "What each planner did and how good its path is, side by side, with ratios and the best marked.",
-      .make = make_part<SideTab, FiguresTab>,
-      .per_pane = false};
+  return {.name = "Figures",
+          .label = "Figures of the panes",
+          .icon = icon::bar_chart,
+          .chord = fn(6),
+          .teach =
+              "What each planner did and how good its first path is, side by side, with ratios. The best is "
+              "marked where the "
+              "panes can be compared.",
+          .make = make_part<SideTab, FiguresTab>,
+          .per_pane = false};
 }
 
 }  // namespace replan::ui

@@ -1,5 +1,5 @@
-// The Figures tab: what the plans that stand are worth and what they cost, a column per pane, with ratios to the first
-// and the best of each row marked.
+// The Figures tab: what the first plans are worth, what all plans cost and how the robots drove, a column per pane, with
+// ratios to the first and the best of each row marked where the panes can be compared.
 #pragma once
 
 #include <memory>
@@ -18,12 +18,12 @@ class FiguresTab final : public SideTab {
   std::vector<RunReport> now(const Session& session);
 
  private:
-  /// Path figures of one pane, kept until another plan stands.
+  /// Path figures of one pane's first plan, kept until it is another.
   struct Kept {
     std::shared_ptr<const Plan> plan;
     PathFigures figures;
   };
-  const PathFigures& figures_of(const Run& run, std::size_t pane, const Decision& decision);
+  const PathFigures& first_figures(const Run& run, std::size_t pane);
 
   std::vector<Kept> kept_;
 };

@@ -75,10 +75,9 @@ void story_row(Frame& frame, std::size_t row, const Milestone& milestone, std::s
   const std::string event = grouped(milestone.event + 1),
                     step = grouped(decision == nullptr ? std::int64_t{0} : decision->clock),
                     words = story_words(run, milestone);
-  const std::array<TableCell, 3> cells = {
-      {{event, ahead ? mix(look.theme.panel, look.theme.accent, 0.5f) : look.theme.accent},
-       {step, ahead ? look.theme.faint : look.theme.dim},
-       {words, ahead ? look.theme.faint : look.theme.text}}};
+  const std::array<TableCell, 3> cells = {{{event, ahead ? look.theme.faint : look.theme.accent},
+                                           {step, ahead ? look.theme.faint : look.theme.dim},
+                                           {words, ahead ? look.theme.faint : look.theme.text}}};
   if (table_row(look, static_cast<int>(row), columns, cells, here))
     frame.commands.push_back(Seek{milestone.event + 1});
   if (!ImGui::IsItemHovered()) return;
@@ -112,7 +111,9 @@ void LogTab::draw_lines(Frame& frame) {
   constexpr std::size_t kShown = 500;
   const std::size_t first = log.size() > kShown ? log.size() - kShown : 0;
   if (first > 0)
-    paragraph(look.fonts.small, look.theme.faint, std::to_string(first) + " older lines are not shown");
+    paragraph(
+        look.fonts.small, look.theme.faint,
+        count_text(static_cast<std::int64_t>(first), "older line is", "older lines are") + " not shown.");
   for (std::size_t i = first; i < log.size(); ++i)
     paragraph(look.fonts.ui, i + 1 == log.size() ? look.theme.text : look.theme.dim, log[i]);
   if (lines_ != log.size()) {

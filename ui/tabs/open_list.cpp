@@ -131,12 +131,11 @@ void OpenListTab::draw_open_list(Frame& frame) {
   if (order_.size() == 0) {
     empty_state(look, icon::list, "The open list is empty",
                 run.timeline().cursor() == 0 ? "Press " + action(ActionId::step_forward).keys +
-                                                   " for the first expansion; vertices that wait show here."
-                                             : "No vertex waits: there is nothing left to expand.");
+                                                   " for the first expansion; cells that wait show here."
+                                             : "No cell waits: there is nothing left to expand.");
     return;
   }
-  const std::string count =
-      count_text(static_cast<std::int64_t>(order_.size()), "vertex waits", "vertices wait");
+  const std::string count = count_text(static_cast<std::int64_t>(order_.size()), "cell waits", "cells wait");
   const bool late = order_.position() != run.timeline().cursor();
   paragraph(look.fonts.ui, look.theme.dim,
             late ? count + " at event " + grouped(order_.position()) : count + "; the first is taken next");
@@ -153,7 +152,7 @@ void OpenListTab::draw_touched(Frame& frame) {
   const TouchedList* touched = touched_by_last_replan(frame.panels, run);
   if (touched == nullptr) {
     empty_state(look, icon::bolt, "No replan yet",
-                "Paint an obstacle, or drop a surprise in the robot's way: the vertices that the repair "
+                "Paint an obstacle, or drop a surprise in the robot's way: the cells that the repair "
                 "touches are listed here.");
     return;
   }
@@ -161,7 +160,7 @@ void OpenListTab::draw_touched(Frame& frame) {
   const auto count = static_cast<std::int64_t>(touched->list().size());
   ImGui::AlignTextToFramePadding();
   text(look.fonts.ui, look.theme.dim,
-       "Replan " + grouped(span.number) + " touched " + count_text(count, "vertex", "vertices"));
+       "Replan " + grouped(span.number) + " touched " + count_text(count, "cell", "cells"));
   const float right = ImGui::GetContentRegionMax().x;
   ImGui::SameLine(right - look.px(52));
   if (small_button(look, "before", {.icon = icon::caret_left, .hint = action(ActionId::replan_back).hint()}))
@@ -172,7 +171,7 @@ void OpenListTab::draw_touched(Frame& frame) {
     perform(frame, ActionId::replan_forward);
   if (touched->list().empty()) {
     paragraph(look.fonts.ui, look.theme.dim,
-              "The change was of no consequence for any vertex: the plan stands as it was.");
+              "The change made no difference to any cell: the plan is the same as before.");
     return;
   }
   std::vector<Column> columns = {{"cell", 1.3f, Align::left}, {"g"}, {"→ g"}};
@@ -205,7 +204,7 @@ TabKind open_list_tab() {
           .label = "Open list",
           .icon = icon::list,
           .chord = fn(4),
-          .teach = "The vertices that wait, in the order in which the planner will take them.",
+          .teach = "The cells that wait, in the order in which the planner will take them.",
           .make = make_part<SideTab, OpenListTab>};
 }
 

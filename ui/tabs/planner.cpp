@@ -49,7 +49,7 @@ void choose_planner(Frame& frame) {
     frame.commands.push_back(
         ChoosePlanner{frame.session.lead(), std::string(planners()[static_cast<std::size_t>(current)].id)});
   hint(look,
-       {"Planner", "", "What searches in the leading pane. Another one plans the same world from scratch."});
+       {"Planner", "", "The planner of the leading pane. Another one plans the same world from scratch."});
   const PlannerInfo& info = frame.run().info();
   paragraph(look.fonts.ui, look.theme.dim, info.summary);
   const bool page = button(look, "Idea and limits", ButtonKind::quiet, icon::book);
@@ -208,8 +208,8 @@ bool drive_settings(Frame& frame, RobotSetup& robot) {
   changed |=
       number_setting(frame, speed,
                      {"Driving speed", "",
-                      "How fast the robot drives; beside the speed of moving obstacles it decides who is "
-                      "where first."},
+                      "How fast the robot drives; beside the speed of moving obstacles it decides who comes "
+                      "to a cell first."},
                      robot.speed);
   if (frame.session.scenario().movers.empty()) return changed;
   const Parameter patience{.key = "patience",
@@ -232,7 +232,7 @@ bool trouble_settings(const Look& look, RobotSetup& robot) {
   static constexpr std::array<const char*, 2> kUnreachable = {"wait for a way", "go as near as it can"};
   int unreachable = static_cast<int>(robot.unreachable_goal);
   bool changed = labelled_control(
-      look, "If there is no way",
+      look, "If there is no path",
       {"Where the goal cannot be reached", "",
        "Wait: until a way opens. As near as it can: to the reachable cell nearest to the goal, and on to the "
        "goal once a way opens."},
@@ -240,10 +240,9 @@ bool trouble_settings(const Look& look, RobotSetup& robot) {
       [&](float width) { return combo(look, "##unreachable", kUnreachable, unreachable, width); });
   robot.unreachable_goal = static_cast<UnreachableGoal>(unreachable);
   changed |= toggle(look, "Held by an obstacle on its own cell", robot.robot_cell_blocks);
-  hint(look,
-       {"An obstacle on its own cell", "",
-        "Off: what comes onto the cell where it stands is in nobody's way, and it drives out. On: it is "
-        "held there. A robot that starts in a wall or is put into one is held in any case."});
+  hint(look, {"An obstacle on its own cell", "",
+              "Off: an obstacle that comes onto the robot's own cell does not hold it; it drives out. On: it "
+              "is held there. A robot that starts in a wall, or is put into one, is held in any case."});
   return changed;
 }
 
@@ -254,8 +253,8 @@ void robot_settings(Frame& frame) {
   RobotSetup robot = frame.session.scenario().robot;
   int knowledge = static_cast<int>(robot.knowledge);
   bool changed = kind_settings(frame, robot);
-  changed |= labelled_control(look, "It knows",
-                              {"What it knows", "",
+  changed |= labelled_control(look, "The robot knows",
+                              {"What the robot knows", "",
                                "Everything: each change as it happens. The map: as it is at the start; "
                                "surprises only when sensed. Nothing: every obstacle only when sensed."},
                               robot.knowledge != RobotSetup{}.knowledge, [&](float width) {
@@ -307,7 +306,7 @@ void PlannerTab::draw(Frame& frame) {
   section_title(look, "Robot");
   robot_settings(frame);
   section_rule(look);
-  section_title(look, "Once a path is found");
+  section_title(look, "What happens to a found path");
   path_stages(frame);
   ImGui::PopStyleVar();
 }

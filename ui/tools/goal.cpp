@@ -8,7 +8,7 @@ ToolKind goal_tool() {
   return {.label = "Move the goal",
           .icon = icon::goal_race,
           .chord = plain('G'),
-          .teach = "Click where the robot shall go. The plan begins afresh.",
+          .teach = "Click the cell that the robot has to reach. The plan begins afresh.",
           .group = ToolGroup::ends,
           .make = make_part<Tool, HoldingTool<hold_goal>>,
           .colour = &Theme::goal};

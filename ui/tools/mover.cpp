@@ -196,9 +196,9 @@ void MoverTool::draw_options(Frame& frame) {
   movement(frame, next_.speed, next_.at_end);
   const std::string side = std::to_string(frame.view.brush);
   paragraph(look.fonts.ui, look.theme.dim,
-            way_.empty() ? "Click the corners of its way. It will be " + side + " x " + side +
+            way_.empty() ? "Click the corners of its way. It is " + side + " x " + side +
                                " cells large, as the brush is."
-                         : "Click on. A double click, Enter or the right button ends the way.");
+                         : "Click on. A double click, Enter or the right button finishes the way.");
 }
 
 void draw_selected_mover(Frame& frame) {
@@ -233,16 +233,16 @@ void draw_selected_mover(Frame& frame) {
 }
 
 ToolKind mover_tool() {
-  return {
-      .label = "Moving obstacle",
-      .icon = icon::truck,
-      .chord = plain('M'),
-      .teach =
-          "Click the corners of its way; a double click, Enter or the right button ends it, Esc gives it up. "
-          "It is as large as the brush. Click a way to select it, drag its corners.",
-      .group = ToolGroup::script,
-      .make = make_part<Tool, MoverTool>,
-      .colour = &Theme::mover};
+  return {.label = "Moving obstacle",
+          .icon = icon::truck,
+          .chord = plain('M'),
+          .teach =
+              "Click the corners of its way; a double click, Enter or the right button finishes it, Esc "
+              "drops it. "
+              "It is as large as the brush. Click a way to select it, drag its corners.",
+          .group = ToolGroup::script,
+          .make = make_part<Tool, MoverTool>,
+          .colour = &Theme::mover};
 }
 
 }  // namespace replan::ui

@@ -15,15 +15,14 @@ class PaintTool final : public DrawingTool {
 }  // namespace
 
 ToolKind paint_tool() {
-  return {
-      .label = "Paint obstacles",
-      .icon = icon::brush,
-      .chord = plain('B'),
-      .teach =
-          "Draw walls that the robot is told of. While a plan stands, it is repaired under the brush. The "
-          "right button erases.",
-      .group = ToolGroup::draw,
-      .make = make_part<Tool, PaintTool>};
+  return {.label = "Paint obstacles",
+          .icon = icon::brush,
+          .chord = plain('B'),
+          .teach =
+              "Draw walls that the robot is told of. A plan that was found is repaired under the brush. The "
+              "right button erases.",
+          .group = ToolGroup::draw,
+          .make = make_part<Tool, PaintTool>};
 }
 
 }  // namespace replan::ui

@@ -8,7 +8,7 @@ ToolKind start_tool() {
   return {.label = "Move the start",
           .icon = icon::start,
           .chord = plain('O'),
-          .teach = "Click where the robot shall set out. The plan begins afresh.",
+          .teach = "Click the cell that the robot starts from. The plan begins afresh.",
           .group = ToolGroup::ends,
           .make = make_part<Tool, HoldingTool<hold_start>>,
           .colour = &Theme::start};

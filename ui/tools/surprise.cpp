@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/words.hpp"
 #include "core/scene/script.hpp"
 #include "ui/canvas/view_state.hpp"
 #include "ui/icons.hpp"
@@ -78,12 +79,11 @@ void SurpriseTool::draw_options(Frame& frame) {
   const Look& look = frame.look;
   static constexpr std::array<const char*, 3> kTimes = {"Now", "At a step", "When near"};
   int time = static_cast<int>(options_.time);
-  section_title(look, "It happens");
+  section_title(look, "When it happens");
   if (segments(look, "time", kTimes, time)) options_.time = static_cast<SurpriseTime>(time);
   hint(look,
        {"When", "",
-        "Now; once the robot has taken so many steps; or when it comes so near to the middle of what you "
-        "draw."});
+        "At once; after a number of steps of the robot; or when it comes near the middle of what you draw."});
   if (options_.time == SurpriseTime::step) {
     const std::int64_t now = clock_of(frame.session);
     options_.step = std::max(options_.step, now);
@@ -94,7 +94,7 @@ void SurpriseTool::draw_options(Frame& frame) {
                 .max = static_cast<double>(now + 200),
                 .initial = static_cast<double>(now + 10),
                 .decimals = 0},
-               step, {"Step", "", "Once the robot has taken so many steps; waiting counts as well."}))
+               step, {"Step", "", "After that many steps of the robot; waiting counts as well."}))
       options_.step = static_cast<std::int64_t>(step);
   } else if (options_.time == SurpriseTime::near) {
     slider(look, {.label = "Within", .min = 0, .max = 64, .initial = 4, .unit = "cells", .decimals = 1},
@@ -117,10 +117,10 @@ std::optional<std::size_t> surprise_at(const Run& run, Cell cell) {
 void draw_selected_surprise(Frame& frame) {
   const Look& look = frame.look;
   const Surprise& surprise = frame.session.scenario().surprises[*frame.view.editing.surprise];
-  section_title(look, "Surprise that is to come");
+  section_title(look, "Upcoming surprise");
   const std::string when =
       surprise.at.move ? "at step " + std::to_string(*surprise.at.move) : "when the robot comes near";
-  paragraph(look.fonts.ui, look.theme.text, std::to_string(surprise.cells.size()) + " cells, " + when);
+  paragraph(look.fonts.ui, look.theme.text, counted(surprise.cells.size(), "cell") + ", " + when);
   draw_remove_button(frame);
 }
 

@@ -56,7 +56,7 @@ ButtonColours colours_of(const Theme& theme, ButtonKind kind, bool hovered) {
     case ButtonKind::quiet:
       return {hovered ? theme.hover : 0, 0, hovered ? theme.text : theme.dim};
     case ButtonKind::danger:
-      return {hovered ? mix(theme.panel, theme.bad, 0.18f) : theme.raised, theme.line, theme.bad};
+      return {hovered ? danger_ground(theme) : theme.raised, theme.line, theme.bad};
   }
   return {theme.raised, theme.line, theme.text};
 }

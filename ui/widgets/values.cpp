@@ -127,8 +127,8 @@ bool code_line(const Look& look, const CodeLine& line) {
   ImGui::PopID();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float bottom = origin.y + height;
-  const bool hovered = line.reached && ImGui::IsItemHovered();
-  const bool in_gutter = line.reached && ImGui::GetIO().MousePos.x < origin.x + gutter;
+  const bool hovered = ImGui::IsItemHovered();
+  const bool in_gutter = ImGui::GetIO().MousePos.x < origin.x + gutter;
   if (line.current || hovered) {
     list.AddRectFilled(origin, {origin.x + width, bottom},
                        line.current ? look.theme.selected : look.theme.hover);
@@ -143,14 +143,10 @@ bool code_line(const Look& look, const CodeLine& line) {
   std::array<char, 16> digits{};
   const char* end = std::to_chars(digits.data(), digits.data() + digits.size(), line.number).ptr;
   const std::string_view number(digits.data(), static_cast<std::size_t>(end - digits.data()));
-  const ImU32 back = mix(look.theme.panel, look.theme.faint, 0.75f);
-  draw_between(list, look.fonts.mono, origin.x, origin.x + look.px(24), y, Align::right,
-               line.reached ? look.theme.faint : back, number);
+  draw_between(list, look.fonts.mono, origin.x, origin.x + look.px(24), y, Align::right, look.theme.faint,
+               number);
   draw_text(list, look.fonts.mono, {origin.x + look.px(38), y},
-            line.current    ? look.theme.text
-            : !line.reached ? back
-                            : look.theme.dim,
-            line.text);
+            line.current ? look.theme.text : look.theme.dim, line.text);
   return pressed && in_gutter;
 }
 

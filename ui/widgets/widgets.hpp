@@ -31,6 +31,8 @@ void draw_icon(ImDrawList& list, const ImFont* font, ImVec2 centre, ImU32 colour
 void text(const ImFont* font, ImU32 colour, std::string_view text);
 /// Text over several lines, wrapped at the content's right edge.
 void paragraph(const ImFont* font, ImU32 colour, std::string_view text);
+/// The same of a text with the marks of core/base/markdown.hpp, at most `widest` wide; 0: as wide as there is room.
+void marked_paragraph(const Look& look, ImU32 colour, std::string_view markdown, float widest = 0);
 
 // --- Hints ----------------------------------------------------------------------------------------------
 
@@ -148,10 +150,8 @@ struct CodeLine {
   std::string_view text;
   bool current = false;
   bool breakpoint = false;
-  bool reached = true;
 };
-/// A line of pseudo-code; returns whether it was clicked in its gutter (to set a breakpoint). Nothing is
-/// clicked in a line that is not `reached`; it stands back.
+/// A line of pseudo-code; returns whether it was clicked in its gutter (to set a breakpoint).
 bool code_line(const Look& look, const CodeLine& line);
 
 /// A dot and its text: a verdict in the status bar.

@@ -4,7 +4,7 @@ namespace replan {
 
 /// Its shapes are in core/scene/routes.cpp.
 OverlayKind overlay_path() {
-  return {.info = {.label = "path", .help = "The path that stands.", .at_first = true},
+  return {.info = {.label = "path", .help = "The path of the latest plan.", .at_first = true},
           .layer = Layer::routes};
 }
 

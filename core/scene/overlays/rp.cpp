@@ -58,7 +58,7 @@ std::unique_ptr<CellMark> remote_parents(SceneContext& context) {
 
 OverlayKind overlay_rp() {
   return {.info = {.label = "rp",
-                   .help = "Remote parents: the vertex in sight that the path goes to straight.",
+                   .help = "Remote parents: the cell in sight that the path goes to straight.",
                    .key = '9',
                    .at_first = true},
           .layer = Layer::arrows,

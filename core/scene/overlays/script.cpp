@@ -137,7 +137,7 @@ void draw_script(SceneContext& context) {
 
 OverlayKind overlay_script() {
   return {
-      .info = {.label = "what is to come",
+      .info = {.label = "upcoming events",
                .help =
                    "Surprises that have not happened yet, with what sets them off, and the ways of moving "
                    "obstacles.",

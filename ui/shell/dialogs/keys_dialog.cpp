@@ -49,7 +49,7 @@ std::vector<Section> sections() {
                   {"Right drag", "Erase, with a tool that draws"},
                   {"Shift+Right", "Menu of the cell, with any tool"},
                   {"Drag", "Start, goal and robot move"},
-                  {"Title", "Lead; choose the planner"},
+                  {"Title", "Make the pane lead, choose its planner"},
                   {"Card", "Click for the last repair"},
                   {"Legend", "Click a key for its words"}}});
   all.push_back({"By the keyboard alone",

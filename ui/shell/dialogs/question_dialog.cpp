@@ -28,12 +28,12 @@ DialogDecision Dialogs::question_dialog(const Look& look) {
 
 DialogDecision Dialogs::recover_dialog(const Look& look) {
   const bool one = notes_.size() == 1;
-  heading(look, one ? "Take up the work again?" : "Take up work again?");
+  heading(look, "Recover unsaved work?");
   paragraph(
       look.fonts.ui, look.theme.dim,
       one ? "The program ended before these edits were saved. They are not lost."
           : "The program ended before these edits were saved. They are not lost; each stays on offer until "
-            "it is taken up or discarded.");
+            "it is recovered or discarded.");
   DialogDecision decision;
   for (std::size_t i = 0; i < notes_.size(); ++i) {
     const AutosaveNote& note = notes_[i];

@@ -124,7 +124,7 @@ void WorldDialogs::draw(const Look& look, const Session& session, std::vector<Co
 
 /// Nine places for the old world in the new one.
 void WorldDialogs::anchors(const Look& look) {
-  text(look.fonts.ui, look.theme.dim, "The old world lies");
+  text(look.fonts.ui, look.theme.dim, "Where the old world stays");
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float step = look.px(28);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -140,13 +140,14 @@ void WorldDialogs::anchors(const Look& look) {
     tab_stop(look);
     ImGui::PopID();
     hint(look,
-         {"Where the old world lies", "", "The cells that are added or cut off lie on the other sides."});
+         {"Where the old world stays", "", "The cells that are added or cut off lie on the other sides."});
     const bool chosen = size_.across == across && size_.down == down;
     list.AddRectFilled(min, max,
                        chosen                   ? look.theme.accent
                        : ImGui::IsItemHovered() ? look.theme.hover
                                                 : look.theme.raised,
                        look.px(4));
+    list.AddRect(min, max, look.theme.faint, look.px(4), 0, look.px.hair);
   }
   ImGui::SetCursorScreenPos({origin.x, origin.y + step * 3 + look.px.s});
 }

@@ -1,0 +1,131 @@
+// Lessons in the window: the strip over the canvas, with keyboard and mouse.
+#include "core/lesson/lesson.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/base/file.hpp"
+#include "tests/ui/shell_fixture.hpp"
+#include "ui/shell/actions.hpp"
+#include "ui/tabs/words.hpp"
+
+namespace replan::ui::lesson_test {
+namespace {
+
+constexpr const char* kWorld = R"({"replan": 1, "name": "Room", "map": {"rows": ["..........", ".........."]},
+    "start": [0, 0], "goal": [9, 1], "planners": [{"id": "dstar-lite"}]})";
+
+class LessonTest : public ShellTest {
+ protected:
+  void SetUp() override { open("room.json", kWorld); }
+
+  void click(ImVec2 at) {
+    InputQueue& input = offscreen_->stage().input();
+    input.mouse_move(at.x, at.y);
+    frames(3);
+    input.mouse_button(0, true);
+    frames(3);
+    input.mouse_button(0, false);
+    frames(3);
+  }
+  void begin() {
+    shell_->perform_next(ActionId::first_steps);
+    frames(2);
+    session_->settle();
+    frames(4);
+    ASSERT_TRUE(shell_->lesson().open());
+  }
+  /// In the row of the strip's buttons, behind those that are named.
+  void click_behind(std::initializer_list<const char*> buttons) {
+    const Look& look = offscreen_->stage().look();
+    float x = look.px.tools + look.px.m + look.px(12);
+    for (const char* each : buttons) x += text_width(look.fonts.ui, each) + look.px(24) + look.px.s;
+    click({x, look.px.menu + shell_->lesson().height(look) - look.px(24)});
+  }
+  [[nodiscard]] const LessonPlayer& player() const { return shell_->lesson().player(); }
+};
+
+TEST_F(LessonTest, GoesOnAsTheLearnerDoesWhatItAsksFor) {
+  begin();
+  EXPECT_EQ(session_->scenario().name, "First steps");
+  EXPECT_FALSE(player().done());
+  press(key::kHome);
+  EXPECT_TRUE(player().done());
+  click_behind({});
+  EXPECT_EQ(player().number(), 1u);
+  EXPECT_EQ(shell_->view().view.pinned, player().step().cell) << "the step's cell is pinned";
+  press(key::kRight);
+  EXPECT_TRUE(player().done());
+  click_behind({});
+  EXPECT_EQ(player().number(), 1u) << "the first button goes back now";
+}
+
+TEST_F(LessonTest, IsSkippedAndDoneForTheLearner) {
+  begin();
+  click_behind({"Skip"});
+  EXPECT_TRUE(player().done()) << "it was done";
+  EXPECT_EQ(session_->run().timeline().cursor(), 0u);
+  click_behind({});
+  EXPECT_EQ(player().number(), 1u);
+  click_behind({"Back"});
+  EXPECT_EQ(player().number(), 2u) << "it was skipped";
+}
+
+TEST_F(LessonTest, ClosesWithItsWorld) {
+  begin();
+  ASSERT_TRUE(session_->apply(PaintCells{{{{0, 0}, true}}}).ok());
+  frames(2);
+  EXPECT_TRUE(shell_->lesson().open()) << "an edit of its world is its own matter";
+  shell_->documents().replace(*session_, {*read_scenario(path_), path_});
+  frames(2);
+  EXPECT_FALSE(shell_->lesson().open()) << "another world is none of its own";
+}
+
+TEST_F(LessonTest, UnsavedWorkIsAskedAboutFirst) {
+  ASSERT_TRUE(session_->apply(PaintCells{{{{5, 0}, true}}}).ok());
+  frames(2);
+  shell_->perform_next(ActionId::first_steps);
+  frames(3);
+  EXPECT_FALSE(shell_->lesson().open());
+  press(key::kEscape);
+  EXPECT_FALSE(shell_->lesson().open());
+  EXPECT_EQ(session_->scenario().name, "Room");
+}
+
+TEST_F(LessonTest, ActionsThatLessonsNameAreThere) {
+  for (const LessonFile& file : lesson_files()) {
+    const Result<Lesson> lesson = read_lesson(file);
+    ASSERT_TRUE(lesson.ok()) << lesson.error();
+    for (const LessonStep& step : lesson->steps) {
+      for (const Deed& deed : step.deeds)
+        if (const auto* act = std::get_if<ActionDeed>(&deed)) {
+          EXPECT_NE(find_action(act->action), nullptr) << file.path << ": " << act->action;
+        }
+      for (const std::string& name : step.given)
+        if (std::islower(static_cast<unsigned char>(name.front())) != 0) {
+          EXPECT_NE(find_action(name), nullptr) << file.path << ": " << name;
+        }
+    }
+  }
+}
+
+TEST_F(LessonTest, APaletteEntryOpensALesson) {
+  press('P', true);
+  type("lesson first");
+  press(key::kEnter);
+  session_->settle();
+  frames(3);
+  EXPECT_TRUE(shell_->lesson().open());
+}
+
+TEST_F(LessonTest, AWordOpensTheGlossaryThere) {
+  press('P', true);
+  type("meaning of rhs");
+  press(key::kEnter);
+  EXPECT_EQ(shell_->view().tab, "words");
+  EXPECT_EQ(shell_->panels().tabs.get<WordsTab>().lit(), "rhs");
+  frames(600);
+  EXPECT_EQ(shell_->view().tab, "words") << "it stays open";
+}
+
+}  // namespace
+}  // namespace replan::ui::lesson_test

@@ -1,0 +1,49 @@
+// The lesson that is under way, as a strip over the canvas: a step's sentences, and Back, Skip, Do it for me.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/lesson/lesson_player.hpp"
+#include "ui/shell/frame.hpp"
+
+namespace replan::ui {
+
+class LessonCard {
+ public:
+  void begin(Lesson lesson);
+  void close() { player_.reset(); }
+  [[nodiscard]] bool open() const { return player_.has_value(); }
+  /// The lesson that is open; there must be one.
+  [[nodiscard]] const LessonPlayer& player() const { return *player_; }
+
+  /// What the learner has given, by its name.
+  void note(std::string_view name);
+  /// Looks whether the step is done now. True if that has just come about.
+  bool look(const Session& session) { return open() && player_->look(session); }
+
+  /// How high it is, in pixels, as drawn last.
+  [[nodiscard]] float height(const Look& look) const;
+  /// In the current ImGui window; there must be a lesson.
+  void draw(Frame& frame);
+
+ private:
+  void draw_head(Frame& frame);
+  void draw_buttons(Frame& frame);
+  void draw_way_on(Frame& frame);
+  void do_it(Frame& frame);
+
+  std::optional<LessonPlayer> player_;
+  std::optional<std::size_t> shown_;  // the step whose cell was pinned
+  float height_ = 0;
+  bool closing_ = false;
+};
+
+/// The lessons that there are, in their order, read once. What cannot be read is told in the Log.
+const std::vector<Lesson>& lessons_of(PanelState& panels);
+/// Asks for a lesson; `wish` and `panels` are a frame's.
+void wish_for_lesson(Wish& wish, PanelState& panels, const std::string& id);
+/// As a menu of its own.
+void draw_lesson_menu(Frame& frame);
+
+}  // namespace replan::ui
