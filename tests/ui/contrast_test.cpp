@@ -9,11 +9,11 @@
 namespace replan::ui::contrast_test {
 namespace {
 
-class Themes : public testing::TestWithParam<const Theme*> {};
+class ThemeContrast : public testing::TestWithParam<const Theme*> {};
 
 using Named = std::pair<const char*, ImU32>;
 
-TEST_P(Themes, TextCanBeReadOnEveryGround) {
+TEST_P(ThemeContrast, TextCanBeReadOnEveryGround) {
   const Theme& t = *GetParam();
   const std::vector<Named> texts = {{"text", t.text},     {"dim", t.dim},         {"faint", t.faint},
                                     {"accent", t.accent}, {"warning", t.warning}, {"bad", t.bad},
@@ -28,7 +28,7 @@ TEST_P(Themes, TextCanBeReadOnEveryGround) {
       EXPECT_GE(contrast(text, ground), kTextContrast) << t.name << ": " << name << " on " << where;
 }
 
-TEST_P(Themes, ButtonsAndChipsCanBeRead) {
+TEST_P(ThemeContrast, ButtonsAndChipsCanBeRead) {
   const Theme& t = *GetParam();
   EXPECT_GE(contrast(t.on_accent, t.accent), kTextContrast) << t.name;
   EXPECT_GE(contrast(t.on_accent, mix(t.accent, t.text, 0.12f)), kTextContrast)
@@ -40,13 +40,13 @@ TEST_P(Themes, ButtonsAndChipsCanBeRead) {
       EXPECT_GE(contrast(text, mix(world, t.panel, kChipOpacity)), kTextContrast) << t.name << ": on a chip";
 }
 
-TEST_P(Themes, FaintIsFainterThanDimAndDimThanText) {
+TEST_P(ThemeContrast, FaintIsFainterThanDimAndDimThanText) {
   const Theme& t = *GetParam();
   EXPECT_LT(contrast(t.faint, t.panel), contrast(t.dim, t.panel));
   EXPECT_LT(contrast(t.dim, t.panel), contrast(t.text, t.panel));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Themes, testing::Values(&dark(), &light()),
+INSTANTIATE_TEST_SUITE_P(All, ThemeContrast, testing::Values(&dark(), &light()),
                          [](const auto& each) { return std::string(each.param->name); });
 
 }  // namespace

@@ -46,10 +46,10 @@ TEST(ShippedWorlds, StandInTheOrderOfTheList) {
   EXPECT_EQ(file_name(files.back()), "broken-planner.json") << "each world stands in maps/order.txt";
   const test::TemporaryFolder folder;
   for (const char* name : {"a.json", "b.json", "c.json"}) folder.with(name, "{}");
-  EXPECT_EQ(library_files(folder.path().string()),
+  EXPECT_EQ(library_files(folder.path()),
             (std::vector<std::string>{folder.file("a.json"), folder.file("b.json"), folder.file("c.json")}));
   folder.with("order.txt", "# first\n\nc.json\nnot-there.json\n");
-  EXPECT_EQ(library_files(folder.path().string()),
+  EXPECT_EQ(library_files(folder.path()),
             (std::vector<std::string>{folder.file("c.json"), folder.file("a.json"), folder.file("b.json")}));
 }
 
