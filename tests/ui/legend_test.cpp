@@ -67,8 +67,10 @@ TEST_F(LegendTest, StartAndGoalAreNotPutIntoWalls) {
   }
   commands_.clear();
   drag({17, 5}, {10, 3});
-  for (const Command& command : commands_)
-    if (const auto* set = std::get_if<SetGoal>(&command)) EXPECT_NE(set->cell, (Cell{10, 3}));
+  for (const Command& command : commands_) {
+    const auto* set = std::get_if<SetGoal>(&command);
+    EXPECT_FALSE(set != nullptr && set->cell == (Cell{10, 3}));
+  }
 }
 
 }  // namespace
