@@ -187,9 +187,11 @@ TEST(Waiting, BothNumbersStandInCellsThatDifferInTwoColours) {
                               [](const Outline& frame) { return frame.shape == OutlineShape::corners; })),
             waiting);
   EXPECT_TRUE(scene.shows(Sign::two_values) && scene.shows(Sign::queue));
-  const Scene far = scene_at(*run, position, view_of({Overlay::waiting}, {15, 6, 15}));
-  EXPECT_TRUE(shapes_of<Label>(far).empty() && shapes_of<Outline>(far).size() == 4u)
-      << "the world's edge alone";
+  const Scene farther = scene_at(*run, position, view_of({Overlay::waiting}, {15, 6, 15}));
+  EXPECT_TRUE(shapes_of<Label>(farther).empty());
+  EXPECT_EQ(shapes_of<Outline>(farther).size(), 4 + waiting) << "the world's edge and the open list";
+  const Scene far = scene_at(*run, position, view_of({Overlay::waiting}, {15, 6, 6}));
+  EXPECT_EQ(shapes_of<Outline>(far).size(), 4u);
 }
 
 TEST(Numbers, HaveLinesBetweenTheCellsAndTheKeyThatThePlannerDeclares) {

@@ -6,17 +6,19 @@
 namespace replan {
 namespace {
 
-/// From so many design pixels a cell on it is near enough to be read.
-constexpr double kReadFrom = 20, kReadTo = 24;
+/// From so many design pixels a cell on its corners can be told apart, and its numbers be read.
+constexpr double kSeeFrom = 8, kSeeTo = 11, kReadFrom = 20, kReadTo = 24;
 
-/// What waits for the search, near enough to read: the cells of the open list, and both numbers where g and rhs differ.
+/// What waits for the search, near enough to see: the cells of the open list, and nearer both numbers where g and rhs
+/// differ.
 class WaitingCells final : public CellMark {
  public:
-  WaitingCells(SceneContext& context, double strength)
+  WaitingCells(SceneContext& context, double seen)
       : context_(context),
-        strength_(strength),
+        seen_(seen),
+        strength_(context.grown(kReadFrom, kReadTo)),
         // From there on the numbers have all four corners of the cell.
-        numbers_(strength * (context.has(Overlay::numbers) ? 1 - context.grown(68, 76) : 1)) {}
+        numbers_(strength_ * (context.has(Overlay::numbers) ? 1 - context.grown(68, 76) : 1)) {}
 
   /// Planners without an rhs leave its pages untouched.
   bool turn_to(NodeId first) override {
@@ -28,10 +30,10 @@ class WaitingCells final : public CellMark {
   void add(Cell cell, NodeId node) override {
     const std::size_t at = node % SearchState::kPage;
     const bool differs = rhs_ != nullptr && context_.state.g(node) != context_.state.rhs(node);
-    if (differs) add_values(cell, node);
+    if (differs && strength_ > 0) add_values(cell, node);
     if (queue_ == nullptr || queue_[at] == 0 || context_.has(Overlay::queue)) return;
     context_.scene.show(Sign::queue);
-    mark_cell(context_, cell, OutlineShape::corners, context_.palette.accent, strength_, context_.pixels(1.6),
+    mark_cell(context_, cell, OutlineShape::corners, context_.palette.accent, seen_, context_.pixels(1.6),
               context_.pixels(1));
   }
 
@@ -61,28 +63,26 @@ class WaitingCells final : public CellMark {
   }
 
   SceneContext& context_;
-  double strength_, numbers_;
+  double seen_, strength_, numbers_;
   const std::uint64_t* queue_ = nullptr;
   const std::uint64_t* rhs_ = nullptr;
 };
 
 std::unique_ptr<CellMark> waiting_cells(SceneContext& context) {
-  const double strength = context.grown(kReadFrom, kReadTo);
-  return strength > 0 ? std::make_unique<WaitingCells>(context, strength) : nullptr;
+  const double seen = context.grown(kSeeFrom, kSeeTo);
+  return seen > 0 ? std::make_unique<WaitingCells>(context, seen) : nullptr;
 }
 
 }  // namespace
 
 OverlayKind overlay_waiting() {
-  return {
-      .info =
-          {.label = "waiting cells",
-           .help =
-               "Near enough to read: the cells of the open list with corners, and g above rhs where the two "
-               "differ, so that the search still has to deal with the cell.",
-           .at_first = true},
-      .layer = Layer::frames,
-      .each = waiting_cells};
+  return {.info = {.label = "waiting cells",
+                   .help = "Near enough to see: the cells of the open list with corners, and nearer g above "
+                           "rhs where the two "
+                           "differ, so that the search still has to deal with the cell.",
+                   .at_first = true},
+          .layer = Layer::frames,
+          .each = waiting_cells};
 }
 
 }  // namespace replan
