@@ -16,10 +16,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Not a world, though maps end like it.
+constexpr const char* kOrder = "order.txt";
+
 /// The lines of the folder's order.txt, without comments; none if it has no such file.
 std::vector<std::string> named_order(const std::string& folder) {
   std::vector<std::string> names;
-  std::ifstream list(fs::path(folder) / "order.txt");
+  std::ifstream list(fs::path(folder) / kOrder);
   for (std::string line; std::getline(list, line);) {
     if (line.ends_with('\r')) line.pop_back();
     if (!line.empty() && line.front() != '#') names.push_back(line);
@@ -42,7 +45,7 @@ std::vector<std::string> library_files(const std::string& folder) {
        entry.increment(failed)) {
     const std::string path = entry->path().string();
     const bool world = file_extension(path) == ".json" || find_map_format(path) != nullptr;
-    if (world && entry->is_regular_file(failed)) files.push_back(path);
+    if (world && entry->path().filename() != kOrder && entry->is_regular_file(failed)) files.push_back(path);
   }
   const std::vector<std::string> first = named_order(folder);
   const auto place = [&](const std::string& path) {

@@ -56,7 +56,7 @@ TEST_F(LessonTest, GoesOnAsTheLearnerDoesWhatItAsksFor) {
   press(key::kRight);
   EXPECT_TRUE(player().done());
   click_behind({});
-  EXPECT_EQ(player().number(), 1u) << "the first button goes back now";
+  EXPECT_EQ(player().number(), 0u) << "the first button goes back now";
 }
 
 TEST_F(LessonTest, IsSkippedAndDoneForTheLearner) {

@@ -136,21 +136,21 @@ TEST(FiguresText, Markdown) {
   const RunReport reports[] = {report_of("dstar-lite", 50, 100), report_of("los-dstar-lite", 48.5, 110),
                                without_path()};
   EXPECT_EQ(figures_text(FiguresFormat::markdown, reports),
-            R"(| figure                  | D\* Lite |       Los D\* Lite |      DLD\* Lite |
-|-------------------------|---------:|-------------------:|----------------:|
-| nodes                   |       61 |         61 (×1.00) |               – |
-| length (cells)          |   50.000 | **48.500** (×0.97) |               – |
-| turns                   |       12 |         12 (×1.00) |               – |
-| turning (°)             |    540.0 |      540.0 (×1.00) |               – |
-| least clearance (cells) |    0.500 |      0.500 (×1.00) |               – |
-| mean clearance (cells)  |    2.250 |      2.250 (×1.00) |               – |
-| first plan (ms)         |    1.500 |      1.500 (×1.00) |   1.500 (×1.00) |
-| replans (ms)            |    0.000 |              0.000 |           0.000 |
-| replans                 |        0 |                  0 |               0 |
-| expansions              |  **100** |        110 (×1.10) |      50 (×0.50) |
-| queue operations        |  **200** |        220 (×1.10) |     100 (×0.50) |
-| sight checks            |        0 |                  0 |               0 |
-| planner's memory (kB)   |     2048 |       2048 (×1.00) |    2048 (×1.00) |
+            R"(| figure                  | D\* Lite |       Los D\* Lite |    DLD\* Lite |
+|-------------------------|---------:|-------------------:|--------------:|
+| nodes                   |       61 |         61 (×1.00) |             – |
+| length (cells)          |   50.000 | **48.500** (×0.97) |             – |
+| turns                   |       12 |         12 (×1.00) |             – |
+| turning (°)             |    540.0 |      540.0 (×1.00) |             – |
+| least clearance (cells) |    0.500 |      0.500 (×1.00) |             – |
+| mean clearance (cells)  |    2.250 |      2.250 (×1.00) |             – |
+| first plan (ms)         |    1.500 |      1.500 (×1.00) | 1.500 (×1.00) |
+| replans (ms)            |    0.000 |              0.000 |         0.000 |
+| replans                 |        0 |                  0 |             0 |
+| expansions              |  **100** |        110 (×1.10) |    50 (×0.50) |
+| queue operations        |  **200** |        220 (×1.10) |   100 (×0.50) |
+| sight checks            |        0 |                  0 |             0 |
+| planner's memory (kB)   |     2048 |       2048 (×1.00) |  2048 (×1.00) |
 )");
 }
 

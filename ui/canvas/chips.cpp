@@ -34,6 +34,19 @@ std::string distinction(const Run& run) {
   return text;
 }
 
+/// What stands beside the planner's name; where there is no room for all panes, how to come to the others.
+std::string title_figures(const Run& run, SceneMemory& memory, const ViewState& state) {
+  if (state.hides_panes)
+    return "N shows the next of " + std::to_string(run.scenario().planners.size()) + " panes";
+  const std::size_t cursor = run.timeline().cursor();
+  const Decision* decision = run.decision_at(cursor);
+  std::string figures = count_text(memory.expansions(run, cursor), "expansion", "expansions");
+  if (decision != nullptr && !decision->plan->path->empty())
+    figures += " · " + count_text(static_cast<std::int64_t>(decision->plan->path->size()), "node", "nodes");
+  if (run.lattice().solid()) figures += " · layer " + std::to_string(state.view.slice);
+  return figures;
+}
+
 /// Why a plan that was found cannot be driven.
 const char* why_wrong(const Run& run) {
   return run.info().exercise ? ": this planner is broken on purpose."
@@ -102,11 +115,7 @@ ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, SceneM
   const Theme& theme = look.theme;
   const float margin = look.px(12);
   const std::size_t cursor = run.timeline().cursor();
-  const Decision* decision = run.decision_at(cursor);
-  std::string figures = count_text(memory.expansions(run, cursor), "expansion", "expansions");
-  if (decision != nullptr && !decision->plan->path->empty())
-    figures += " · " + count_text(static_cast<std::int64_t>(decision->plan->path->size()), "node", "nodes");
-  if (run.lattice().solid()) figures += " · layer " + std::to_string(state.view.slice);
+  const std::string figures = title_figures(run, memory, state);
   const std::string name = std::string(run.info().name) + distinction(run);
   const std::array<TextRun, 3> title = {{{name, theme.text, look.fonts.title},
                                          {figures, theme.dim, look.fonts.small},
@@ -124,7 +133,8 @@ ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, SceneM
     const ReplanReport report{repair, fresh, state.live};
     const float room = max.x - min.x - left.x - 3 * margin;
     // A picture has the whole card where that hides little of the world.
-    const bool whole = state.live ? fold.whole(ImGui::GetTime()) : max.y - min.y >= look.px(kWholeCardHeight);
+    const bool roomy = max.y - min.y >= look.px(kWholeCardHeight);
+    const bool whole = state.live ? fold.whole(ImGui::GetTime(), roomy) : roomy;
     const bool beside = replan_card_size(look, report, !whole).x <= room;
     const float top = beside ? min.y + margin : below;
     drawn.card = draw_replan_card(look, {max.x - margin, top}, report, !whole);

@@ -53,12 +53,14 @@ std::string value_text(double value) {
 LegendEntry entry_of(const Look& look, const SignEntry& sign) {
   return {sign.shape, look.theme.*sign.colour, sign.label, sign.help};
 }
+constexpr const char* kStartHelp = "Where the robot sets out. Drag it to another cell.";
+constexpr const char* kGoalHelp = "Where the robot has to go. Drag it to another cell, also while it drives.";
+
 LegendEntry start_entry(const Look& look) {
-  return {LegendShape::dot, look.theme.start, "start", "Where the robot sets out. Drag it to another cell."};
+  return {LegendShape::dot, look.theme.start, "start", kStartHelp};
 }
 LegendEntry goal_entry(const Look& look) {
-  return {LegendShape::dot, look.theme.goal, "goal",
-          "Where the robot has to go. Drag it to another cell, also while it drives."};
+  return {LegendShape::dot, look.theme.goal, "goal", kGoalHelp};
 }
 
 /// The field in the colours that it has on the map, with the value at the mouse marked.
@@ -115,6 +117,8 @@ LegendWords legend_words(std::string_view label) {
     return {std::string(label), std::string(overlay->help)};
   for (const SignEntry& sign : kSigns)
     if (sign.label == label) return {std::string(label), sign.help};
+  if (label == "start") return {std::string(label), kStartHelp};
+  if (label == "goal") return {std::string(label), kGoalHelp};
   return {};
 }
 

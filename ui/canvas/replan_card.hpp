@@ -18,13 +18,15 @@ struct ReplanReport {
 /// One sentence: "The robot saw 6 cells blocked and 2 free."
 std::string cause_sentence(const ReplanCause& cause);
 
-/// Whether a pane's card is whole or one line: whole for a while after each replan and while the user wants it so; never
-/// by itself once the user has closed it.
+/// Whether a pane's card is whole or one line: whole for a while after each replan, where it hides little of the world,
+/// and while the user wants it so; never by itself once the user has closed it.
 class CardFold {
  public:
   /// The replan that the card tells of at a time, in seconds.
   void see(std::int64_t replan, double now);
-  [[nodiscard]] bool whole(double now) const { return opened_ || (!closed_ && now < until_); }
+  [[nodiscard]] bool whole(double now, bool roomy) const {
+    return opened_ || (roomy && !closed_ && now < until_);
+  }
   void open() {
     opened_ = true;
     closed_ = false;

@@ -21,6 +21,7 @@ struct ViewState {
   bool panels = true;  ///< side panel and tool strip shown
   std::string tab;     ///< the id of the chosen side tab; empty: the one that shows at first
   bool legend = true;
+  bool hides_panes = false;  ///< there is no room for all of them
   static constexpr int kSmallest = -3, kLargest = 8;
   int size_step = 0;  ///< of words, buttons and panels, beside what the display asks for
   void resize_window(int by) { size_step = std::clamp(size_step + by, kSmallest, kLargest); }

@@ -1,7 +1,6 @@
 #include "ui/shell/shell.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <imgui_internal.h>
@@ -215,6 +214,7 @@ void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
                                   ? std::min(frame.session.lead(), frame.session.runs().size() - count)
                                   : 0;
     const PaneGrid grid(look, count, min, max);
+    view_.hides_panes = count < frame.session.runs().size();
     std::uint32_t signs = 0;
     for (std::size_t i = 0; i < count; ++i) {
       canvas(first + i).draw(look, frame.session, first + i, view_, grid.min(i), grid.max(i),
@@ -225,21 +225,10 @@ void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
     }
     const std::size_t lead = std::clamp(frame.session.lead(), first, first + count - 1);
     panels_.zoom = canvas(lead).scene().camera.zoom;
-    if (count < frame.session.runs().size()) tell_hidden_panes(frame, first, max);
     if (view_.legend) legend_.draw(look, canvas(lead).scene(), signs, min, whole);
     draw_why_chip(frame, canvas(lead).scene(), grid.min(lead - first), grid.max(lead - first));
   });
   if (std::exchange(view_.repair_asked, false)) perform(frame, ActionId::show_touched);
-}
-
-/// There is no room for all panes: which one of how many is seen, and how to come to the others.
-void Shell::tell_hidden_panes(const Frame& frame, std::size_t first, ImVec2 corner) const {
-  const Look& look = frame.look;
-  const std::string words = "Pane " + std::to_string(first + 1) + " of " +
-                            std::to_string(frame.session.runs().size()) + "; N shows the next one";
-  const std::array<TextRun, 1> runs = {{{words, look.theme.dim, look.fonts.small}}};
-  chip(look, *ImGui::GetWindowDrawList(), {corner.x - look.px.s, corner.y - look.px.xs}, runs,
-       Corner::bottom_right);
 }
 
 void Shell::draw_caption(Frame& frame, ImVec2 min, ImVec2 size) {

@@ -72,7 +72,6 @@ class Shell {
   Canvas& canvas(std::size_t pane);
   void fit();
   void draw_canvas(Frame& frame, ImVec2 min, ImVec2 max);
-  void tell_hidden_panes(const Frame& frame, std::size_t first, ImVec2 corner) const;
   void draw_splitter(Frame& frame, float x, float top, float bottom);
   void take_keys(Frame& frame);
   void pause_behind_dialogs(Session& session);

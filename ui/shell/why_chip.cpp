@@ -30,7 +30,7 @@ void answer(Frame& frame, Cell cell) {
   if (small_button(look, "close", {.icon = icon::times, .hint = {"Close"}})) frame.panels.why_open = false;
   ImGui::SetCursorScreenPos(origin);
   draw_why(frame, CellView(frame.run(), cell));
-  if (link(look, "more", "More in the Cell tab", look.fonts.ui)) show_tab(frame.view, frame.panels, "cell");
+  if (link(look, "more", "More in the Cell tab", look.fonts.ui)) show_cell(frame, cell);
 }
 
 void question(Frame& frame) {
