@@ -39,7 +39,7 @@ _replan_options() {
     render)
       echo "-h --help --map --start --goal --unreachable-goal --robot --threshold --invert --unknown --occupied --planner --set --stage -o --output --size --scale" \
         "--at --at-end --at-plan" \
-        "--overlay --theme --action --pin --camera --slice --canvas-only --panes --fps --speed --hold --from --to"
+        "--overlay --theme --action --pin --camera --slice --range --canvas-only --panes --fps --speed --hold --from --to"
       ;;
     convert) echo "-h --help --start --goal --threshold --invert --unknown --occupied --slice --planner --set --stage" ;;
     show) echo "-h --help --map --start --goal --unreachable-goal --robot --threshold --invert --unknown --occupied --planner --set --stage --at --cell" ;;

@@ -42,6 +42,7 @@ TEST_F(LegendTest, EverySignHasASentence) {
 
 TEST_F(LegendTest, TheKeyOfTheNumbersExplainsThemWhileTheyShow) {
   const float x = 50, y = kCanvasHeight - 90;
+  state_.view.camera = {10, 5, 12};
   EXPECT_FALSE(tooltip_after_a_while(x, y));
   state_.view.overlays.set(Overlay::numbers, true);
   state_.view.camera = {10, 5, 80};

@@ -88,6 +88,8 @@ expect modified false "the saved world"
 
 # 6. A clean end over unwanted edits leaves nothing behind.
 start_program "$scratch/world.json"
+xdotool key b
+settle
 xdotool mousemove 350 250 click 1
 within 15 is_kept || fail "the second edit was not put aside"
 xdotool key ctrl+z

@@ -148,9 +148,9 @@ TEST(Step, NearEnoughATriedNeighbourShowsItsSum) {
        ++p) {
     near_wall = scene_at(*clearance, p, view_of({Overlay::step}, {10, 5, 60}));
     for (const Label& label : shapes_of<Label>(near_wall))
-      with_penalty += std::count(label.text.begin(), label.text.end(), '+') == 2 ? 1u : 0u;
+      with_penalty += label.text.starts_with('+') ? 1u : 0u;  // on a line of its own: the cell is narrow
   }
-  EXPECT_GT(with_penalty, 0u) << "c + g + dist";
+  EXPECT_GT(with_penalty, 0u) << "dist below c + g";
 }
 
 TEST(Step, StandsInADrawingToo) {
