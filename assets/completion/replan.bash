@@ -76,6 +76,7 @@ _replan() {
     --action) _replan_list "$(_replan_ids actions)"; return ;;
     --start | --goal | --break | --cell | --pin | --camera | --size | --scale | --limit | --threshold | --occupied | --slice | --fps | --hold) return ;;
     --panes) COMPREPLY=($(compgen -W "1 2 4 all" -- "$cur")); return ;;
+    --range) COMPREPLY=($(compgen -W "whole-run so-far" -- "$cur")); return ;;
     --speed) COMPREPLY=($(compgen -W "auto expansion move" -- "$cur")); return ;;
     --at | --from | --to) COMPREPLY=($(compgen -W "start plan end replan: move:" -- "$cur")); return ;;
   esac
