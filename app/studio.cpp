@@ -5,7 +5,6 @@
 
 #include "app/about.hpp"
 #include "core/world/library.hpp"
-#include "ui/canvas/pane_grid.hpp"
 #include "ui/documents/files.hpp"
 
 namespace replan::app {
@@ -32,7 +31,7 @@ Studio::~Studio() {
   if (!offscreen_) return;
   // Their textures can only be given back while the context is current.
   offscreen_->frame([this] {
-    canvases_.clear();
+    panes_.reset();
     shell_.reset();
   });
 }
@@ -88,13 +87,9 @@ void Studio::draw_canvas(const Session& session) {
   ImGui::Begin("canvas", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
   const std::size_t count = std::clamp<std::size_t>(settings_.panes, 1, session.runs().size());
-  const ui::PaneGrid grid(stage.look(), count, {0, 0}, size);
+  if (!panes_) panes_ = std::make_unique<ui::Panes>(stage.renderer());
   std::vector<Command> none;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (canvases_.size() <= i) canvases_.push_back(std::make_unique<ui::Canvas>(stage.renderer()));
-    canvases_[i]->draw(stage.look(), session, i, state_, grid.min(i), grid.max(i), false, none);
-    grid.draw_parting(i);
-  }
+  panes_->draw(stage.look(), session, count, state_, {0, 0}, size, false, none);
   ImGui::End();
   ImGui::PopStyleVar(3);
 }

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "app/platform/offscreen.hpp"
 #include "core/session/session.hpp"
-#include "ui/canvas/canvas.hpp"
+#include "ui/canvas/panes.hpp"
 #include "ui/shell/shell.hpp"
 
 namespace replan::app {
@@ -44,7 +43,7 @@ class Studio {
   StudioSettings settings_;
   ui::ViewState state_;
   std::unique_ptr<Offscreen> offscreen_;
-  std::vector<std::unique_ptr<ui::Canvas>> canvases_;  // by pane
+  std::unique_ptr<ui::Panes> panes_;  // of the canvas alone
   std::unique_ptr<ui::Shell> shell_;
   bool settled_ = false;
 };

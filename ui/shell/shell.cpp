@@ -7,7 +7,6 @@
 
 #include "core/scene/scene.hpp"
 #include "core/session/command_name.hpp"
-#include "ui/canvas/pane_grid.hpp"
 #include "ui/icons.hpp"
 #include "ui/keys.hpp"
 #include "ui/shell/format.hpp"
@@ -33,7 +32,7 @@ bool is_quiet(const Command& command) {
 }  // namespace
 
 Shell::Shell(ImGuiRenderer& renderer)
-    : renderer_(renderer),
+    : panes_(renderer),
       documents_({view_, panels_, dialogs_, message_, [this](const ViewSetup& view) { show(view); }}),
       dialogs_(renderer) {}
 
@@ -82,8 +81,7 @@ bool Shell::wants_frames(const Session& session) const {
       std::any_of(session.runs().begin(), session.runs().end(), [](const auto& run) { return run->busy(); });
   const bool debugging = session.checks().busy() || session.breakpoints().hunt();
   return busy || debugging || session.playback().direction != 0 || session.revision() != drawn_ || held_ ||
-         panels_.animated || dialogs_.animated() || export_.busy() || awaited_ ||
-         std::any_of(canvases_.begin(), canvases_.end(), [](const auto& each) { return each->animating(); });
+         panels_.animated || dialogs_.animated() || export_.busy() || awaited_ || panes_.animating();
 }
 
 void Shell::take_keys(Frame& frame) {
@@ -189,44 +187,19 @@ void Shell::draw_parts(Frame& frame) {
   palette_.draw(frame, documents_.library());
 }
 
-Canvas& Shell::canvas(std::size_t pane) {
-  while (canvases_.size() <= pane) canvases_.push_back(std::make_unique<Canvas>(renderer_));
-  return *canvases_[pane];
-}
-
 void Shell::fit() {
   view_.view.camera = {};
-  for (const auto& each : canvases_) each->fit();
+  panes_.fit();
 }
 
 void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
   const Look& look = frame.look;
   panels_.canvas = {min, max};
   area("canvas", min, {max.x - min.x, max.y - min.y}, look.theme.background, {0, 0}, [&] {
-    const bool strip = view_.legend && frame.session.runs().size() > 1;  // one legend, under all panes
-    const float below = view_.legend ? Legend::height(look) : 0;
-    const ImVec2 whole = max;
-    if (strip) max.y -= below;
-    const std::size_t room = PaneGrid::room(look, min, max);
-    const std::size_t count = std::min(frame.session.runs().size(), panels_.panes > 0 ? panels_.panes : room);
-    // Too narrow for all: the one that the side panel is about.
-    const std::size_t first = count < frame.session.runs().size()
-                                  ? std::min(frame.session.lead(), frame.session.runs().size() - count)
-                                  : 0;
-    const PaneGrid grid(look, count, min, max);
-    view_.hides_panes = count < frame.session.runs().size();
-    std::uint32_t signs = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      canvas(first + i).draw(look, frame.session, first + i, view_, grid.min(i), grid.max(i),
-                             !dialogs_.open() && !world_dialogs_.open() && !palette_.open(), frame.commands,
-                             strip ? 0 : below);
-      grid.draw_parting(i);
-      signs |= canvas(first + i).scene().signs;
-    }
-    const std::size_t lead = std::clamp(frame.session.lead(), first, first + count - 1);
-    panels_.zoom = canvas(lead).scene().camera.zoom;
-    if (view_.legend) legend_.draw(look, canvas(lead).scene(), signs, min, whole);
-    draw_why_chip(frame, canvas(lead).scene(), grid.min(lead - first), grid.max(lead - first));
+    const bool interactive = !dialogs_.open() && !world_dialogs_.open() && !palette_.open();
+    panes_.draw(look, frame.session, panels_.panes, view_, min, max, interactive, frame.commands);
+    panels_.zoom = panes_.scene().camera.zoom;
+    draw_why_chip(frame, panes_.scene(), panes_.area().min, panes_.area().max);
   });
   if (std::exchange(view_.repair_asked, false)) perform(frame, ActionId::show_touched);
 }

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "ui/canvas/canvas.hpp"
-#include "ui/canvas/legend.hpp"
+#include "ui/canvas/panes.hpp"
 #include "ui/documents/documents.hpp"
 #include "ui/gl/imgui_renderer.hpp"
 #include "ui/shell/actions.hpp"
@@ -69,7 +68,6 @@ class Shell {
   };
 
   void draw_parts(Frame& frame);
-  Canvas& canvas(std::size_t pane);
   void fit();
   void draw_canvas(Frame& frame, ImVec2 min, ImVec2 max);
   void draw_splitter(Frame& frame, float x, float top, float bottom);
@@ -88,8 +86,7 @@ class Shell {
   void take_decision(Session& session, const DialogDecision& decision);
   void draw_caption(Frame& frame, ImVec2 min, ImVec2 size);
 
-  ImGuiRenderer& renderer_;
-  std::vector<std::unique_ptr<Canvas>> canvases_;  // by pane
+  Panes panes_;
   ViewState view_;
   PanelState panels_;
   Message message_;
@@ -97,7 +94,6 @@ class Shell {
   Dialogs dialogs_;  // after the library that it shows
   WorldDialogs world_dialogs_;
   CommandPalette palette_;
-  Legend legend_;
   std::optional<ActionId> let_go_;  // to be done once its key is let go
   std::optional<Paused> paused_;
   LessonCard lesson_;

@@ -1,0 +1,46 @@
+#include "ui/canvas/panes.hpp"
+
+#include <algorithm>
+
+#include "ui/canvas/pane_grid.hpp"
+
+namespace replan::ui {
+
+Canvas& Panes::canvas(std::size_t pane) {
+  while (canvases_.size() <= pane) canvases_.push_back(std::make_unique<Canvas>(renderer_));
+  return *canvases_[pane];
+}
+
+void Panes::fit() {
+  for (const auto& each : canvases_) each->fit();
+}
+
+bool Panes::animating() const {
+  return std::any_of(canvases_.begin(), canvases_.end(), [](const auto& each) { return each->animating(); });
+}
+
+void Panes::draw(const Look& look, const Session& session, std::size_t most, ViewState& state, ImVec2 min,
+                 ImVec2 max, bool interactive, std::vector<Command>& commands) {
+  const std::size_t all = session.runs().size();
+  const std::size_t count = std::min(all, most > 0 ? most : PaneGrid::room(look, min, max));
+  // Too narrow for all: the one that the side panel is about.
+  const std::size_t first = count < all ? std::min(session.lead(), all - count) : 0;
+  state.hides_panes = state.live && count < all;
+  // One pane has the legend over its lower edge; several have it below them.
+  const float legend = state.legend ? Legend::height(look) : 0;
+  const ImVec2 foot = max;
+  if (count > 1) max.y -= legend;
+  const PaneGrid grid(look, count, min, max);
+  std::uint32_t signs = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    canvas(first + i).draw(look, session, first + i, state, grid.min(i), grid.max(i), interactive, commands,
+                           count > 1 ? 0 : legend);
+    grid.draw_parting(i);
+    signs |= canvas(first + i).scene().signs;
+  }
+  shown_ = std::clamp(session.lead(), first, first + count - 1);
+  area_ = {grid.min(shown_ - first), grid.max(shown_ - first)};
+  if (state.legend) legend_.draw(look, scene(), signs, min, foot);
+}
+
+}  // namespace replan::ui
