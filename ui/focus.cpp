@@ -75,6 +75,11 @@ void KeyboardFocus::offer(ImU32 ring, float rounding, float width) {
   list.PopClipRect();
 }
 
+bool KeyboardFocus::takes_arrows() {
+  if (here()) arrows_of_ = at_;
+  return here();
+}
+
 void KeyboardFocus::leave_tab_to_it() {
   tab_owner_ = ImGui::GetItemID();
 }

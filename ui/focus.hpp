@@ -23,6 +23,10 @@ class KeyboardFocus {
 
   /// A control has the keyboard: plain Space, and Escape, are for it.
   [[nodiscard]] bool shown() const { return shown_; }
+  /// The last item is changed by Left and Right; whether it has the keyboard.
+  [[nodiscard]] bool takes_arrows();
+  /// The control that has the keyboard is such a one.
+  [[nodiscard]] bool has_arrows() const { return shown_ && arrows_of_ == at_; }
   /// The last item has the keyboard.
   [[nodiscard]] bool here() const;
 
@@ -32,10 +36,10 @@ class KeyboardFocus {
   [[nodiscard]] static bool in_reach();
   void note(ImGuiID id);
 
-  std::vector<ImGuiID> order_, before_;  // of this frame and of the last one
-  ImGuiID at_ = 0, tab_owner_ = 0;       // 0: none
-  bool shown_ = false;                   // it was come to by the keyboard
-  bool arrived_ = false;                 // in this frame
+  std::vector<ImGuiID> order_, before_;             // of this frame and of the last one
+  ImGuiID at_ = 0, tab_owner_ = 0, arrows_of_ = 0;  // 0: none
+  bool shown_ = false;                              // it was come to by the keyboard
+  bool arrived_ = false;                            // in this frame
 };
 
 }  // namespace replan::ui

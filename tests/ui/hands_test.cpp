@@ -1,5 +1,6 @@
 // What lies over the world takes its own clicks, and the mouse asks the pane that it is over.
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 
 #include "tests/ui/shell_fixture.hpp"
 #include "ui/canvas/chips.hpp"
@@ -219,6 +220,33 @@ TEST_F(HandsTest, KeysZoomAndMoveTheView) {
   press('-');
   frames(60);
   EXPECT_LT(shell_->panels().zoom, fitted);
+}
+
+TEST_F(HandsTest, TabReachesTheToolsAndSpacePressesOne) {
+  for (int i = 0; i < 3; ++i) press(key::kTab);  // the search, Select, Paint
+  press(key::kSpace);
+  EXPECT_EQ(shell_->view().tools.chosen_id(), "paint");
+  EXPECT_EQ(session_->playback().direction, 0) << "the key went to the world too";
+  press(key::kTab, false, true);  // back
+  press(key::kSpace);
+  EXPECT_EQ(shell_->view().tools.chosen_id(), "select");
+  press(key::kEscape);
+  press(key::kSpace);
+  EXPECT_EQ(session_->playback().direction, 1) << "Esc has not given the keys back";
+}
+
+TEST_F(HandsTest, InASmallWindowTheLegendStaysOnItsPane) {
+  TearDown();
+  open("room.json", kWorld, 640, 480);
+  frames(2);
+  float right = 0;
+  offscreen_->frame([&] {
+    shell_->draw(offscreen_->stage().look(), *session_, 0);
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+      if (std::string_view(window->Name) == "legend") right = window->Pos.x + window->Size.x;
+  });
+  EXPECT_GT(right, 0);
+  EXPECT_LE(right, shell_->panels().canvas.max.x);
 }
 
 TEST_F(HandsTest, WhyStandsBesideThePinnedCell) {

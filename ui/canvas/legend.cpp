@@ -137,6 +137,10 @@ void Legend::draw(const Look& look, const Scene& leading, std::uint32_t signs, I
     field = field_in_sight(leading, colours, low, high);
     field_ = overlays()[static_cast<std::size_t>(*leading.field)].label;
   }
+  // In a narrow pane the field's short name has to do.
+  const bool wide = legend_size(look, field, {}).x > room - look.px(46);
+  if (const std::size_t colon = field.label.find(':'); wide && colon != std::string_view::npos)
+    field.label = field.label.substr(0, colon);
   const std::vector<LegendEntry> entries = entries_in_sight(look, signs);
   auto rows = in_rows(look, field, entries, room);
   if (rows.size() > 1) rows = in_rows(look, field, entries, room - look.px(46));

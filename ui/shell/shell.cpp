@@ -21,7 +21,8 @@ constexpr float kCaption = 32;  // height of the line over the canvas
 /// Whether a key presses or changes the control that has the keyboard.
 bool is_for_control(const Look& look, const Chord& chord) {
   if (look.focus == nullptr || !look.focus->shown() || chord.ctrl || chord.alt) return false;
-  return chord.key == key::kSpace || chord.key == key::kLeft || chord.key == key::kRight;
+  const bool arrow = chord.key == key::kLeft || chord.key == key::kRight;
+  return chord.key == key::kSpace || (arrow && look.focus->has_arrows());
 }
 
 /// Seeks, steps and play are no edits: nobody needs to be told twice that there is nothing to undo.

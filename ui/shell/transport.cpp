@@ -106,7 +106,11 @@ void speed(Frame& frame, bool roomy) {
   tab_stop(look);
   const double range = std::log(Session::kFullSpeed / kSlowest);
   double now = frame.session.playback().expansions_per_second;
-  if (ImGui::IsItemActive()) {
+  if (const int steps = arrow_steps(look); steps != 0) {
+    now = std::clamp(now * std::exp(range * steps / 20), kSlowest, Session::kFullSpeed);
+    frame.commands.push_back(SetSpeed{now});
+  }
+  if (ImGui::IsItemActive() && ImGui::IsMouseDown(0)) {
     const double at =
         std::clamp((ImGui::GetIO().MousePos.x - origin.x - knob) / (width - 2 * knob), 0.0f, 1.0f);
     now = at > 0.97 ? Session::kFullSpeed : kSlowest * std::exp(range * at);

@@ -54,10 +54,11 @@ void draw_why_chip(Frame& frame, const Scene& scene, ImVec2 min, ImVec2 max) {
   ImGui::SetNextWindowBgAlpha(0.96f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                       open ? ImVec2(look.px.m, look.px.m) : ImVec2(look.px.s, look.px.xs));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
   ImGui::Begin(open ? "answer" : "question", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
   if (open)
     answer(frame, *pinned);
   else

@@ -5,6 +5,7 @@
 #include <imgui_internal.h>
 
 #include "ui/icons.hpp"
+#include "ui/keys.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
@@ -19,11 +20,11 @@ struct Pressed {
 };
 
 /// The behaviour of every button: an area that can be hovered, pressed and disabled.
-Pressed press(const Look& look, const char* id, ImVec2 size, bool enabled) {
+Pressed press(const Look& look, const char* id, ImVec2 size, bool enabled, bool stop = true) {
   ImGui::BeginDisabled(!enabled);
   Pressed result{};
   result.clicked = ImGui::InvisibleButton(id, size);
-  tab_stop(look);
+  if (stop) tab_stop(look);
   result.hovered = enabled && ImGui::IsItemHovered();
   result.held = enabled && ImGui::IsItemActive();
   result.min = ImGui::GetItemRectMin();
@@ -67,6 +68,12 @@ void tab_stop(const Look& look) {
   if (look.focus != nullptr) look.focus->offer(look.theme.accent, look.px.radius, look.px(2));
 }
 
+int arrow_steps(const Look& look) {
+  if (look.focus == nullptr || !look.focus->takes_arrows() || ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyAlt)
+    return 0;
+  return (ImGui::IsKeyPressed(key::kRight) ? 1 : 0) - (ImGui::IsKeyPressed(key::kLeft) ? 1 : 0);
+}
+
 bool tool_button(const Look& look, const char* id, const IconButton& button) {
   const Pressed area = press(look, id, {look.px.tool, look.px.tool}, button.enabled);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -94,7 +101,7 @@ bool transport_button(const Look& look, const char* id, const IconButton& button
 }
 
 bool small_button(const Look& look, const char* id, const IconButton& button) {
-  const Pressed area = press(look, id, {look.px(24), look.px(24)}, button.enabled);
+  const Pressed area = press(look, id, {look.px(24), look.px(24)}, button.enabled, button.tab_stop);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (area.hovered) list.AddRectFilled(area.min, area.max, look.theme.hover, look.px.radius);
   ImU32 colour = button.colour != 0 ? button.colour : area.hovered ? look.theme.text : look.theme.dim;

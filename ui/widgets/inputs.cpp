@@ -45,35 +45,18 @@ bool is_initial(const SliderSpec& spec, double value) {
   return shown(spec, value) == shown(spec, spec.initial);
 }
 
-/// Presses of the arrow keys, if the last item has the keyboard.
-int arrow_steps(const Look& look) {
-  if (look.focus == nullptr || !look.focus->here() || ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyAlt)
-    return 0;
-  return (ImGui::IsKeyPressed(key::kRight) ? 1 : 0) - (ImGui::IsKeyPressed(key::kLeft) ? 1 : 0);
-}
-
-/// A value some fiftieths of the track farther on, and at least its smallest step.
-double stepped(const SliderSpec& spec, double value, int steps) {
-  const double grain = spec.step > 0 ? spec.step : std::pow(10.0, -spec.decimals);
-  const double there = to_value(spec, to_position(spec, value) + static_cast<float>(steps) / 50);
-  return rounded(spec, steps > 0 ? std::max(there, value + grain) : std::min(there, value - grain));
-}
-
 /// The track with its knob; drags, and steps by the wheel while Ctrl is held.
 bool slider_track(const Look& look, const SliderSpec& spec, double& value) {
   const float height = look.px.l;
   const float width = std::max(ImGui::GetContentRegionAvail().x, look.px(40));
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("track", {width, height});
-  tab_stop(look);
-  const bool active =
-      ImGui::IsItemActive() && ImGui::GetCurrentContext()->ActiveIdSource == ImGuiInputSource_Mouse;
+  const bool active = ImGui::IsItemActive();
   const float radius = look.px.s * 0.75f;
   const float left = origin.x + radius;
   const float span = width - radius * 2;
   const double before = value;
   if (active) value = to_value(spec, (ImGui::GetIO().MousePos.x - left) / span);
-  if (const int steps = arrow_steps(look); steps != 0) value = stepped(spec, value, steps);
   const float y = origin.y + height * 0.5f;
   const float x = left + span * to_position(spec, value);
   const float half = look.px(4) * 0.5f;
@@ -110,6 +93,17 @@ bool slider_value(const Look& look, const SliderSpec& spec, double& value, float
   if (!typing)
     draw_text(*ImGui::GetWindowDrawList(), look.fonts.mono, {pos.x + digits, pos.y}, look.theme.faint, unit);
   return changed;
+}
+
+/// Beside the label of a value that is not the default: leads back to it. Tab passes over it, so that it goes from number
+/// to number.
+bool reset_button(const Look& look, const SliderSpec& spec, double& value, float x, float y) {
+  ImGui::SetCursorScreenPos({x + look.px.xs, y - look.px(4)});
+  const std::string back = "Default: " + shown(spec, spec.initial) + " " + spec.unit;
+  const IconButton button{.icon = icon::undo, .hint = {.title = back.c_str()}, .tab_stop = false};
+  if (!small_button(look, "reset", button)) return false;
+  value = spec.initial;
+  return true;
 }
 
 /// A number while it is typed: ImGui's storage has room for halves of it.
@@ -163,17 +157,11 @@ bool slider(const Look& look, const SliderSpec& spec, double& value, const Hint&
   bool changed = false;
   text(look.fonts.ui, look.theme.dim, spec.label);
   hint(look, what);
-  if (!is_initial(spec, value)) {
-    ImGui::SameLine(0, look.px.xs);
-    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, origin.y - look.px(4)});
-    const std::string back = "Default: " + shown(spec, spec.initial) + " " + spec.unit;
-    if (small_button(look, "reset", {.icon = icon::undo, .hint = {.title = back.c_str()}})) {
-      value = spec.initial;
-      changed = true;
-    }
-  }
+  const float words_end = ImGui::GetItemRectMax().x;
+  const bool initial = is_initial(spec, value);
   ImGui::SetCursorScreenPos(origin);
   changed |= slider_value(look, spec, value, right);
+  if (!initial) changed |= reset_button(look, spec, value, words_end, origin.y);
   ImGui::SetCursorScreenPos({origin.x, origin.y + look.fonts.ui->FontSize + look.px.xs});
   changed |= slider_track(look, spec, value);
   ImGui::PopStyleVar();

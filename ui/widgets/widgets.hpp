@@ -51,6 +51,9 @@ void key_chip(const Look& look, const char* keys);
 
 /// The last item can be come to by Tab and pressed by Space; while it has the keyboard there is a ring around it.
 void tab_stop(const Look& look);
+/// For the last item, a control that Left and Right change: how often they were pressed to the right, below 0 to the left,
+/// while it has the keyboard.
+int arrow_steps(const Look& look);
 
 // --- Buttons --------------------------------------------------------------------------------------------
 
@@ -60,6 +63,7 @@ struct IconButton {
   bool selected = false;
   bool enabled = true;
   ImU32 colour = 0;  ///< 0: the theme's own
+  bool tab_stop = true;
 };
 /// 34 x 34 in the tool strip; selected: accent icon on a tinted ground.
 bool tool_button(const Look& look, const char* id, const IconButton& button);

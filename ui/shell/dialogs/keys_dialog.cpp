@@ -56,7 +56,7 @@ std::vector<Section> sections() {
                  {{"Tab", "To the next control"},
                   {"Shift+Tab", "To the one before"},
                   {"Space", "Press it"},
-                  {"← →", "Move its slider"},
+                  {"← →", "Change the playing speed there"},
                   {"Enter", "End a number; else the dialog's button"},
                   {"Esc", "Give the keys back to the world"}}});
   return all;
