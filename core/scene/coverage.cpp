@@ -1,28 +1,42 @@
 #include "core/scene/coverage.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace replan {
 
+namespace {
+
+/// Adds to `counts` how many obstacles a row of cells has in each column.
+void add_row(const SearchState& state, EventKind map, NodeId first, std::span<std::uint8_t> counts) {
+  for (std::size_t x = 0; x < counts.size();) {
+    const NodeId node = first + static_cast<NodeId>(x);
+    const std::size_t at = node % SearchState::kPage;
+    const std::size_t count = std::min(counts.size() - x, SearchState::kPage - at);
+    if (const std::uint8_t* page = state.map_page(map, node); page != nullptr)
+      for (std::size_t i = 0; i < count; ++i)
+        counts[x + i] = static_cast<std::uint8_t>(counts[x + i] + (page[at + i] != 0 ? 1 : 0));
+    x += count;
+  }
+}
+
+}  // namespace
+
 Coverage::Coverage(const Box& world, int layer, const SearchState& state, EventKind map) {
-  const int columns = world.width(), rows = world.height();
-  allocate(columns, rows);
+  allocate(world.width(), world.height());
   if (levels_.empty()) return;
   Level& first = levels_.front();
-  NodeId node = world.node({0, 0, layer});
-  for (int y = 0; y < rows; ++y)
-    for (int x = 0; x < columns;) {
-      const std::size_t at = node % SearchState::kPage;
-      const int count = std::min(columns - x, static_cast<int>(SearchState::kPage - at));
-      if (const std::uint8_t* page = state.map_page(map, node); page != nullptr)
-        for (int i = 0; i < count; ++i) {
-          if (page[at + static_cast<std::size_t>(i)] == 0) continue;
-          std::uint8_t& share = first.at((x + i) / 2, y / 2);
-          share = static_cast<std::uint8_t>(std::min(255, share + 64));
-        }
-      x += count;
-      node += static_cast<NodeId>(count);
-    }
+  // One column more, so that the last block has two of them too.
+  std::vector<std::uint8_t> counts(static_cast<std::size_t>(first.columns) * 2);
+  const std::span<std::uint8_t> columns(counts.data(), static_cast<std::size_t>(world.width()));
+  for (int y = 0; y < first.rows; ++y) {
+    std::fill(counts.begin(), counts.end(), std::uint8_t{0});
+    for (int row = 2 * y; row < std::min(2 * y + 2, world.height()); ++row)
+      add_row(state, map, world.node({0, row, layer}), columns);
+    std::uint8_t* shares = &first.at(0, y);
+    for (std::size_t x = 0; x < static_cast<std::size_t>(first.columns); ++x)
+      shares[x] = static_cast<std::uint8_t>(std::min(255, 64 * (counts[2 * x] + counts[2 * x + 1])));
+  }
   for (std::size_t level = 1; level < levels_.size(); ++level)
     for (int y = 0; y < levels_[level].rows; ++y)
       for (int x = 0; x < levels_[level].columns; ++x) gather(level, x, y);

@@ -123,7 +123,8 @@ void Run::finish(Target target) {
 
 bool Run::rest(std::optional<std::chrono::milliseconds> at_most) {
   using std::chrono::steady_clock;
-  const steady_clock::time_point until = at_most ? steady_clock::now() + *at_most : steady_clock::time_point::max();
+  const steady_clock::time_point until =
+      at_most ? steady_clock::now() + *at_most : steady_clock::time_point::max();
   while (busy() && steady_clock::now() < until) {
     if (!handover_) worker_->wait(until);
     while (steady_clock::now() < until && next_batch()) take_over_part();

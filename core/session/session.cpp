@@ -27,6 +27,7 @@ Session::Session(Scenario scenario, std::string file, const RunLimits& limits)
 }
 
 Result<void> Session::apply(const Command& command) {
+  if (has_to_wait(command)) return {};
   Result<void> done = std::visit([this](const auto& each) { return run_command(each); }, command);
   if (!done) say(done.error());
   update_instruments();
@@ -80,7 +81,7 @@ Result<void> Session::run_command(const ReplaceScenario& command) {
 }
 
 Result<void> Session::run_command(const Restart&) {
-  Scenario changed = tidied();
+  Scenario changed = tidied(*scenario_, scripted());
   if (changed == *scenario_)
     restart_runs();
   else
@@ -178,6 +179,7 @@ void Session::seek(std::size_t position, double travel) {
 
 bool Session::update(double seconds) {
   bool changed = catching_up_;  // finish() may have taken over what a pane waited for
+  if (finish_world_edit()) changed = true;
   for (const auto& run : runs_)
     if (run->pump()) changed = true;
   const bool returning = returning_.has_value();
@@ -236,6 +238,8 @@ bool Session::play(double seconds) {
 }
 
 void Session::settle() {
+  world_edit_.wait();
+  finish_world_edit();
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     const Target way = returning_ ? Target::length_of(returning_->lengths[i]) : Target::plan();
     runs_[i]->wait();  // what was asked for comes first

@@ -8,8 +8,10 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/base/background.hpp"
 #include "core/session/breakpoints.hpp"
 #include "core/session/checks.hpp"
 #include "core/session/commands.hpp"
@@ -18,6 +20,7 @@
 #include "core/session/player.hpp"
 #include "core/session/run.hpp"
 #include "core/session/watches.hpp"
+#include "core/session/world_edit.hpp"
 
 namespace replan {
 
@@ -76,6 +79,12 @@ class Session {
   /// One line each, oldest first: what was done and what went wrong.
   [[nodiscard]] std::span<const std::string> log() const { return log_; }
 
+  /// Whether an edit of a large world is being worked out. What is asked for meanwhile is carried out after it, but for
+  /// Cancel and ReplaceScenario, which give it and all that waits up.
+  [[nodiscard]] bool editing_world() const { return world_edit_.busy(); }
+  /// Why something that had to wait was not done in the end, once; empty if nothing was refused.
+  [[nodiscard]] std::string take_refusal() { return std::exchange(refusal_, {}); }
+
   /// Carries out a command. An error leaves everything as it was.
   Result<void> apply(const Command& command);
   /// Why a run could not go on, as a sentence; empty if all is well.
@@ -83,7 +92,7 @@ class Session {
   /// Takes over what the background did and plays on by `seconds`. True if something to be seen changed.
   bool update(double seconds);
   /// How long a command may wait for the background before the rest of it is left to update(): as long as it takes,
-  /// unless a window says otherwise.
+  /// unless a window says otherwise. Where somebody is so impatient, large worlds are edited in the background too.
   void set_patience(std::chrono::milliseconds patience) { patience_ = patience; }
   /// Waits until the background stands still and what is looked for is found: for programs without a window.
   void settle();
@@ -115,8 +124,11 @@ class Session {
   void commit(std::string label, std::uint64_t stroke, Scenario changed, std::size_t scripted);
   void relabel(const std::string& label);
   void commit_in_place(std::string label, Scenario changed, std::size_t scripted);
-  Result<void> replace_map(std::string label, std::string name, GridMap map, std::optional<Cell> start,
-                           std::optional<Cell> goal);
+  template <class WorldCommand>
+  Result<void> edit_world(const WorldCommand& command, std::size_t cells = 0);
+  Result<void> take_edit(Result<WorldEdit> edit);
+  bool finish_world_edit();
+  [[nodiscard]] bool has_to_wait(const Command& command);
   void replace(std::shared_ptr<const Scenario> scenario);
   [[nodiscard]] RunPositions positions() const;
   void return_to(RunPositions positions);
@@ -167,7 +179,6 @@ class Session {
   [[nodiscard]] Box box() const;
   bool update_instruments();
   bool look_for_stops();
-  [[nodiscard]] Scenario tidied() const;
   void say(std::string line) {
     log_.push_back(std::move(line));
   }
@@ -184,6 +195,9 @@ class Session {
   };
   std::optional<Stepping> stepping_;
   std::optional<std::chrono::milliseconds> patience_;  // nothing: without end
+  Background<Result<WorldEdit>> world_edit_{WorkPlace{.in_step = false, .wake = {}}};
+  std::vector<Command> waiting_;  // for it
+  std::string refusal_;
   std::size_t lead_ = 0;
   History history_;
   std::string file_;

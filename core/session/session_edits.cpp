@@ -217,33 +217,9 @@ Result<void> Session::run_command(const SetRobot& command) {
 }
 
 Scenario Session::to_save() const {
-  Scenario scenario = tidied();
+  Scenario scenario = tidied(*scenario_, scripted());
   scenario.debug = debug();
   return scenario;
-}
-
-/// The scenario with the edits that were made before the robot moved as parts of its map.
-Scenario Session::tidied() const {
-  Scenario folded = *scenario_;
-  if (folded.robot.knowledge == Knowledge::nothing) return folded;
-  Surprises kept;
-  bool first_of_all = true;  // nothing that may happen before the robot moves has been passed over
-  for (std::size_t i = 0; i < folded.surprises.size(); ++i) {
-    const Surprise& surprise = scenario_->surprises[i];
-    const bool before_start = surprise.at.near || surprise.at.move == 0;
-    const bool only_cells = !surprise.goal && !surprise.robot;
-    if (first_of_all && before_start && surprise.announced && only_cells && i >= scripted() &&
-        surprise.at.move) {
-      for (const CellChange& change : surprise.cells) folded.map.set(change.cell, change.blocked);
-      continue;
-    }
-    const Cell at = surprise.at.near.value_or(folded.start);
-    const bool due = distance(at, folded.start) <= surprise.at.within;
-    if (before_start && due) first_of_all = false;
-    kept.push_back(surprise);
-  }
-  folded.surprises = std::move(kept);
-  return folded;
 }
 
 void Session::saved(const std::string& file) {

@@ -43,7 +43,7 @@ bool Session::under_way() const {
 Result<void> Session::run_command(const SetStart& command) {
   if (!scenario_->map.contains(command.cell)) return Error{"the start must lie on the map"};
   if (command.cell == scenario_->start) return {};
-  Scenario changed = tidied();
+  Scenario changed = tidied(*scenario_, scripted());
   changed.start = command.cell;
   commit("move the start", command.stroke, std::move(changed));
   return {};
@@ -59,7 +59,7 @@ Result<void> Session::run_command(const SetGoal& command) {
                        std::move(surprise));
   }
   if (command.cell == scenario_->goal) return {};
-  Scenario changed = tidied();
+  Scenario changed = tidied(*scenario_, scripted());
   changed.goal = command.cell;
   commit("move the goal", command.stroke, std::move(changed));
   return {};

@@ -4,8 +4,6 @@
 #include "core/base/words.hpp"
 #include "core/lattice/box_words.hpp"
 #include "core/session/session.hpp"
-#include "core/world/ends.hpp"
-#include "core/world/generators/list.hpp"
 
 namespace replan {
 namespace {
@@ -24,18 +22,9 @@ Result<void> check_surprise(const Surprise& surprise, const GridMap& map) {
   return {};
 }
 
-const char* turn_text(Turn turn) {
-  switch (turn) {
-    case Turn::left:
-      return "turn the world left";
-    case Turn::right:
-      return "turn the world right";
-    case Turn::left_right:
-      return "mirror the world left to right";
-    case Turn::top_bottom:
-      return "mirror the world top to bottom";
-  }
-  return "";
+/// Of sides that may be wrong still.
+std::size_t cells_of(int width, int height) {
+  return static_cast<std::size_t>(std::max(width, 0)) * static_cast<std::size_t>(std::max(height, 0));
 }
 
 }  // namespace
@@ -89,35 +78,73 @@ Result<void> Session::run_command(const RemoveSurprise& command) {
   return {};
 }
 
-Result<void> Session::run_command(const TurnWorld& command) {
-  commit(turn_text(command.turn), 0, turned(tidied(), command.turn));
+/// At once, or beside the session where that takes long and nobody has to wait for it. Whatever is asked for meanwhile
+/// comes after it.
+template <class WorldCommand>
+Result<void> Session::edit_world(const WorldCommand& command, std::size_t cells) {
+  auto job = [before = scenario_, scripted = scripted(), command](const std::stop_token&) {
+    return edited(tidied(*before, scripted), scripted, command);
+  };
+  if (!patience_ || std::max(cells, box().node_count()) <= kLargeWorld) return take_edit(job({}));
+  world_edit_.start(std::move(job));
   return {};
+}
+
+Result<void> Session::take_edit(Result<WorldEdit> edit) {
+  if (!edit) return Error{edit.error()};
+  commit(std::move(edit->label), 0, std::move(edit->scenario), edit->scripted);
+  for (std::string& note : edit->notes) say(std::move(note));
+  return {};
+}
+
+/// Takes over what was worked out, and carries out what had to wait for it.
+bool Session::finish_world_edit() {
+  auto edit = world_edit_.take();
+  if (!edit) return false;
+  const auto note = [this](const Result<void>& done) {
+    if (!done) refusal_ = done.error();
+  };
+  note(take_edit(std::move(*edit)));
+  if (!refusal_.empty()) say(refusal_);
+  for (std::vector<Command> waiting = std::exchange(waiting_, {}); const Command& command : waiting)
+    note(apply(command));
+  return true;
+}
+
+/// Whether a command has to wait until the world is what it is going to be.
+bool Session::has_to_wait(const Command& command) {
+  if (!world_edit_.busy()) return false;
+  const bool gives_up =
+      std::holds_alternative<Cancel>(command) || std::holds_alternative<ReplaceScenario>(command);
+  if (!gives_up) {
+    waiting_.push_back(command);
+    return true;
+  }
+  world_edit_.cancel();
+  waiting_.clear();
+  return false;
+}
+
+Result<void> Session::run_command(const TurnWorld& command) {
+  return edit_world(command);
 }
 
 Result<void> Session::run_command(const ResizeWorld& command) {
   const GridMap& map = scenario_->map;
   if (command.size.width == map.width && command.size.height == map.height) return {};
-  Result<Resized> done = resized(tidied(), command.size);
-  if (!done) return Error{done.error()};
-  const auto lost = std::count_if(done->surprises_lost.begin(), done->surprises_lost.end(),
-                                  [this](std::size_t index) { return index < scripted(); });
-  commit("resize to " + sides_text(done->scenario.map.box()), 0, std::move(done->scenario),
-         scripted() - static_cast<std::size_t>(lost));
-  if (done->ends_moved) say("the start or the goal lay outside and moved to the nearest cell inside");
-  if (done->cells_lost > 0)
-    say(counted(done->cells_lost, "cell") + " of surprises lay outside and " +
-        (done->cells_lost == 1 ? "is" : "are") + " gone");
-  return {};
+  return edit_world(command, cells_of(command.size.width, command.size.height));
 }
 
-Result<void> Session::run_command(const InvertWorld&) {
+Result<void> Session::run_command(const InvertWorld& command) {
+  if (box().node_count() > kLargeWorld) return edit_world(command);
   std::vector<Cell> keep = {scenario_->start, scenario_->goal};
   const NodeId robot = run().timeline().state().node(Scalar::robot);
   if (robot != kNoNode) keep.push_back(run().lattice().position(robot));
   return edit_cells(inversion(world(), keep), true, 0, "invert the world");
 }
 
-Result<void> Session::run_command(const ClearWorld&) {
+Result<void> Session::run_command(const ClearWorld& command) {
+  if (box().node_count() > kLargeWorld) return edit_world(command);
   std::vector<CellChange> cells;
   const GridMap now = world();
   for (NodeId node = 0; node < now.blocked.size(); ++node)
@@ -125,46 +152,14 @@ Result<void> Session::run_command(const ClearWorld&) {
   return edit_cells(cells, true, 0, "clear the world");
 }
 
-/// What the old world was called, and what it was about, is not said of the new one.
-Result<void> Session::replace_map(std::string label, std::string name, GridMap map, std::optional<Cell> start,
-                                  std::optional<Cell> goal) {
-  if (map.blocked.empty()) return Error{"a world has at least one cell"};
-  for (const auto& end : {start, goal})
-    if (end && !map.contains(*end)) return Error{"start and goal must lie on the map"};
-  Scenario changed = *scenario_;
-  changed.map = std::move(map);
-  changed.map_file.clear();
-  changed.map_found = {};
-  changed.name = std::move(name);
-  changed.caption.clear();
-  changed.surprises.clear();
-  changed.movers.clear();
-  changed.view.camera.reset();
-  changed.start = {0, 0};
-  changed.goal = {changed.map.width - 1, changed.map.height - 1, changed.map.depth - 1};
-  place_ends(changed);
-  changed.start = start.value_or(changed.start);
-  changed.goal = goal.value_or(changed.goal);
-  player_.stop();
-  commit(std::move(label), 0, std::move(changed), 0);
-  return {};
-}
-
 Result<void> Session::run_command(const ReplaceMap& command) {
-  return replace_map("put in a map of " + sides_text(command.map.box()), "", command.map, command.start,
-                     command.goal);
+  player_.stop();
+  return edit_world(command, command.map.box().node_count());
 }
 
 Result<void> Session::run_command(const GenerateWorld& command) {
-  const auto info = require_generator(command.generator);
-  if (!info) return Error{info.error()};
-  Result<GridMap> map =
-      generate(command.generator, command.settings, command.width, command.height, command.seed);
-  if (!map) return Error{map.error()};
-  const std::string size = sides_text(map->box());
-  return replace_map(
-      "generate " + std::string((*info)->id) + " of " + size + ", seed " + std::to_string(command.seed),
-      std::string((*info)->name) + ", " + size, *std::move(map), std::nullopt, std::nullopt);
+  player_.stop();
+  return edit_world(command, cells_of(command.width, command.height));
 }
 
 }  // namespace replan

@@ -58,6 +58,17 @@ class FrameTime : public ShellTest {
     shell_->perform_next(action.id);
     frames_of(action.name, 3);
   }
+  /// Carries out a command, and what comes of it, until nothing is at work any more but the search.
+  void order(const std::string& what, const Command& command) {
+    const double before = thread_ms();
+    const auto done = session_->apply(command);
+    EXPECT_LT(thread_ms() - before, kMostMs) << what << " as such";
+    EXPECT_TRUE(done.ok()) << what << ": " << done.error();
+    while (session_->editing_world()) frames_of(what + ", at work", 1);
+    frames_of(what, 20);
+    static_cast<void>(session_->apply(Cancel{}));
+    frames_of(what + ", cancelled", 3);
+  }
   /// Until the first plan stands. What is drawn meanwhile takes longest where no display draws it: only some of it is.
   void plan() {
     frames_of("the beginning of the search", 20);
@@ -93,6 +104,24 @@ TEST_F(FrameTime, IsShortForStepsThroughAHugeSearch) {
   for (const char* name : {"to_start", "step_forward", "step_forward", "step_back", "line_forward", "to_end",
                            "step_back", "line_back", "move_forward", "play", "play", "replan_back"})
     perform(*find_action(name));
+}
+
+TEST_F(FrameTime, IsShortForEditsOfAHugeWorld) {
+  look_at(scenario_of("generator:caves?width=4096&height=4096&seed=3"));
+  frames_of("the beginning", 20);
+  order("stopping", Cancel{});
+  for (const Turn turn : {Turn::left_right, Turn::top_bottom, Turn::left, Turn::right})
+    order("a turn", TurnWorld{turn});
+  order("undoing a turn", Undo{});
+  order("redoing a turn", Redo{});
+  order("another size", ResizeWorld{{4000, 4100, Side::middle, Side::middle, false}});
+  order("inverting", InvertWorld{});
+  order("undoing that", Undo{});
+  order("clearing", ClearWorld{});
+  order("another world", GenerateWorld{"maze", {}, 4095, 4095, 7});
+  order("back to the beginning", GoToHistory{0});
+  order("another planner", ChoosePlanner{0, "astar"});
+  order("two panes", SetPanes{2});
 }
 
 TEST_F(FrameTime, IsShortForAnybodyWhoTriesEverythingInNoOrder) {

@@ -192,8 +192,8 @@ void ActionContext::toggle_overlay(Overlay overlay) {
 }
 
 bool ActionContext::is_busy() const {
-  return std::any_of(session.runs().begin(), session.runs().end(),
-                     [](const auto& run) { return run->busy(); });
+  return session.editing_world() || std::any_of(session.runs().begin(), session.runs().end(),
+                                                [](const auto& run) { return run->busy(); });
 }
 
 bool ActionContext::has_own_settings() const {

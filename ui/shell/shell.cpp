@@ -61,6 +61,7 @@ void Shell::draw(const Look& look, Session& session, double) {
   draw_parts(frame);
   if (const std::string failure = session.failure(); !failure.empty() && message_.empty())
     tell(failure, true);
+  if (const std::string refusal = session.take_refusal(); !refusal.empty()) tell(refusal, true);
   drawn_ = session.revision();
   documents_.take_loaded(session);
   const DialogDecision decision = dialogs_.draw(look);

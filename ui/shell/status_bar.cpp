@@ -80,7 +80,7 @@ std::string cell_state(const Frame& frame, Cell cell) {
 /// Writes items from the left until the room ends.
 class Line {
  public:
-  Line(const Look& look, float right) : look_(look), right_(right) {}
+  Line(const Look& look, float right) : look_(look), right_(right), y_(ImGui::GetCursorScreenPos().y) {}
 
   void pair(std::string_view label, std::string_view value, const Hint& what) {
     if (!next(text_width(look_.fonts.ui, label) + text_width(look_.fonts.mono, value) + look_.px.xs)) return;
@@ -108,14 +108,15 @@ class Line {
     const float gap = first_ ? 0 : look_.px(22);
     const float x = first_ ? ImGui::GetCursorScreenPos().x : ImGui::GetItemRectMax().x;
     if (x + gap + width > right_) return false;
-    if (!first_) ImGui::SameLine(0, gap);
+    // A button is taller than words and begins above them.
+    if (!first_) ImGui::SetCursorScreenPos({x + gap, y_});
     first_ = false;
     return true;
   }
 
  private:
   const Look& look_;
-  float right_;
+  float right_, y_;
   bool first_ = true;
 };
 
@@ -148,20 +149,27 @@ float right_side(Frame& frame) {
   return moves_x;
 }
 
-/// While the background searches: what it has come to, and the way to stop it.
-void busy(Frame& frame, Line& line) {
-  const Look& look = frame.look;
-  const Run& run = frame.session.run();
-  if (!run.busy()) return;
-  frame.panels.animated = true;
-  const std::string words = "Searching… " + grouped(run.timeline().size()) + " events";
+/// While something is at work: what it has come to, and the way to stop it.
+template <class Press>
+void at_work(const Look& look, Line& line, const std::string& words, const char* id, const Hint& what,
+             const Press& press) {
   if (!line.next(text_width(look.fonts.ui, words) + look.px(28))) return;
   text(look.fonts.ui, look.theme.accent, words);
   ImGui::SameLine(0, look.px.xs);
   ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y - look.px(5)});
+  if (small_button(look, id, {.icon = icon::times, .hint = what})) press();
+}
+
+/// The background's search, or its work on the world.
+void busy(Frame& frame, Line& line) {
+  const Run& run = frame.session.run();
+  const bool editing = frame.session.editing_world();
+  if (!run.busy() && !editing) return;
+  frame.panels.animated = true;
   const Action& stop = action(ActionId::cancel);
-  if (small_button(look, stop.name, {.icon = stop.icon, .hint = stop.hint()}))
-    perform(frame, ActionId::cancel);
+  at_work(frame.look, line,
+          editing ? "Working on the world…" : "Searching… " + grouped(run.timeline().size()) + " events",
+          stop.name, stop.hint(), [&] { perform(frame, ActionId::cancel); });
 }
 
 /// What the checks of one kind came to over all panes.
@@ -206,16 +214,10 @@ void checks(Frame& frame, Line& line) {
 
 /// While a trace is written: how far it is, and the way to stop it.
 void exporting(Frame& frame, Line& line) {
-  const Look& look = frame.look;
   if (frame.panels.exporting < 0) return;
-  const std::string words = "Exporting the trace… " + fixed(frame.panels.exporting * 100, 0) + " %";
-  if (!line.next(text_width(look.fonts.ui, words) + look.px(28))) return;
-  text(look.fonts.ui, look.theme.accent, words);
-  ImGui::SameLine(0, look.px.xs);
-  ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y - look.px(5)});
-  if (small_button(look, "stop export",
-                   {.icon = icon::times, .hint = {"Stop", "", "Stops the export; no file is left."}}))
-    frame.wish = Wish::stop_export;
+  at_work(frame.look, line, "Exporting the trace… " + fixed(frame.panels.exporting * 100, 0) + " %",
+          "stop export", {"Stop", "", "Stops the export; no file is left."},
+          [&] { frame.wish = Wish::stop_export; });
 }
 
 /// Beside how large a cell is: smaller, larger, the whole world.

@@ -1,0 +1,132 @@
+#include "core/session/world_edit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "core/base/words.hpp"
+#include "core/lattice/box_words.hpp"
+#include "core/world/ends.hpp"
+#include "core/world/generators/list.hpp"
+
+namespace replan {
+namespace {
+
+const char* turn_text(Turn turn) {
+  switch (turn) {
+    case Turn::left:
+      return "rotate the world left";
+    case Turn::right:
+      return "rotate the world right";
+    case Turn::left_right:
+      return "mirror the world left to right";
+    case Turn::top_bottom:
+      return "mirror the world top to bottom";
+  }
+  return "";
+}
+
+struct NewMap {
+  GridMap map;
+  std::optional<Cell> start, goal;
+};
+
+Result<WorldEdit> with_map(const Scenario& scenario, std::string label, std::string name, NewMap made) {
+  if (made.map.blocked.empty()) return Error{"a world has at least one cell"};
+  for (const auto& end : {made.start, made.goal})
+    if (end && !made.map.contains(*end)) return Error{"start and goal must lie on the map"};
+  Scenario changed = scenario;
+  changed.map = std::move(made.map);
+  changed.map_file.clear();
+  changed.map_found = {};
+  changed.name = std::move(name);
+  changed.caption.clear();
+  changed.surprises.clear();
+  changed.movers.clear();
+  changed.view.camera.reset();
+  changed.start = {0, 0};
+  changed.goal = {changed.map.width - 1, changed.map.height - 1, changed.map.depth - 1};
+  place_ends(changed);
+  changed.start = made.start.value_or(changed.start);
+  changed.goal = made.goal.value_or(changed.goal);
+  return WorldEdit{std::move(label), std::move(changed), 0};
+}
+
+}  // namespace
+
+Scenario tidied(const Scenario& scenario, std::size_t scripted) {
+  Scenario folded = scenario;
+  if (folded.robot.knowledge == Knowledge::nothing) return folded;
+  Surprises kept;
+  bool first_of_all = true;  // nothing that may happen before the robot moves has been passed over
+  for (std::size_t i = 0; i < folded.surprises.size(); ++i) {
+    const Surprise& surprise = scenario.surprises[i];
+    const bool before_start = surprise.at.near || surprise.at.move == 0;
+    const bool only_cells = !surprise.goal && !surprise.robot;
+    if (first_of_all && before_start && surprise.announced && only_cells && i >= scripted &&
+        surprise.at.move) {
+      for (const CellChange& change : surprise.cells) folded.map.set(change.cell, change.blocked);
+      continue;
+    }
+    const Cell at = surprise.at.near.value_or(folded.start);
+    const bool due = distance(at, folded.start) <= surprise.at.within;
+    if (before_start && due) first_of_all = false;
+    kept.push_back(surprise);
+  }
+  folded.surprises = std::move(kept);
+  return folded;
+}
+
+Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const TurnWorld& command) {
+  return WorldEdit{turn_text(command.turn), turned(scenario, command.turn), scripted};
+}
+
+Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const ResizeWorld& command) {
+  Result<Resized> done = resized(scenario, command.size);
+  if (!done) return Error{done.error()};
+  const auto lost = std::count_if(done->surprises_lost.begin(), done->surprises_lost.end(),
+                                  [scripted](std::size_t index) { return index < scripted; });
+  WorldEdit edit{"resize to " + sides_text(done->scenario.map.box()), std::move(done->scenario),
+                 scripted - static_cast<std::size_t>(lost)};
+  if (done->ends_moved)
+    edit.notes.push_back("the start or the goal lay outside and moved to the nearest cell inside");
+  if (done->cells_lost > 0)
+    edit.notes.push_back(counted(done->cells_lost, "cell") + " of surprises lay outside and " +
+                         (done->cells_lost == 1 ? "is" : "are") + " gone");
+  return edit;
+}
+
+Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const InvertWorld&) {
+  WorldEdit edit{"invert the world", scenario, scripted};
+  const std::array keep = {scenario.start, scenario.goal};
+  for (const CellChange& change : inversion(scenario.map, keep))
+    edit.scenario.map.set(change.cell, change.blocked);
+  return edit;
+}
+
+Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const ClearWorld&) {
+  WorldEdit edit{"clear the world", scenario, scripted};
+  edit.scenario.map.blocked = SharedBytes(scenario.map.blocked.size());
+  return edit;
+}
+
+Result<WorldEdit> edited(const Scenario& scenario, std::size_t, const ReplaceMap& command) {
+  return with_map(scenario, "put in a map of " + sides_text(command.map.box()), "",
+                  {command.map, command.start, command.goal});
+}
+
+Result<WorldEdit> edited(const Scenario& scenario, std::size_t, const GenerateWorld& command) {
+  const auto info = require_generator(command.generator);
+  if (!info) return Error{info.error()};
+  Result<GridMap> map =
+      generate(command.generator, command.settings, command.width, command.height, command.seed);
+  if (!map) return Error{map.error()};
+  const std::string size = sides_text(map->box());
+  return with_map(
+      scenario,
+      "generate " + std::string((*info)->id) + " of " + size + ", seed " + std::to_string(command.seed),
+      std::string((*info)->name) + ", " + size, {*std::move(map), {}, {}});
+}
+
+}  // namespace replan
