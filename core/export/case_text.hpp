@@ -24,9 +24,21 @@ struct CaseFocus {
   std::optional<MapRegion> region = {};  ///< whose cells are listed instead
 };
 
+/// A moment's text, but for what takes long in a large world: the hash of its state and the scenario, which
+/// complete() adds.
+struct CaseDraft {
+  std::string words;  ///< for people
+  std::size_t pane = 0, event = 0;
+};
 /// The world's letters, the run's values, those of the cells in focus and of the first of the open list at
-/// the log's cursor, then the scenario, whole and on one line. Of a world of more than 200 x 200 cells the
-/// letters are those around the focus alone, of one of many layers those of the layer in focus. `scenario` is the one that the log is a run of.
+/// the log's cursor. Of a world of more than 200 x 200 cells the letters are those around the focus alone, of one of
+/// many layers those of the layer in focus. `scenario` is the one that the log is a run of.
+CaseDraft draft_case(const Scenario& scenario, const LogView& view, const CaseFocus& focus);
+/// The scenario as it stands in such a text, whole and on one line.
+std::string case_scenario(const Scenario& scenario);
+/// The text as a whole. `state` is SearchState::hash() at the moment.
+std::string complete(const CaseDraft& draft, std::uint64_t state, const std::string& scenario);
+/// All of it at once.
 std::string case_text(const Scenario& scenario, const LogView& view, const CaseFocus& focus);
 
 /// What a text leads back to.

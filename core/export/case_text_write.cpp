@@ -302,14 +302,6 @@ std::string focus_lines(const Source& from) {
          (left_out > 0 ? "and " + std::to_string(left_out) + " more\n" : "");
 }
 
-std::string scenario_line(const Scenario& scenario) {
-  Scenario held = scenario;
-  held.map_file.clear();  // the map goes along
-  held.map_reading = {};
-  const Json document = Json::parse(scenario_text(held), nullptr, false);
-  return document.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 std::string hash_text(std::uint64_t hash) {
   std::string text(16, '0');
   for (std::size_t i = text.size(); i-- > 0; hash >>= 4) text[i] = "0123456789abcdef"[hash & 15];
@@ -318,7 +310,15 @@ std::string hash_text(std::uint64_t hash) {
 
 }  // namespace
 
-std::string case_text(const Scenario& scenario, const LogView& view, const CaseFocus& focus) {
+std::string case_scenario(const Scenario& scenario) {
+  Scenario held = scenario;
+  held.map_file.clear();  // the map goes along
+  held.map_reading = {};
+  const Json document = Json::parse(scenario_text(held), nullptr, false);
+  return document.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+CaseDraft draft_case(const Scenario& scenario, const LogView& view, const CaseFocus& focus) {
   const SearchState& state = view.log.state();
   const Source from{scenario, view, focus, state, state.node(Scalar::robot), view.info.values.lookahead()};
   const std::vector<NodeId> next = next_queued(from);
@@ -332,9 +332,17 @@ std::string case_text(const Scenario& scenario, const LogView& view, const CaseF
     const std::string title = queued == next.size() ? "in order" : "the first " + std::to_string(next.size());
     text += "\n" + labelled("U", title) + table(from, next);
   }
-  const Json at = {{"pane", focus.pane}, {"event", view.log.cursor()}, {"state", hash_text(state.hash())}};
-  return text + "\n" + std::string(kCaseAt) + at.dump() + "\n" + std::string(kCaseScenario) +
-         scenario_line(scenario) + "\n";
+  return {std::move(text), focus.pane, view.log.cursor()};
+}
+
+std::string complete(const CaseDraft& draft, std::uint64_t state, const std::string& scenario) {
+  const Json at = {{"pane", draft.pane}, {"event", draft.event}, {"state", hash_text(state)}};
+  return draft.words + "\n" + std::string(kCaseAt) + at.dump() + "\n" + std::string(kCaseScenario) +
+         scenario + "\n";
+}
+
+std::string case_text(const Scenario& scenario, const LogView& view, const CaseFocus& focus) {
+  return complete(draft_case(scenario, view, focus), view.log.state().hash(), case_scenario(scenario));
 }
 
 }  // namespace replan

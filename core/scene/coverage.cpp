@@ -71,6 +71,13 @@ void Coverage::change(Cell cell, int blocked) {
 
 namespace {
 
+/// Whether the robot's map is the true one, as far as a look at the pages that they share can tell.
+bool shares_all(const Box& world, const SearchState& state) {
+  for (NodeId node = 0; node < world.node_count(); node += static_cast<NodeId>(SearchState::kPage))
+    if (state.map_page(EventKind::known, node) != state.map_page(EventKind::truth, node)) return false;
+  return true;
+}
+
 /// Obstacles among the 2 x 2 cells of the block around a cell.
 int count_block(const Run& run, EventKind kind, Cell cell) {
   const Box& lattice = run.lattice();
@@ -94,12 +101,16 @@ void MapCoverage::recount(const Run& run, const MapEvent& event) {
 
 void MapCoverage::follow(const Run& run, const RunDigest& digest, int layer) {
   const Timeline& log = run.timeline();
-  const std::size_t common = layer == layer_ ? run.common_with(log_id_) : 0;
-  layer_ = layer;
-  if (common == 0) {
+  const std::size_t common = run.common_with(log_id_);
+  // A log that has no event yet has none in common with itself.
+  const bool another = common == 0 && log_id_ != run.log_id();
+  if (another || layer != layer_) {
     truth_ = Coverage(run.lattice(), layer, log.state(), EventKind::truth);
-    known_ = Coverage(run.lattice(), layer, log.state(), EventKind::known);
+    known_ = shares_all(run.lattice(), log.state())
+                 ? truth_
+                 : Coverage(run.lattice(), layer, log.state(), EventKind::known);
     position_ = log.cursor();
+    layer_ = layer;
     counted_.clear();
   }
   const auto place = [](const auto& events, std::size_t position) {

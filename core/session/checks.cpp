@@ -148,7 +148,8 @@ std::span<const Disagreement> Checks::disagreements(std::size_t pane) const {
 }
 
 bool Checks::laws_on(const Run& run) const {
-  return laws_.value_or(run.lattice().node_count() <= kCellsByDefault);
+  const std::size_t cells = run.lattice().node_count();
+  return cells <= most_cells_ && laws_.value_or(cells <= kCellsByDefault);
 }
 
 void Checks::set(bool laws, bool oracle) {

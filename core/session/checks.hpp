@@ -24,6 +24,10 @@ class Checks {
   /// on.
   static constexpr std::size_t kCellsByDefault = std::size_t{512} * 512;
 
+  /// For whoever must not wait: above this it takes too long to take in a world, and too much memory to hold its
+  /// vertices twice.
+  static constexpr std::size_t kCellsAtMost = std::size_t{2048} * 2048;
+
   Checks();
   ~Checks();
   Checks(Checks&&) noexcept;
@@ -79,7 +83,8 @@ class Checks {
   std::unique_ptr<Comparison> comparison_under_way_;
   std::optional<bool> laws_;  // what somebody chose
   bool oracle_ = false;
-  std::optional<Compared> compared_;  // that came to the following
+  std::size_t most_cells_ = static_cast<std::size_t>(-1);  // of a world whose laws are checked
+  std::optional<Compared> compared_;                       // that came to the following
   std::optional<Difference> difference_;
   std::string comparison_;
   bool comparing_ = false;

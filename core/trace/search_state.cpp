@@ -1,7 +1,5 @@
 #include "core/trace/search_state.hpp"
 
-#include "core/base/hash.hpp"
-
 namespace replan {
 
 SearchState::SearchState(std::size_t nodes, std::span<const Field> fields)
@@ -65,30 +63,6 @@ bool SearchState::touched(EventKind kind, NodeId node) const {
   if (is_wide(kind)) return wide_[wide_slot(kind)].touched(node);
   const auto index = static_cast<std::size_t>(kind);
   return index < kWideFields + kNarrowFields && narrow_[index - kWideFields].touched(node);
-}
-
-namespace {
-
-template <class T>
-std::uint64_t hash_field(std::uint64_t seed, const PagedArray<T>& field) {
-  for (std::size_t i = 0; i < field.size(); ++i) {
-    if (field.page(i) == nullptr) {
-      i += PagedArray<T>::kPage - 1 - i % PagedArray<T>::kPage;
-    } else if (field[i] != field.initial()) {
-      seed = hash_combine(hash_combine(seed, i), field[i]);
-    }
-  }
-  return seed;
-}
-
-}  // namespace
-
-std::uint64_t SearchState::hash() const {
-  std::uint64_t seed = node_count();
-  for (const auto& field : declared()) seed = hash_combine(hash_field(seed, field), 1);
-  for (const auto& field : narrow_) seed = hash_combine(hash_field(seed, field), 2);
-  for (const std::uint64_t value : scalars_) seed = hash_combine(seed, value);
-  return seed;
 }
 
 std::size_t SearchState::page_bytes() const {

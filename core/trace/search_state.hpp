@@ -107,7 +107,8 @@ class SearchState {
   [[nodiscard]] SharedBytes known_map() const { return narrow_[0].values(); }
   static constexpr std::size_t kPage = PagedArray<std::uint64_t>::kPage;
 
-  /// A hash over all values: equal states have equal hashes, whichever way they were reached.
+  /// A hash over all values: equal states have equal hashes, whichever way they were reached. See StateHash where that
+  /// takes too long.
   [[nodiscard]] std::uint64_t hash() const;
   /// Bytes of the pages that this state reaches, shared with its copies or not.
   [[nodiscard]] std::size_t page_bytes() const;
@@ -121,6 +122,8 @@ class SearchState {
   [[nodiscard]] std::size_t table_bytes() const;
 
  private:
+  friend class StateHash;
+
   void forget_search();
   [[nodiscard]] std::span<const PagedArray<std::uint64_t>> declared() const {
     return std::span(wide_).first(wide_count_);

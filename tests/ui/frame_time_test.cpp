@@ -124,6 +124,20 @@ TEST_F(FrameTime, IsShortForEditsOfAHugeWorld) {
   order("two panes", SetPanes{2});
 }
 
+TEST_F(FrameTime, IsShortForEveryActionInAHugeWorld) {
+  look_at(scenario_of("generator:caves?width=4096&height=4096&seed=3"));
+  frames_of("the beginning of the search", 60);
+  static_cast<void>(session_->apply(Cancel{}));
+  for (const Action& action : actions()) {
+    if (std::string_view(action.name) == "quit") continue;
+    perform(action);
+    while (session_->editing_world()) frames_of(action.name + std::string(", at work"), 1);
+    frames_of(action.name + std::string(", afterwards"), 10);
+    press(key::kEscape);
+    static_cast<void>(session_->apply(Cancel{}));
+  }
+}
+
 TEST_F(FrameTime, IsShortForAnybodyWhoTriesEverythingInNoOrder) {
   look_at(*read_scenario(REPLAN_SOURCE_DIR "/maps/everything-at-once.json"));
   plan();

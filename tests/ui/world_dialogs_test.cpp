@@ -41,7 +41,7 @@ class WorldDialogsTest : public testing::Test {
 };
 
 TEST_F(WorldDialogsTest, EnterCreatesTheWorldThatIsShown) {
-  dialogs_.show_generate(*session_);
+  dialogs_.show_generate(*session_, {});
   frame();
   frame();
   ASSERT_TRUE(dialogs_.open());
@@ -57,7 +57,7 @@ TEST_F(WorldDialogsTest, EnterCreatesTheWorldThatIsShown) {
 }
 
 TEST_F(WorldDialogsTest, EscapeChangesNothing) {
-  dialogs_.show_generate(*session_);
+  dialogs_.show_generate(*session_, {});
   frame();
   frame();
   press(key::kEscape);

@@ -48,13 +48,18 @@ struct ActionContext {
   void resize_brush(int by);
   void let_go();
   void delete_selected();
-  // Through the clipboard, as text (core/world/formats/ascii_map.hpp).
+  void clear_region();
+  // Through the clipboard, as text (ui/shell/clipboard.hpp); what takes longer than a frame goes on in the next ones.
   void copy_world();
   void copy_state();
+  void go_on_copying();
   void copy_figures(FiguresFormat format);
   void copy_region();
   void cut_region();
   void paste();
+  void go_on_pasting();
+  void put_in_moment(Result<CaseMoment> moment);
+  void put_in_cells(const Result<MapFile>& read);
   void move_pin(int dx, int dy);
   void toggle_overlay(Overlay overlay);
   // The debugger's; those about a cell take the pinned one, else the one under the cursor.

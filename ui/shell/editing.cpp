@@ -1,55 +1,7 @@
-// What the editing actions do: tools, selection, and cells through the clipboard as text.
-#include <algorithm>
-
-#include "core/base/words.hpp"
-#include "core/export/case_text.hpp"
-#include "core/world/formats/ascii_map.hpp"
-#include "ui/documents/files.hpp"
+// What the editing actions do to what is selected.
 #include "ui/shell/actions.hpp"
-#include "ui/tools/select.hpp"
 
 namespace replan::ui {
-namespace {
-
-MapRegion as_region(const CellRect& rect) {
-  return {rect.low.x, rect.low.y, rect.high.x - rect.low.x + 1, rect.high.y - rect.low.y + 1};
-}
-
-std::string size_text(int width, int height) {
-  return std::to_string(width) + " x " + std::to_string(height) + " cells";
-}
-
-/// Every cell of a map as changes, with its upper left cell at a place; what falls outside `width` x `height`
-/// or would block a cell of `keep_free` is left out.
-std::vector<CellChange> placed(const GridMap& cells, Cell at, const GridMap& world,
-                               std::span<const Cell> keep_free) {
-  std::vector<CellChange> changes;
-  for (int y = 0; y < cells.height; ++y)
-    for (int x = 0; x < cells.width; ++x) {
-      const Cell to{at.x + x, at.y + y};
-      const bool blocked = cells.at({x, y});
-      if (!world.contains(to)) continue;
-      if (blocked && std::find(keep_free.begin(), keep_free.end(), to) != keep_free.end()) continue;
-      changes.push_back({to, blocked});
-    }
-  return changes;
-}
-
-/// Where start and goal stand now.
-std::vector<Cell> standing(const Session& session) {
-  std::vector<Cell> cells = {session.scenario().start, session.scenario().goal};
-  const Run& run = session.run();
-  if (const NodeId node = run.timeline().state().wanted_goal(); node != kNoNode)
-    cells.push_back(run.lattice().position(node));
-  return cells;
-}
-
-void say(PanelState& panels, std::string sentence, bool bad = false) {
-  panels.said = std::move(sentence);
-  panels.said_bad = bad;
-}
-
-}  // namespace
 
 void ActionContext::let_go() {
   if (!ui::let_go(view)) view.view.pinned.reset();
@@ -62,82 +14,19 @@ void ActionContext::delete_selected() {
   } else if (editing.surprise) {
     push(RemoveSurprise{*editing.surprise});
   } else if (editing.region) {
-    const MapRegion region = as_region(*editing.region);
-    push(PaintCells{
-        placed(GridMap(region.width, region.height), editing.region->low, session.scenario().map, {}), 0});
-    return;
+    return clear_region();
   }
   editing.mover.reset();
   editing.surprise.reset();
 }
 
-void ActionContext::copy_world() {
-  const Scenario& scenario = session.scenario();
-  const MapFile world{session.world(), scenario.start, scenario.goal};
-  ImGui::SetClipboardText(ascii_text(world).c_str());
-  say(panels, "Copied the world as text: " + size_text(scenario.map.width, scenario.map.height));
-}
-
-void ActionContext::copy_state() {
-  const Run& run = session.run();
-  CaseFocus focus{session.lead(), view.view.pinned, std::nullopt};
-  if (view.editing.region) focus.region = as_region(*view.editing.region);
-  ImGui::SetClipboardText(case_text(run.scenario(), run.log_view(), focus).c_str());
-  say(panels, "Copied the state at event " + std::to_string(run.timeline().cursor()) +
-                  " as text; pasting it comes back here");
-}
-
-void ActionContext::copy_region() {
-  const MapRegion region = as_region(*view.editing.region);
-  const MapFile world{session.world()};
-  ImGui::SetClipboardText(ascii_text(world, region).c_str());
-  say(panels, "Copied " + size_text(region.width, region.height) + " as text");
-}
-
-void ActionContext::cut_region() {
-  copy_region();
-  const MapRegion region = as_region(*view.editing.region);
-  push(PaintCells{
-      placed(GridMap(region.width, region.height), view.editing.region->low, session.scenario().map, {}), 0});
-}
-
-void ActionContext::paste() {
-  const char* text = ImGui::GetClipboardText();
-  if (text == nullptr || *text == '\0') return say(panels, "The clipboard holds no text", true);
-  if (is_case_text(text)) {
-    Result<CaseMoment> moment = parse_case_text(text, "the clipboard");
-    if (!moment) return say(panels, moment.error(), true);
-    if (const auto plane = check_plane(moment->scenario.map, ""); !plane)
-      return say(panels, plane.error(), true);
-    panels.pasted = std::make_shared<const CaseMoment>(std::move(moment.value()));
-    wish = Wish::go_to_pasted;
-    return;
-  }
-  const Result<MapFile> read = parse_ascii_map(text, "the clipboard");
-  if (!read) return say(panels, read.error(), true);
-  const Scenario& scenario = session.scenario();
-  const GridMap& cells = read->map;
-  for (const std::string& note : read->found.notes) panels.notices.push_back(note);
-  const std::string noted = read->found.notes.empty() ? "" : "; " + read->found.notes.front();
-  if (read->start && read->goal) {
-    const bool same_frame = cells.width == scenario.map.width && cells.height == scenario.map.height &&
-                            read->start == scenario.start && read->goal == scenario.goal;
-    // Cell by cell if it can be, so that the plan is repaired.
-    if (same_frame)
-      push(PaintCells{placed(cells, {0, 0}, scenario.map, standing(session)), 0});
-    else
-      push(ReplaceMap{cells, read->start, read->goal});
-    return say(panels, "Pasted a world of " + size_text(cells.width, cells.height) + noted);
-  }
-  const Cell at = view.editing.region ? view.editing.region->low
-                                      : view.view.pinned.value_or(view.view.hovered.value_or(Cell{0, 0}));
-  push(PaintCells{placed(cells, at, scenario.map, standing(session)), 0});
-  const Cell end{std::min(at.x + cells.width, scenario.map.width) - 1,
-                 std::min(at.y + cells.height, scenario.map.height) - 1};
-  select_with_tool(view, {at, end});
-  const bool whole = end.x - at.x + 1 == cells.width && end.y - at.y + 1 == cells.height;
-  say(panels, "Pasted " + size_text(cells.width, cells.height) +
-                  (whole ? "" : "; what did not fit into the world was left out") + noted);
+void ActionContext::clear_region() {
+  const CellRect& region = *view.editing.region;
+  std::vector<CellChange> cells;
+  for (int y = region.low.y; y <= region.high.y; ++y)
+    for (int x = region.low.x; x <= region.high.x; ++x)
+      if (session.scenario().map.contains({x, y})) cells.push_back({{x, y}, false});
+  push(PaintCells{std::move(cells), 0});
 }
 
 }  // namespace replan::ui

@@ -15,12 +15,9 @@
 #include "core/session/session.hpp"
 #include "ui/canvas/canvas.hpp"
 #include "ui/look.hpp"
+#include "ui/shell/clipboard.hpp"
 #include "ui/shell/recording.hpp"
 #include "ui/tabs/tab_box.hpp"
-
-namespace replan {
-struct CaseMoment;
-}
 
 namespace replan::ui {
 
@@ -74,6 +71,7 @@ struct PanelState {
   bool why_open = false;        ///< beside the pinned cell it is told why its value is what it is
   std::optional<Cell> pointed;  ///< the cell of the row under the mouse, which the canvas shows as hovered
   double exporting = -1;  ///< how much of a trace has been written, 0 to 1; below 0: none is being written
+  ClipboardWork clipboard;
   std::shared_ptr<const CaseMoment> pasted;  ///< a moment as text, for its wish
   RecordingState recording;                  ///< told by the owner of the pixels
   PixelArea canvas;                          ///< where the canvas was drawn last

@@ -66,6 +66,8 @@ void Shell::draw(const Look& look, Session& session, double) {
   documents_.take_loaded(session);
   const DialogDecision decision = dialogs_.draw(look);
   world_dialogs_.draw(look, session, commands);
+  context_of(frame).go_on_copying();
+  context_of(frame).go_on_pasting();
   if (!panels_.said.empty()) tell(std::exchange(panels_.said, {}), panels_.said_bad);
   take_commands(session, commands);
   follow_lesson(session);
@@ -83,7 +85,8 @@ bool Shell::wants_frames(const Session& session) const {
       std::any_of(session.runs().begin(), session.runs().end(), [](const auto& run) { return run->busy(); });
   const bool debugging = session.checks().busy() || session.breakpoints().hunt();
   return busy || debugging || session.playback().direction != 0 || session.revision() != drawn_ || held_ ||
-         panels_.animated || dialogs_.animated() || export_.busy() || awaited_ || panes_.animating();
+         panels_.animated || dialogs_.animated() || export_.busy() || panels_.clipboard.busy() || awaited_ ||
+         panes_.animating();
 }
 
 void Shell::take_keys(Frame& frame) {

@@ -57,8 +57,9 @@ class Shell {
   struct Awaited {
     std::uint64_t log = 0;  ///< Run::log_id(); another one: somebody has gone another way
     std::size_t event = 0;
-    std::uint64_t state = 0;  ///< SearchState::hash() there
-    bool sent = false;        ///< the run was sent on towards it
+    std::uint64_t state = 0;             ///< SearchState::hash() there
+    bool sent = false;                   ///< the run was sent on towards it
+    std::optional<StateHash> hash = {};  ///< of what was come to, while that is read
   };
 
   /// What was playing when a dialog came up.
@@ -83,6 +84,8 @@ class Shell {
   void export_trace(const Session& session, const DialogDecision& decision);
   void go_to_pasted(Session& session);
   void await_moment(Session& session);
+  void arrive_at_moment(Session& session);
+  void compare_moment();
   void take_decision(Session& session, const DialogDecision& decision);
   void draw_caption(Frame& frame, ImVec2 min, ImVec2 size);
 

@@ -220,6 +220,16 @@ void exporting(Frame& frame, Line& line) {
           [&] { frame.wish = Wish::stop_export; });
 }
 
+/// While the clipboard's text takes longer than a frame.
+void copying(Frame& frame, Line& line) {
+  ClipboardWork& work = frame.panels.clipboard;
+  if (!work.busy()) return;
+  const std::string words = work.copy ? "Copying the state… " + fixed(work.copy->share() * 100, 0) + " %"
+                                      : "Reading the clipboard…";
+  at_work(frame.look, line, words, "stop clipboard", {"Stop", "", "Nothing is copied or pasted."},
+          [&] { work = {}; });
+}
+
 /// Beside how large a cell is: smaller, larger, the whole world.
 void zoom_buttons(Frame& frame, Line& line) {
   const Look& look = frame.look;
@@ -259,6 +269,7 @@ void draw_status_bar(Frame& frame) {
   busy(frame, line);
   checks(frame, line);
   exporting(frame, line);
+  copying(frame, line);
   const Decision* decision = run.decision_at(run.timeline().cursor());
   if (decision != nullptr && decision->state == MissionState::arrived)
     line.pair("travelled", fixed(decision->figures.travelled, 1), term_hint("travelled"));

@@ -43,15 +43,10 @@ void Shell::await_moment(Session& session) {
   const std::size_t size = run.timeline().size();
   if (run.log_id() != awaited_->log) {
     awaited_.reset();  // edited or closed meanwhile
+  } else if (awaited_->hash) {
+    compare_moment();
   } else if (size > awaited_->event || (size == awaited_->event && !run.busy())) {
-    const Awaited moment = *std::exchange(awaited_, std::nullopt);
-    if (const Result<void> gone = session.apply(Seek{moment.event}); !gone) return tell(gone.error(), true);
-    const bool same = run.timeline().state().hash() == moment.state;
-    tell(same ? "At event " + grouped(moment.event) + ", as it was copied"
-              : "At event " + grouped(moment.event) +
-                    ", but the state differs from the copied one: the text was made by "
-                    "another version of the program, or changed",
-         !same);
+    arrive_at_moment(session);
   } else if (!run.busy() && !awaited_->sent) {
     awaited_->sent = session.apply(RunToEnd{}).ok();
   } else if (!run.busy()) {
@@ -61,6 +56,28 @@ void Shell::await_moment(Session& session) {
              ": the text was made by another version of the program, or changed",
          true);
   }
+}
+
+void Shell::arrive_at_moment(Session& session) {
+  if (const Result<void> gone = session.apply(Seek{awaited_->event}); !gone) {
+    awaited_.reset();
+    return tell(gone.error(), true);
+  }
+  awaited_->hash.emplace(session.run().timeline().state());
+  compare_moment();
+}
+
+/// Whether it is the moment that was copied shows once its state is read, which may take more than this frame.
+void Shell::compare_moment() {
+  constexpr double kSliceMs = 8;
+  if (!awaited_->hash->advance(Deadline(kSliceMs))) return;
+  const Awaited moment = *std::exchange(awaited_, std::nullopt);
+  const bool same = moment.hash->value() == moment.state;
+  tell(same ? "At event " + grouped(moment.event) + ", as it was copied"
+            : "At event " + grouped(moment.event) +
+                  ", but the state differs from the copied one: the text was made by "
+                  "another version of the program, or changed",
+       !same);
 }
 
 }  // namespace replan::ui

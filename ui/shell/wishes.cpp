@@ -12,7 +12,7 @@ void Shell::take_wish(Session& session, Wish wish) {
     case Wish::fit:
       return fit();
     case Wish::generate:
-      return world_dialogs_.show_generate(session);
+      return world_dialogs_.show_generate(session, documents_.work());
     case Wish::resize:
       return world_dialogs_.show_resize(session);
     case Wish::lesson:

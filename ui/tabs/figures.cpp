@@ -122,36 +122,47 @@ void export_menu(Frame& frame) {
 
 }  // namespace
 
-/// The figures of the first plan, on the map that it was made for.
-const PathFigures& FiguresTab::first_figures(const Run& run, std::size_t pane) {
+/// The figures of the first plan, on the map that it was made for, as far as they are worked out.
+FiguresTab::Kept& FiguresTab::kept(const Run& run, std::size_t pane) {
   if (kept_.size() <= pane) kept_.resize(pane + 1);
-  Kept& kept = kept_[pane];
+  std::unique_ptr<Kept>& kept = kept_[pane];
   const Decision& first = run.decisions().front();
-  if (kept.plan == first.plan) return kept.figures;
-  const Timeline& log = run.timeline();
-  const auto figures = [&](const SearchState& state) {
-    return path_figures(run.lattice(), state.known_map().plain(), *first.plan->path);
-  };
-  kept = {first.plan,
-          log.cursor() == first.event ? figures(log.state()) : figures(log.state_at(first.event))};
-  return kept.figures;
+  if (!kept || kept->plan != first.plan) {
+    const Timeline& log = run.timeline();
+    SharedBytes known =
+        log.cursor() == first.event ? log.state().known_map() : log.state_at(first.event).known_map();
+    kept = std::make_unique<Kept>(run.lattice().node_count() > kLargeWorld);
+    kept->plan = first.plan;
+    kept->job.start([box = run.lattice(), map = std::move(known), plan = first.plan](const std::stop_token&) {
+      return path_figures(box, map.plain(), *plan->path);
+    });
+  }
+  if (auto figures = kept->job.take()) kept->figures = *figures;
+  return *kept;
 }
 
-std::vector<RunReport> FiguresTab::now(const Session& session) {
+std::vector<RunReport> FiguresTab::as_known(const Session& session) {
   std::vector<RunReport> reports;
   for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
     const Run& run = *session.runs()[pane];
     const Decision* decision = run.decision_at(run.timeline().cursor());
-    if (decision == nullptr) {
+    const auto& figures = decision == nullptr ? std::nullopt : kept(run, pane).figures;
+    if (!figures) {
       reports.emplace_back();
       reports.back().planner = run.choice().id;
       reports.back().status = status_name(PlanStatus::searching);
     } else {
-      reports.push_back(
-          report_at(*decision, *run.decisions().front().plan, first_figures(run, pane), run.choice()));
+      reports.push_back(report_at(*decision, *run.decisions().front().plan, *figures, run.choice()));
     }
   }
   return reports;
+}
+
+std::vector<RunReport> FiguresTab::now(const Session& session) {
+  static_cast<void>(as_known(session));  // begins what is not worked out yet
+  for (const auto& each : kept_)
+    if (each) each->job.wait();
+  return as_known(session);
 }
 
 void ActionContext::copy_figures(FiguresFormat format) {
@@ -163,15 +174,23 @@ void ActionContext::copy_figures(FiguresFormat format) {
 
 void FiguresTab::draw(Frame& frame) {
   const Look& look = frame.look;
+  const std::vector<RunReport> reports = as_known(frame.session);
   std::vector<bool> standing;
-  for (const auto& run : frame.session.runs())
-    standing.push_back(run->decision_at(run->timeline().cursor()) != nullptr);
+  for (const RunReport& report : reports)
+    standing.push_back(report.status != status_name(PlanStatus::searching));
+  const auto at_work = [](const auto& each) { return each && each->job.busy(); };
+  const bool busy = std::any_of(kept_.begin(), kept_.end(), at_work);
+  if (busy) frame.panels.animated = true;
   if (std::find(standing.begin(), standing.end(), true) == standing.end()) {
-    empty_state(look, icon::bar_chart, "No plan yet",
-                "Step or play on until the first plan is found; its figures show here.");
+    if (busy)
+      empty_state(look, icon::bar_chart, "Measuring the path",
+                  "On a world as large as this it takes a moment.");
+    else
+      empty_state(look, icon::bar_chart, "No plan yet",
+                  "Step or play on until the first plan is found; its figures show here.");
     return;
   }
-  const FiguresTable table = figures_table(now(frame.session));
+  const FiguresTable table = figures_table(reports);
   const FiguresLayout layout = figures_layout(look, standing.size());
   section_title(look, figure_group_title(FigureGroup::first_plan));
   export_menu(frame);

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "core/base/background.hpp"
 #include "core/plan/figures.hpp"
 #include "core/study/figures_table.hpp"
 #include "ui/shell/frame.hpp"
@@ -14,18 +16,23 @@ namespace replan::ui {
 class FiguresTab final : public SideTab {
  public:
   void draw(Frame& frame) override;
-  /// How all panes stand at their cursors.
+  /// How all panes stand at their cursors, waiting for what is being worked out.
   std::vector<RunReport> now(const Session& session);
 
  private:
-  /// Path figures of one pane's first plan, kept until it is another.
+  /// Path figures of one pane's first plan, kept until it is another. Those on a large map are worked out beside the
+  /// window.
   struct Kept {
     std::shared_ptr<const Plan> plan;
-    PathFigures figures;
-  };
-  const PathFigures& first_figures(const Run& run, std::size_t pane);
+    std::optional<PathFigures> figures;
+    Background<PathFigures> job;
 
-  std::vector<Kept> kept_;
+    explicit Kept(bool large) : job(WorkPlace{.in_step = !large, .wake = {}}) {}
+  };
+  Kept& kept(const Run& run, std::size_t pane);
+  [[nodiscard]] std::vector<RunReport> as_known(const Session& session);
+
+  std::vector<std::unique_ptr<Kept>> kept_;
 };
 
 }  // namespace replan::ui

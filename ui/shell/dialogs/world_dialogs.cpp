@@ -92,8 +92,9 @@ void WorldDialogs::show_resize(const Session& session) {
   sketch_ = MapSketch(map);
 }
 
-void WorldDialogs::show_generate(const Session& session) {
+void WorldDialogs::show_generate(const Session& session, const WorkPlace& place) {
   kind_ = Kind::generate;
+  preview_ = std::make_unique<Background<Preview>>(place);
   fresh_ = stale_ = true;
   wanted_.width = session.scenario().map.width;
   wanted_.height = session.scenario().map.height;
@@ -239,14 +240,22 @@ bool WorldDialogs::generator_settings(const Look& look) {
   return changed;
 }
 
+/// Begins one where the wishes have changed, and takes over what has come of it. A large one is not begun anew for
+/// every pixel that a slider is dragged.
 void WorldDialogs::make_preview() {
   const std::int64_t cells = std::int64_t{wanted_.width} * wanted_.height;
-  if (!stale_ || (cells > kQuickCells && ImGui::IsMouseDown(0))) return;
-  stale_ = false;
-  const Result<GridMap> map =
-      replan::generate(wanted_.generator, wanted_.settings, wanted_.width, wanted_.height, wanted_.seed);
-  error_ = map ? "" : map.error();
-  sketch_ = map ? MapSketch(*map) : MapSketch();
+  if (stale_ && (cells <= kQuickCells || !ImGui::IsMouseDown(0))) {
+    stale_ = false;
+    preview_->start([wanted = wanted_](const std::stop_token&) {
+      const Result<GridMap> map =
+          replan::generate(wanted.generator, wanted.settings, wanted.width, wanted.height, wanted.seed);
+      return map ? Preview{MapSketch(*map), ""} : Preview{{}, map.error()};
+    });
+  }
+  auto made = preview_->take();
+  if (!made) return;
+  sketch_ = std::move(made->sketch);
+  error_ = std::move(made->error);
 }
 
 void WorldDialogs::generate_preview(const Look& look, ImVec2 size) const {

@@ -1,9 +1,11 @@
 // The dialogs that change the world as a whole: another size, or a map out of a seed.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "core/base/background.hpp"
 #include "core/session/session.hpp"
 #include "ui/look.hpp"
 #include "ui/shell/dialogs/map_sketch.hpp"
@@ -12,9 +14,9 @@ namespace replan::ui {
 
 class WorldDialogs {
  public:
-  /// Each begins at the next draw.
+  /// Each begins at the next draw; previews are made at `place`.
   void show_resize(const Session& session);
-  void show_generate(const Session& session);
+  void show_generate(const Session& session, const WorkPlace& place);
   [[nodiscard]] bool open() const { return kind_ != Kind::none; }
 
   /// Draws what is open and appends the command that comes of it.
@@ -22,6 +24,11 @@ class WorldDialogs {
 
  private:
   enum class Kind : std::uint8_t { none, resize, generate };
+  /// What the wishes lead to, or why they cannot be met.
+  struct Preview {
+    MapSketch sketch;
+    std::string error;
+  };
 
   void resize(const Look& look, const Session& session, std::vector<Command>& commands);
   void anchors(const Look& look);
@@ -37,6 +44,7 @@ class WorldDialogs {
   NewSize size_;
   GenerateWorld wanted_{.generator = "maze", .settings = {}, .width = 61, .height = 41, .seed = 1};
   bool stale_ = true;  // the preview shows other wishes
+  std::unique_ptr<Background<Preview>> preview_;
   std::string error_;
 };
 

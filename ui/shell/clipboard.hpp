@@ -1,0 +1,50 @@
+// What goes to the clipboard and comes from it as text, and may take longer than a frame.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/base/background.hpp"
+#include "core/base/deadline.hpp"
+#include "core/export/case_text.hpp"
+#include "core/session/session.hpp"
+#include "core/trace/state_hash.hpp"
+#include "core/world/formats/ascii_map.hpp"
+
+namespace replan::ui {
+
+/// The text of a moment, as that was when the copying began.
+class StateCopy {
+ public:
+  StateCopy(const Session& session, const CaseFocus& focus);
+
+  /// Goes on until the deadline; the whole text, once it is complete.
+  std::optional<std::string> go_on(const Deadline& deadline);
+  [[nodiscard]] std::size_t event() const { return draft_.event; }
+  /// How much is done, 0 to 1.
+  [[nodiscard]] double share() const { return hash_.share(); }
+
+ private:
+  CaseDraft draft_;
+  StateHash hash_;
+  Background<std::string> scenario_;
+  std::optional<std::string> scenario_text_;
+};
+
+/// What a text on the clipboard was found to be.
+struct PastedText {
+  std::optional<Result<CaseMoment>> moment;  ///< else cells
+  Result<MapFile> cells = Error{""};
+};
+PastedText read_pasted(const std::string& text);
+
+/// The copying and the reading that go on between frames.
+struct ClipboardWork {
+  std::unique_ptr<StateCopy> copy;
+  std::unique_ptr<Background<PastedText>> paste;
+  [[nodiscard]] bool busy() const { return copy || paste; }
+};
+
+}  // namespace replan::ui
