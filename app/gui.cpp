@@ -160,9 +160,7 @@ Result<void> Program::open() {
   shell_->panels().caption = remembered_.caption;
   shell_->panels().notices = window_->stage().notices();
   shell_->panels().about = about_lines();
-  ViewSetup view = session_.scenario().view;
-  if (session_.file().empty()) view.theme.reset();  // the demo goes by the user's own choice
-  shell_->show(view);
+  shell_->show(session_.scenario().view);
   static_cast<void>(session_.apply(SetSpeed{remembered_.speed}));
   session_.set_patience(kPatience);
   dark_ = shell_->view().dark;

@@ -144,8 +144,8 @@ struct Lead {
 struct SetLockstep {
   Lockstep by = Lockstep::expansions;
 };
-/// From 1 to 4. Further planners are added at the end, others than those that are there already; the last
-/// ones go first. The runs that stay are kept as they are.
+/// From 1 to 4. Further planners are added at the end, others than those that are there already: those that went
+/// before, then new ones. The last ones go first. The runs that stay are kept as they are.
 struct SetPanes {
   std::size_t count = 2;
 };

@@ -71,6 +71,7 @@ void Session::replace(std::shared_ptr<const Scenario> scenario) {
 Result<void> Session::run_command(const ReplaceScenario& command) {
   scenario_ = std::make_shared<const Scenario>(command.scenario);
   file_ = command.file;
+  put_away_.clear();
   const std::size_t surprises = scenario_->surprises.size();
   history_.begin(std::min(command.scripted.value_or(surprises), surprises), command.unsaved_edits);
   player_.stop();

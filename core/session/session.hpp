@@ -82,8 +82,13 @@ class Session {
   /// Whether an edit of a large world is being worked out. What is asked for meanwhile is carried out after it, but for
   /// Cancel and ReplaceScenario, which give it and all that waits up.
   [[nodiscard]] bool editing_world() const { return world_edit_.busy(); }
-  /// Why something that had to wait was not done in the end, once; empty if nothing was refused.
-  [[nodiscard]] std::string take_refusal() { return std::exchange(refusal_, {}); }
+  /// What there is to say of a command besides what it did, and why one that had to wait was not done in the end.
+  struct Notice {
+    std::string words;  ///< a sentence; empty: nothing
+    bool bad = false;
+  };
+  /// The latest, once.
+  [[nodiscard]] Notice take_notice() { return std::exchange(notice_, {}); }
 
   /// Carries out a command. An error leaves everything as it was.
   Result<void> apply(const Command& command);
@@ -120,6 +125,7 @@ class Session {
                                                      const std::vector<CellChange>& cells) const;
   [[nodiscard]] const Surprise* surprise_of_stroke(std::uint64_t stroke, const Decision& decision,
                                                    bool announced) const;
+  void note_early_ends(std::int64_t clock);
   Result<void> edit_cells(const std::vector<CellChange>& cells, bool announced, std::uint64_t stroke,
                           std::string label = {});
   void commit(std::string label, std::uint64_t stroke, Scenario changed) {
@@ -201,7 +207,7 @@ class Session {
   std::optional<std::chrono::milliseconds> patience_;  // nothing: without end
   Background<Result<WorldEdit>> world_edit_{WorkPlace{.in_step = false, .wake = {}}};
   std::vector<Command> waiting_;  // for it
-  std::string refusal_;
+  Notice notice_;
   std::size_t lead_ = 0;
   History history_;
   std::string file_;
@@ -213,10 +219,11 @@ class Session {
   std::optional<HuntTask> hunting_;
   std::uint64_t stopped_log_ = 0;  // where the cursor was stopped
   std::size_t stopped_at_ = 0;
-  Box instruments_world_;         // that breakpoints and watches were read for
-  bool follow_ = true;            // the cursor stays at the end of the log
-  bool catching_up_ = false;      // a pane beside the leading one has yet to run to where it belongs
-  std::size_t stroke_cells_ = 0;  // changed so far by the last stroke of a brush
+  Box instruments_world_;                // that breakpoints and watches were read for
+  bool follow_ = true;                   // the cursor stays at the end of the log
+  std::vector<PlannerChoice> put_away_;  // of panes that went; the last of them comes back first
+  bool catching_up_ = false;             // a pane beside the leading one has yet to run to where it belongs
+  std::size_t stroke_cells_ = 0;         // changed so far by the last stroke of a brush
   std::uint64_t revision_ = 1;
   std::vector<std::string> log_;
 };

@@ -118,6 +118,19 @@ const Surprise* Session::surprise_of_stroke(std::uint64_t stroke, const Decision
   return only_cells && last.announced == announced && last.at.move == decision.clock ? &last : nullptr;
 }
 
+/// A change of the running mission happens at a step of the robots. Where one has come to its end before, its world stays
+/// as it was.
+void Session::note_early_ends(std::int64_t clock) {
+  for (const auto& each : runs_) {
+    if (!each->over() || each->decisions().back().clock >= clock) continue;
+    notice_ = {"The robot of " + std::string(each->info().name) + " had come to its end at step " +
+                   std::to_string(each->decisions().back().clock) + ", before this change at step " +
+                   std::to_string(clock) + ": its pane shows the world as it was then.",
+               false};
+    say(notice_.words);
+  }
+}
+
 Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool announced, std::uint64_t stroke,
                                  std::string label) {
   for (const CellChange& change : cells)
@@ -145,6 +158,7 @@ Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool anno
     }
     add_cells(edit.cells, real);
     changed.surprises.push_back(std::move(edit));
+    note_early_ends(decision->clock);
   }
   commit(std::move(label), stroke, std::move(changed));
   return {};

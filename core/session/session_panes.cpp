@@ -40,11 +40,16 @@ Result<void> Session::run_command(const SetPanes& command) {
     return Error{"there can be from 1 to " + std::to_string(kMostPanes) + " panes"};
   if (command.count == scenario_->planners.size()) return {};
   Scenario changed = *scenario_;
-  if (command.count < changed.planners.size()) changed.planners.resize(command.count);
-  while (changed.planners.size() < command.count) {
-    const PlannerInfo* info = planner_beside(changed.planners);
+  std::vector<PlannerChoice>& panes = changed.planners;
+  for (; panes.size() > command.count; panes.pop_back()) put_away_.push_back(panes.back());
+  for (; panes.size() < command.count && !put_away_.empty(); put_away_.pop_back()) {
+    const auto is_there = [&](const PlannerChoice& each) { return each.id == put_away_.back().id; };
+    if (std::none_of(panes.begin(), panes.end(), is_there)) panes.push_back(put_away_.back());
+  }
+  while (panes.size() < command.count) {
+    const PlannerInfo* info = planner_beside(panes);
     if (info == nullptr) return Error{"there is no further planner to compare with"};
-    changed.planners.push_back(choice_of(*info, run().choice().settings));
+    panes.push_back(choice_of(*info, run().choice().settings));
   }
   commit("show " + counted(command.count, "pane"), 0, std::move(changed));
   history_.excuse_last();

@@ -102,10 +102,11 @@ bool Session::finish_world_edit() {
   auto edit = world_edit_.take();
   if (!edit) return false;
   const auto note = [this](const Result<void>& done) {
-    if (!done) refusal_ = done.error();
+    if (!done) notice_ = {done.error(), true};
   };
-  note(take_edit(std::move(*edit)));
-  if (!refusal_.empty()) say(refusal_);
+  const Result<void> done = take_edit(std::move(*edit));
+  if (!done) say(done.error());
+  note(done);
   for (std::vector<Command> waiting = std::exchange(waiting_, {}); const Command& command : waiting)
     note(apply(command));
   return true;

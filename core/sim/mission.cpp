@@ -89,7 +89,12 @@ bool Mission::ended() const {
 }
 
 bool Mission::settled() const {
-  return ended() || (standing() && due_surprise() == surprises_.size() && senses().sense().empty());
+  if (ended()) return true;
+  return standing() && due_surprise() == surprises_.size() && senses().sense().empty() && !arrives();
+}
+
+bool Mission::arrives() const {
+  return robot_ == goal_ && now_.plan->status == PlanStatus::found && !next_scripted_step(true);
 }
 
 bool Mission::advance(std::int64_t iterations) {

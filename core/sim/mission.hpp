@@ -132,7 +132,8 @@ class Mission {
   [[nodiscard]] MissionState state() const { return now_.state; }
   /// True while the robot could decide something: the moment that a `Decision` tells of.
   [[nodiscard]] bool standing() const { return now_.state != MissionState::planning; }
-  /// True if the robot's next decision would be to move or to wait: nothing is due, nothing new is in sight.
+  /// True if the robot's next decision would be to move or to wait, or it has ended: nothing is due, nothing new is in
+  /// sight.
   [[nodiscard]] bool settled() const;
   /// This moment; its `event` is left to the owner of the log.
   [[nodiscard]] const Decision& now() const { return now_; }
@@ -186,6 +187,7 @@ class Mission {
   [[nodiscard]] PlanStatus plan_status() const;
   [[nodiscard]] std::optional<NodeId> other_aim();
   void make_for_nearest();
+  [[nodiscard]] bool arrives() const;
   [[nodiscard]] std::optional<std::int64_t> next_scripted_step(bool only_goals) const;
   void wait_for_change();
   [[nodiscard]] MissionState stuck() const;

@@ -41,6 +41,7 @@ class FrameTime : public ShellTest {
     ASSERT_TRUE(offscreen.ok()) << offscreen.error();
     offscreen_ = std::move(*offscreen);
     offscreen_->frame([this] { shell_ = std::make_unique<Shell>(offscreen_->stage().renderer()); });
+    shell_->documents().settle_in(*session_, {{}, folder_.file("library"), {.in_step = false, .wake = {}}});
   }
   void frames_of(const std::string& what, int count) {
     for (int i = 0; i < count; ++i)

@@ -45,6 +45,19 @@ TEST(SessionPanes, GrowByThePlannersLeastAlikeAndShrinkFromTheEnd) {
   EXPECT_EQ(session.history_position(), 4u) << "what was refused is no edit";
 }
 
+TEST(SessionPanes, ComeBackWithThePlannersThatTheyHad) {
+  Scenario scenario = wall_with_gap();
+  scenario.planners = {{"dld-star-lite", {}}, {"dijkstra", {}}, {"astar", {}}};
+  Session session(std::move(scenario));
+  ASSERT_TRUE(session.apply(SetPanes{1}).ok());
+  ASSERT_TRUE(session.apply(SetPanes{2}).ok());
+  EXPECT_EQ(planners_of(session), (std::vector<std::string>{"dld-star-lite", "dijkstra"}));
+  ASSERT_TRUE(session.apply(SetPanes{4}).ok());
+  const std::vector<std::string> four = planners_of(session);
+  EXPECT_EQ(std::vector(four.begin(), four.begin() + 3),
+            (std::vector<std::string>{"dld-star-lite", "dijkstra", "astar"}));
+}
+
 TEST(SessionPanes, AreNoWorkThatCouldBeLost) {
   Session session(wall_with_gap());
   session.settle();

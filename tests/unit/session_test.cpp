@@ -59,6 +59,33 @@ TEST_P(SessionOf, OpensWithAPlanAndDrivesToTheGoal) {
   EXPECT_EQ(last_decision(session).figures.collisions, 0);
 }
 
+TEST_P(SessionOf, ARobotAtItsGoalIsThereAfterAnEditToo) {
+  Session session(wall_with_gap(GetParam()));
+  session.settle();
+  run_to_end(session);
+  const std::int64_t moves = last_decision(session).figures.moves;
+  ASSERT_TRUE(session.apply(PaintCells{block(2, 2, 2, 2), 1}).ok());
+  session.settle();
+  EXPECT_EQ(last_decision(session).state, MissionState::arrived);
+  EXPECT_EQ(last_decision(session).figures.moves, moves);
+  EXPECT_EQ(session.take_notice().words, "") << "nobody had come to an end before it";
+}
+
+TEST(Session, SaysWhoseRobotHadComeToItsEndBeforeAChange) {
+  // Without diagonals the robot needs more steps than the other.
+  Scenario scenario = wall_with_gap("dld-star-lite");
+  scenario.planners = {{"dstar-lite", {}}, {"dstar-lite", {}}};
+  scenario.planners[0].settings.set("moves", 1);
+  Session session(std::move(scenario));
+  session.settle();
+  run_to_end(session);
+  session.settle();
+  ASSERT_LT(session.runs()[1]->decisions().back().clock, last_decision(session).clock);
+  ASSERT_TRUE(session.apply(PaintCells{block(2, 2, 2, 2), 1}).ok());
+  EXPECT_NE(session.take_notice().words.find("had come to its end at step"), std::string::npos);
+  EXPECT_EQ(session.take_notice().words, "") << "once";
+}
+
 TEST_P(SessionOf, AnEditWhileAPlanStandsIsRepairedAndTheRunRepeatsFromItsScenario) {
   Session session(wall_with_gap(GetParam()));
   session.settle();

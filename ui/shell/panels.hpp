@@ -18,6 +18,8 @@ void draw_recent_files(Frame& frame);
 /// A red dot and the length of the film while one is recorded; a click stops it.
 void draw_recording(Frame& frame);
 void draw_tool_strip(Frame& frame);
+/// In a low window it has two columns, so that all of the tools are there.
+float tool_strip_width(const Look& look, float height);
 /// Whether the tool, or what is selected, has something to choose.
 bool has_tool_options(const Frame& frame);
 void draw_tool_options(Frame& frame);

@@ -61,7 +61,8 @@ void Shell::draw(const Look& look, Session& session, double) {
   draw_parts(frame);
   if (const std::string failure = session.failure(); !failure.empty() && message_.empty())
     tell(failure, true);
-  if (const std::string refusal = session.take_refusal(); !refusal.empty()) tell(refusal, true);
+  if (const Session::Notice notice = session.take_notice(); !notice.words.empty())
+    tell(notice.words, notice.bad);
   drawn_ = session.revision();
   documents_.take_loaded(session);
   const DialogDecision decision = dialogs_.draw(look);
@@ -146,7 +147,8 @@ void Shell::draw_parts(Frame& frame) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const bool panels = view_.panels;
   const std::string& session_caption = frame.session.scenario().caption;
-  const float left = panels ? look.px.tools : 0;
+  const float under_tools = size.y - look.px.status - look.px.transport;
+  const float left = panels ? tool_strip_width(look, under_tools - look.px.menu) : 0;
   // In a small window the world keeps the larger half, and the transport goes under both.
   const float widest =
       std::max(size.x - left - look.px(kNarrowestCanvas), std::min(look.px(kNarrowestSide), size.x * 0.45f));
@@ -267,7 +269,8 @@ void Shell::show(const ViewSetup& view) {
   lesson_.close();
   if (const Result<OverlaySet> set = parse_overlays(view.overlays); set && !view.overlays.empty())
     view_.view.overlays = *set;
-  if (view.theme) view_.dark = *view.theme == "dark";
+  // In a window the theme is the user's own.
+  if (view.theme && !view_.live) view_.dark = *view.theme == "dark";
   view_.view.pinned.reset();
   view_.view.hovered.reset();
   view_.pointed.reset();

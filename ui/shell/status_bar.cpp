@@ -167,8 +167,12 @@ void busy(Frame& frame, Line& line) {
   if (!run.busy() && !editing) return;
   frame.panels.animated = true;
   const Action& stop = action(ActionId::cancel);
+  // Once a plan has stood, what goes on in the background is the mission.
+  const std::string events = grouped(run.timeline().size()) + " events";
   at_work(frame.look, line,
-          editing ? "Working on the world…" : "Searching… " + grouped(run.timeline().size()) + " events",
+          editing                   ? "Working on the world…"
+          : run.decisions().empty() ? "Searching… " + events
+                                    : "Driving on… " + events,
           stop.name, stop.hint(), [&] { perform(frame, ActionId::cancel); });
 }
 

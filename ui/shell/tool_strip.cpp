@@ -7,8 +7,26 @@
 namespace replan::ui {
 namespace {
 
-/// What the strip takes with space between its parts: each button's, and that between groups.
-constexpr float kRoomyButton = 38, kRoomyRest = 146;
+/// What the strip takes with space between its parts: each button's, and that between groups; and without it.
+constexpr float kRoomyButton = 38, kRoomyRest = 146, kTightButton = 34, kTightRest = 24;
+
+/// With the brush and the overlays.
+float buttons_in_all() {
+  return static_cast<float>(tool_kinds().size()) + 2;
+}
+
+/// Lets the buttons follow each other in one column, or in two.
+class ToolGrid {
+ public:
+  explicit ToolGrid(bool two) : two_(two) {}
+  void next() {
+    if (two_ && count_++ % 2 == 1) ImGui::SameLine(0, 0);
+  }
+
+ private:
+  bool two_;
+  int count_ = 0;
+};
 
 void tool(Frame& frame, const ToolKind& kind) {
   const Action& each = action(tool_action(kind.id));
@@ -84,29 +102,41 @@ void overlays_button(Frame& frame) {
 
 }  // namespace
 
+float tool_strip_width(const Look& look, float height) {
+  const bool two = height < look.px(kTightButton * buttons_in_all() + kTightRest);
+  return two ? look.px.tools + look.px.tool : look.px.tools;
+}
+
 void draw_tool_strip(Frame& frame) {
   const Look& look = frame.look;
   edge(look, Edge::right);
-  // In a low window the tools stand closer, so that all of them are there.
-  const float buttons = static_cast<float>(tool_kinds().size()) + 2;  // with the brush and the overlays
-  const bool tight = ImGui::GetContentRegionAvail().y < look.px(kRoomyButton * buttons + kRoomyRest);
+  // In a low window the tools stand closer, in a very low one in two columns.
+  const bool tight = ImGui::GetContentRegionAvail().y < look.px(kRoomyButton * buttons_in_all() + kRoomyRest);
+  const bool two = ImGui::GetWindowWidth() > look.px.tools;
   const auto part = [&] {
+    if (two) return;
     if (tight)
       ImGui::Dummy({0, look.px(2)});
     else
       tool_separator(look);
   };
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, tight ? 0 : look.px.xs));
+  ToolGrid grid(two);
   ToolGroup group = tool_kinds().front().group;
   for (const ToolKind& kind : tool_kinds()) {
     if (kind.group != group) {
-      if (group == ToolGroup::draw) brush_size(frame);
+      if (group == ToolGroup::draw) {
+        grid.next();
+        brush_size(frame);
+      }
       part();
     }
     group = kind.group;
+    grid.next();
     tool(frame, kind);
   }
   part();
+  grid.next();
   overlays_button(frame);
   ImGui::PopStyleVar();
 }

@@ -19,8 +19,9 @@ ToolKind paint_tool() {
           .icon = icon::brush,
           .chord = plain('B'),
           .teach =
-              "Draw walls that the robot is told of. A plan that was found is repaired under the brush. The "
-              "right button erases.",
+              "Draw walls that the robot is told of. A plan that was found is repaired under the brush. A "
+              "stroke that "
+              "begins on an obstacle erases, and so does the right button.",
           .group = ToolGroup::draw,
           .make = make_part<Tool, PaintTool>};
 }

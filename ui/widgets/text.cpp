@@ -108,6 +108,8 @@ void key_chip(const Look& look, const char* keys) {
 void hint(const Look& look, const Hint& what) {
   if (what.title[0] == '\0' && what.teach[0] == '\0') return;
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  // Whoever types has read it, and needs to see what is below.
+  if (ImGui::IsItemActive() && ImGui::GetIO().WantTextInput) return;
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   if (context.HoveredId != 0 && context.HoveredIdTimer < kHintSeconds) return;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(10), look.px.s));
