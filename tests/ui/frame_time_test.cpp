@@ -79,6 +79,16 @@ class FrameTime : public ShellTest {
     }
     frames_of("the end of the search", 2);
   }
+  /// Actions of the table, in no order, with the mouse in between.
+  void try_anything(int times) {
+    Random random(1);
+    for (int i = 0; i < times && !HasFailure(); ++i) {
+      const Action& action = actions()[random.below(static_cast<std::uint32_t>(actions().size()))];
+      if (std::string_view(action.name) != "quit") perform(action);
+      if (random.chance(0.7)) use_the_mouse(random);
+      if (random.chance(0.3)) press(key::kEscape);
+    }
+  }
   void use_the_mouse(Random& random) {
     InputQueue& input = offscreen_->stage().input();
     const auto move = [&] {
@@ -142,13 +152,13 @@ TEST_F(FrameTime, IsShortForEveryActionInAHugeWorld) {
 TEST_F(FrameTime, IsShortForAnybodyWhoTriesEverythingInNoOrder) {
   look_at(*read_scenario(REPLAN_SOURCE_DIR "/maps/everything-at-once.json"));
   plan();
-  Random random(1);
-  for (int i = 0; i < 100 && !HasFailure(); ++i) {
-    const Action& action = actions()[random.below(static_cast<std::uint32_t>(actions().size()))];
-    if (std::string_view(action.name) != "quit") perform(action);
-    if (random.chance(0.7)) use_the_mouse(random);
-    if (random.chance(0.3)) press(key::kEscape);
-  }
+  try_anything(100);
+}
+
+TEST_F(FrameTime, IsShortForAnybodyInAHugeWorld) {
+  look_at(scenario_of("generator:caves?width=4096&height=4096&seed=3"));
+  frames_of("the beginning of the search", 60);
+  try_anything(300);
 }
 
 }  // namespace
