@@ -284,6 +284,13 @@ TEST_F(PanelTest, CrowdedMarksShareTheirPlaces) {
       EXPECT_NE(groups[0].others.find("replan"), std::string::npos) << groups[0].others;
     }
   }
+  // What is set up before the first expansion takes a narrow stretch; every place of the strip is some event's.
+  const TimelineScale scale = timeline_scale(look, run(), 0, 400);
+  EXPECT_LE(scale.narrow, look.px(10));
+  for (std::size_t event = 0; event <= scale.size; event += 7)
+    EXPECT_NEAR(static_cast<double>(scale.position(scale.x(event))), static_cast<double>(event),
+                static_cast<double>(scale.size) / 400)
+        << event;
   // With room enough every mark stands alone, and leads behind its event.
   const std::vector<MarkGroup> all = happenings(look, run(), {0, 1e6f, run().timeline().size()});
   for (const MarkGroup& group : all) EXPECT_EQ(group.others, "");

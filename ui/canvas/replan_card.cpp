@@ -122,7 +122,7 @@ std::string cause_sentence(const ReplanCause& cause) {
   if (cause.new_goal) return "The goal has moved: planned from scratch.";
   if (cause.to_goal_again) return "The goal can be reached again: planned from scratch.";
   if (cause.to_nearest) return "The goal cannot be reached: now to the nearest cell that can.";
-  if (cause.put_down) return "The robot was put down here by hand.";
+  if (cause.put_down) return "The robot was put down here.";
   if (cause.forgotten > 0)
     return "The robot no longer reckons with " + cells(cause.forgotten) + " out of sight.";
   if (cause.blocked > 0 && cause.freed > 0)

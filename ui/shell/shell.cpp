@@ -16,7 +16,8 @@ namespace replan::ui {
 namespace {
 
 constexpr float kNarrowestSide = 340, kWidestSide = 640, kNarrowestCanvas = 320, kNarrowestTransport = 560;
-constexpr float kCaption = 32;  // height of the line over the canvas
+constexpr float kLow = 560, kLowTransport = 100;  // a low window, and its transport
+constexpr float kCaption = 32;                    // height of the line over the canvas
 
 /// Whether a key presses or changes the control that has the keyboard.
 bool is_for_control(const Look& look, const Chord& chord) {
@@ -147,13 +148,15 @@ void Shell::draw_parts(Frame& frame) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const bool panels = view_.panels;
   const std::string& session_caption = frame.session.scenario().caption;
-  const float under_tools = size.y - look.px.status - look.px.transport;
-  const float left = panels ? tool_strip_width(look, under_tools - look.px.menu) : 0;
+  // In a low window the hills of the timeline are.
+  const float transport = size.y < look.px(kLow) ? look.px(kLowTransport) : look.px.transport;
+  const float bottom = size.y - look.px.status, under = bottom - transport;
+  const float left = panels ? tool_strip_width(look, under - look.px.menu - look.px(16)) : 0;
   // In a small window the world keeps the larger half, and the transport goes under both.
   const float widest =
       std::max(size.x - left - look.px(kNarrowestCanvas), std::min(look.px(kNarrowestSide), size.x * 0.45f));
   const float side = panels ? std::min(look.px(panels_.side_width), widest) : 0;
-  const float split = size.x - side, bottom = size.y - look.px.status, under = bottom - look.px.transport;
+  const float split = size.x - side;
   const bool small = split < look.px(kNarrowestTransport);
   const float transport_end = small ? size.x : split, side_end = small ? under : bottom;
   // The bar takes its height from the padding that holds when its window begins.
@@ -174,8 +177,8 @@ void Shell::draw_parts(Frame& frame) {
     area("lesson", {left, look.px.menu}, {split - left, strip}, look.theme.panel, {look.px.m, look.px.s},
          [&] { lesson_.draw(frame); });
   draw_canvas(frame, {left, top}, {split, under});
-  area("transport", {0, under}, {transport_end, look.px.transport}, look.theme.panel,
-       {look.px.l, look.px(14)}, [&] { draw_transport(frame); });
+  area("transport", {0, under}, {transport_end, transport}, look.theme.panel, {look.px.l, look.px(14)},
+       [&] { draw_transport(frame); });
   if (panels) {
     const float tool = has_tool_options(frame) ? panels_.tool_height : 0;
     area("side", {split, look.px.menu}, {side, side_end - tool - look.px.menu}, look.theme.panel, {0, 0},

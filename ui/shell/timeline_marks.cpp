@@ -127,15 +127,29 @@ MarkGroup breach_group(const Look& look, const TimelineScale& scale, const First
 
 }  // namespace
 
+TimelineScale timeline_scale(const Look& look, const Run& run, float left, float right) {
+  TimelineScale scale{left, right, run.timeline().size()};
+  const auto curve = run.expansion_curve();
+  const auto first = std::find_if(curve.begin(), curve.end(), [](std::uint32_t count) { return count > 0; });
+  if (first == curve.end()) return scale;
+  scale.setup = static_cast<std::size_t>(first - curve.begin()) * Run::kCurveChunk;
+  const float even = (right - left) * static_cast<float>(scale.setup) / static_cast<float>(scale.size);
+  scale.narrow = std::min(even, look.px(10));
+  return scale;
+}
+
 float TimelineScale::x(std::size_t position) const {
-  if (size == 0) return left;
-  return left +
-         static_cast<float>(static_cast<double>(position) / static_cast<double>(size)) * (right - left);
+  if (position < setup) return left + narrow * static_cast<float>(position) / static_cast<float>(setup);
+  if (size == setup) return left + narrow;
+  const double part = static_cast<double>(position - setup) / static_cast<double>(size - setup);
+  return left + narrow + static_cast<float>(part) * (right - left - narrow);
 }
 
 std::size_t TimelineScale::position(float x) const {
-  const double part = std::clamp((x - left) / std::max(right - left, 1.0f), 0.0f, 1.0f);
-  return static_cast<std::size_t>(std::llround(part * static_cast<double>(size)));
+  if (x < left + narrow)
+    return static_cast<std::size_t>(std::max(0.0f, (x - left) / narrow) * static_cast<float>(setup));
+  const double part = std::clamp((x - left - narrow) / std::max(right - left - narrow, 1.0f), 0.0f, 1.0f);
+  return setup + static_cast<std::size_t>(std::llround(part * static_cast<double>(size - setup)));
 }
 
 std::vector<MarkGroup> happenings(const Look& look, const Run& run, const TimelineScale& scale) {

@@ -18,15 +18,20 @@ struct MarkStyle {
   const char *one, *many;  ///< of it: "replan", "replans"
 };
 
-/// Where events stand on the strip.
+/// Where events stand on the strip: evenly, but for what a planner sets up before its first expansion, which may be a
+/// third of all events and is pressed into a narrow stretch.
 struct TimelineScale {
   float left;
   float right;
-  std::size_t size;  ///< of the log
+  std::size_t size;       ///< of the log
+  std::size_t setup = 0;  ///< how many first events are pressed together
+  float narrow = 0;       ///< width of their stretch
 
   [[nodiscard]] float x(std::size_t position) const;
   [[nodiscard]] std::size_t position(float x) const;
 };
+/// The scale of a run's whole log. Of a log that has no expansion yet all events stand evenly.
+TimelineScale timeline_scale(const Look& look, const Run& run, float left, float right);
 
 /// Marks that stand so close together that they share a place. The one that matters most stands for all.
 struct MarkGroup {

@@ -38,10 +38,11 @@ void draw_curve(const Look& look, ImDrawList& list, const Run& run, const Timeli
   if (curve.empty()) return;
   const float step = std::max(look.px(2), 1.0f);
   std::vector<float> heights;
-  for (float x = scale.left; x < scale.right; x += step) {
-    const double from = (x - scale.left) / (scale.right - scale.left);
-    heights.push_back(column(curve, from, from + step / (scale.right - scale.left)));
-  }
+  const auto share = [&](float x) {
+    return static_cast<double>(scale.position(x)) / static_cast<double>(scale.size);
+  };
+  for (float x = scale.left; x < scale.right; x += step)
+    heights.push_back(column(curve, share(x), share(x + step)));
   if (heights.empty()) return;  // no room for a curve
   const float highest = std::max(*std::max_element(heights.begin(), heights.end()), 1.0f);
   for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
@@ -68,7 +69,13 @@ constexpr Hint kLegend = {
     "Triangles: a plan begins. Diamonds: the world or the goal changes. Circle: the robot arrives. Crosses: "
     "something "
     "went wrong. Flags: a breakpoint stops. A bar under a mark: several stand at its place.\n"
+    "What the planner sets up before its first expansion is pressed together at the left.\n"
     "Click or drag to go anywhere."};
+
+constexpr Hint kHill = {"Expansions", "",
+                        "The hill is high where cells are expanded one after the other, and low where the "
+                        "robot drives or keys are made "
+                        "anew. Click or drag to go anywhere."};
 
 void mark_hint(const Look& look, const MarkGroup& group) {
   std::string words = "Event " + grouped(group.position) + ". Click to go there.";
@@ -81,7 +88,7 @@ void mark_hint(const Look& look, const MarkGroup& group) {
 void draw_timeline(Frame& frame, ImVec2 min, ImVec2 max) {
   const Look& look = frame.look;
   const Run& run = frame.session.run();
-  const TimelineScale scale{min.x, max.x, run.timeline().size()};
+  const TimelineScale scale = timeline_scale(look, run, min.x, max.x);
   const float track = max.y - look.px(17);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_curve(look, list, run, scale, min.y + look.px(6), track - look.px(2));
@@ -102,6 +109,8 @@ void draw_timeline(Frame& frame, ImVec2 min, ImVec2 max) {
     mark_hint(look, *mark);
   } else if (hovered && ImGui::GetIO().MousePos.y > track - look.px(4)) {
     hint(look, kLegend);
+  } else if (hovered) {
+    hint(look, kHill);
   }
   draw_playhead(look, list, scale, run.timeline().cursor(), min.y, track);
 }

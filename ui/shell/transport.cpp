@@ -167,7 +167,8 @@ void draw_transport(Frame& frame) {
   if (several) lockstep(frame);
   speed(frame, roomy);
   counter(frame, ImGui::GetItemRectMax().x + look.px.m, origin.x + width, origin.y);
-  draw_timeline(frame, {origin.x, origin.y + look.px(38)}, {origin.x + width, origin.y + look.px(107)});
+  const float foot = ImGui::GetWindowPos().y + ImGui::GetWindowHeight() - look.px(11);
+  draw_timeline(frame, {origin.x, origin.y + look.px(38)}, {origin.x + width, foot});
 }
 
 }  // namespace replan::ui
