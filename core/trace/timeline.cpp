@@ -181,6 +181,7 @@ Event Timeline::fetch(std::size_t index) const {
 
 void Timeline::truncate(std::size_t size) {
   if (size >= this->size()) return;
+  answers_ = {};
   const std::size_t back = std::min(cursor_, size);
   seek(size);
   untidy_.push_back(std::move(head_));
@@ -262,16 +263,33 @@ SearchState Timeline::state_at(std::size_t position) const {
   return copy;
 }
 
+Timeline::Answer& Timeline::last_answer(NodeId node, KindSet kinds) const {
+  for (Answer& answer : answers_)
+    if (answer.node == node && answer.kinds == kinds) return answer;
+  Answer& answer = answers_[next_answer_++ % answers_.size()];
+  answer = {node, kinds, 0, std::nullopt};
+  return answer;
+}
+
+// A view asks in every frame who wrote a value, while the log grows by millions of events.
 std::optional<std::size_t> Timeline::last_of_node(NodeId node, KindSet kinds, std::size_t before) const {
-  for (std::size_t end = std::min(before, size()); end > 0;) {
-    const auto block = index_.last_block(node, (end - 1) / NodeIndex::kBlock + 1);
-    if (!block) break;
-    const std::size_t first = *block * NodeIndex::kBlock;
-    for (std::size_t i = std::min(end, first + NodeIndex::kBlock); i-- > first;)
-      if (const Event e = event(i); e.node == node && kinds.has(e.kind)) return i;
-    end = first;
-  }
-  return std::nullopt;
+  before = std::min(before, size());
+  Answer& known = last_answer(node, kinds);
+  if (before < known.before) known = {node, kinds, 0, std::nullopt};
+  const auto latest = [&](std::size_t from) -> std::optional<std::size_t> {
+    for (std::size_t end = before; end > from;) {
+      const auto block = index_.last_block(node, (end - 1) / NodeIndex::kBlock + 1);
+      if (!block) break;
+      const std::size_t first = std::max(*block * NodeIndex::kBlock, from);
+      for (std::size_t i = std::min(end, (*block + 1) * NodeIndex::kBlock); i-- > first;)
+        if (const Event e = event(i); e.node == node && kinds.has(e.kind)) return i;
+      end = first;
+    }
+    return std::nullopt;
+  };
+  if (const auto found = latest(known.before)) known.found = found;
+  known.before = before;
+  return known.found;
 }
 
 std::optional<std::size_t> Timeline::next_of_node(NodeId node, KindSet kinds, std::size_t from) const {

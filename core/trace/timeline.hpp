@@ -1,6 +1,7 @@
 // The log of a run and a cursor in it: any moment can be gone to, in either direction.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -109,6 +110,14 @@ class Timeline {
   [[nodiscard]] bool dropped() const { return events_.dropped(); }
 
  private:
+  /// What was answered to last_of_node(): asked again farther on, only what lies between has to be looked at.
+  struct Answer {
+    NodeId node = kNoNode;
+    KindSet kinds;
+    std::size_t before = 0;
+    std::optional<std::size_t> found;
+  };
+
   void append_search(std::span<const Event> events);
   void take(std::span<const Event> events);
   void take_epoch(const Event& epoch);
@@ -116,6 +125,7 @@ class Timeline {
   bool drop_frame();
   void shrink(std::size_t keep) const;
   [[nodiscard]] std::optional<std::size_t> last_of_node(NodeId node, KindSet kinds, std::size_t before) const;
+  [[nodiscard]] Answer& last_answer(NodeId node, KindSet kinds) const;
   [[nodiscard]] std::optional<std::size_t> next_of_node(NodeId node, KindSet kinds, std::size_t from) const;
   [[nodiscard]] std::size_t last_frame() const { return frames_.rbegin()->first; }
   [[nodiscard]] std::size_t frame_allowance() const;
@@ -133,6 +143,8 @@ class Timeline {
   NodeIndex index_;
   std::vector<std::size_t> epochs_;
   mutable PageOrder order_;  // only memory to work in
+  mutable std::array<Answer, 8> answers_;
+  mutable std::size_t next_answer_ = 0;  // the one to be forgotten next
   std::size_t cursor_ = 0;
   SearchState state_;
   SearchState head_;
