@@ -128,7 +128,13 @@ class Painter {
       at = {at.x - size.x / 2, at.y - size.y / 2};
     else
       at = {right ? at.x - size.x : at.x, low ? at.y - size.y + bearing : at.y - bearing};
-    list_.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)}, label.colour, begin, end);
+    at = {std::round(at.x), std::round(at.y)};
+    if (label.ground >> IM_COL32_A_SHIFT != 0) {
+      const float rim = look_.px.hair;
+      list_.AddRectFilled({at.x - rim, at.y + bearing - rim},
+                          {at.x + size.x + rim, at.y + size.y - bearing + rim}, label.ground);
+    }
+    list_.AddText(font, font->FontSize, at, label.colour, begin, end);
   }
 
  private:
