@@ -53,7 +53,7 @@ class CellNumbers final : public CellMark {
     if (context_.state.known_blocked(node) && !waiting) return;
     const NumbersShown shown = layout_.of(waiting);
     if (shown == NumbersShown::none) return;
-    ground_ = ground_of(cell, node, waiting);
+    ground_ = ground_of(cell, waiting);
     rhs_colour_ = waiting ? context_.palette.rhs : context_.palette.text;
     if (shown == NumbersShown::four)
       add_corners(cell, node);
@@ -63,13 +63,13 @@ class CellNumbers final : public CellMark {
 
  private:
   /// The cell's colour in the raster, with what marks lay over it.
-  [[nodiscard]] Colour ground_of(Cell cell, NodeId node, bool waiting) const {
+  [[nodiscard]] Colour ground_of(Cell cell, bool waiting) const {
     const Raster& raster = context_.scene.raster;
     const auto column = static_cast<std::size_t>(cell.x - context_.left),
                row = static_cast<std::size_t>(cell.y - context_.top);
     Colour colour = raster.texels[row * static_cast<std::size_t>(raster.columns) + column];
     if (waiting && context_.has(Overlay::waiting))
-      colour = mix(colour, context_.palette.background, waiting_ground(context_, node));
+      colour = mix(colour, context_.palette.background, kWaitingGround);
     if (context_.written != cell) return colour;
     return mix(colour, context_.palette.accent, static_cast<float>(SceneContext::kTint));
   }
@@ -127,10 +127,6 @@ bool waits(const SceneContext& context, NodeId node) {
   const SearchState& state = context.state;
   if (!context.run.info().values.lookahead()) return state.queued(node);
   return state.touched(EventKind::rhs, node) && state.g(node) != state.rhs(node);
-}
-
-float waiting_ground(const SceneContext& context, NodeId node) {
-  return context.state.known_blocked(node) ? 0.5f : 0.85f;
 }
 
 NumberLayout::NumberLayout(const SceneContext& context) {

@@ -8,9 +8,8 @@ namespace replan {
 /// Whether the search still has to deal with a cell: its two values differ, or, of a planner with one value alone, it is
 /// in the open list.
 bool waits(const SceneContext& context, NodeId node);
-/// How opaque the ground is that lies under the numbers of a cell that waits: what is blocked, as a repair finds it, is
-/// still to be seen.
-float waiting_ground(const SceneContext& context, NodeId node);
+/// How opaque the ground is under the numbers of a cell that waits.
+inline constexpr float kWaitingGround = 0.85f;
 
 /// The numbers of a view, by its zoom and its overlays.
 struct NumberLayout {

@@ -25,6 +25,7 @@ Palette palette() {
   colours.unseen = 0xFF884422;
   colours.accent = 0xFFFFAA00;
   colours.text = 0xFFEEEEEE;
+  colours.dim = 0xFF777777;
   colours.rhs = 0xFF11EE11;
   colours.path = 0xFF00FFFF;
   colours.field_opacity = 1;

@@ -18,9 +18,10 @@ class WaitingGrounds final : public CellMark {
   void add(Cell cell, NodeId node) override {
     if (!waits(context_, node)) return;
     if (lookahead_) context_.scene.show(Sign::two_values);
-    context_.add(Outline{
-        cell.x + inset_, cell.y + inset_, 1 - 2 * inset_, 1 - 2 * inset_, OutlineShape::filled,
-        faded(context_.palette.background, static_cast<double>(waiting_ground(context_, node))), 0, 0});
+    // What is blocked, as a repair finds it, is still to be seen.
+    const double ground = context_.state.known_blocked(node) ? 0.5 : static_cast<double>(kWaitingGround);
+    context_.add(Outline{cell.x + inset_, cell.y + inset_, 1 - 2 * inset_, 1 - 2 * inset_,
+                         OutlineShape::filled, faded(context_.palette.background, ground), 0, 0});
   }
 
  private:
