@@ -340,8 +340,8 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
   }
   const bool leads = interactive && session.runs().size() > 1 && pane == session.lead();
   if (leads) list.AddRectFilled(min, {max.x, min.y + look.px(2)}, look.theme.accent);
-  parts.chips =
-      draw_chips(look, list, run, parts.memory, parts.plans, state, min, max, interactive, parts.card);
+  parts.chips = draw_chips(look, list, run, parts.scene, parts.memory, parts.plans, state, min, max,
+                           interactive, parts.card);
   parts.take_answer(state, session, pane, commands);
   if (state.legend && pane == session.lead())
     draw_number_key(look, list, run.info(), parts.scene, {min.x + look.px.m, max.y - below - look.px.s});
