@@ -41,6 +41,7 @@ struct Canvas::Parts {
     Viewport viewport;
     ImU32 free = 0;
     friend bool operator==(const SceneKey&, const SceneKey&) = default;
+    FieldColours colours = FieldColours::viridis;
   };
 
   /// A zoom on its way: towards `target`, with `anchor` staying where it is on the screen.
@@ -134,9 +135,10 @@ void Canvas::Parts::prepare(const Look& look, const Session& session, const Run&
                      view.selected_surprise,
                      view.scale,
                      viewport,
-                     look.theme.free};
+                     look.theme.free,
+                     state.colours};
   if (key == now) return;
-  scene = build_scene(run, view, viewport, scene_palette(look.theme), memory);
+  scene = build_scene(run, view, viewport, scene_palette(look.theme, state.colours), memory);
   key = now;
   upload();
 }

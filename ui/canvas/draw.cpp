@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "ui/colormap.hpp"
-
 namespace replan::ui {
 namespace {
 
@@ -229,7 +227,7 @@ class Painter {
 
 }  // namespace
 
-Palette scene_palette(const Theme& theme) {
+Palette scene_palette(const Theme& theme, FieldColours colours) {
   Palette palette;
   palette.background = theme.background;
   palette.surround = theme.surround;
@@ -252,7 +250,7 @@ Palette scene_palette(const Theme& theme) {
   palette.outline = theme.outline;
   palette.rhs = theme.rhs;
   palette.unseen = theme.unseen;
-  palette.field = field_colours(theme);
+  palette.field = field_colours(theme, colours);
   palette.field_opacity = theme.field_opacity;
   return palette;
 }

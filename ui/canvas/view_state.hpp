@@ -7,6 +7,7 @@
 
 #include "core/scene/view.hpp"
 #include "ui/canvas/editing.hpp"
+#include "ui/colormap.hpp"
 #include "ui/tools/tool_box.hpp"
 
 namespace replan::ui {
@@ -18,6 +19,7 @@ struct ViewState {
   int brush = 1;  ///< side of the brush in cells, 1 to 64
   Editing editing;
   bool dark = true;
+  FieldColours colours = FieldColours::viridis;
   bool panels = true;  ///< side panel and tool strip shown
   std::string tab;     ///< the id of the chosen side tab; empty: the one that shows at first
   bool legend = true;
