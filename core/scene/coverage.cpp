@@ -89,6 +89,7 @@ int count_block(const Run& run, EventKind kind, Cell cell) {
 void MapCoverage::recount(const Run& run, const MapEvent& event) {
   const Cell cell = run.lattice().position(event.node);
   if (cell.z != layer_) return;
+  ++revision_;
   (event.kind == EventKind::known ? known_ : truth_).change(cell, count_block(run, event.kind, cell));
 }
 
@@ -101,6 +102,7 @@ void MapCoverage::follow(const Run& run, const RunDigest& digest, int layer) {
     known_ = Coverage(run.lattice(), layer, log.state(), EventKind::known);
     position_ = log.cursor();
     counted_.clear();
+    ++revision_;
   }
   const auto place = [](const auto& events, std::size_t position) {
     return std::partition_point(events.begin(), events.end(),

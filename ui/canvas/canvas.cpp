@@ -7,6 +7,7 @@
 #include "ui/canvas/chips.hpp"
 #include "ui/canvas/draw.hpp"
 #include "ui/canvas/hand.hpp"
+#include "ui/canvas/minimap.hpp"
 #include "ui/canvas/number_key.hpp"
 #include "ui/canvas/overlay.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -40,8 +41,8 @@ struct Canvas::Parts {
     double scale = 0;
     Viewport viewport;
     ImU32 free = 0;
-    friend bool operator==(const SceneKey&, const SceneKey&) = default;
     FieldColours colours = FieldColours::viridis;
+    friend bool operator==(const SceneKey&, const SceneKey&) = default;
   };
 
   /// A zoom on its way: towards `target`, with `anchor` staying where it is on the screen.
@@ -52,7 +53,7 @@ struct Canvas::Parts {
     bool active = false;
   };
 
-  explicit Parts(ImGuiRenderer& its_renderer) : renderer(its_renderer) {}
+  explicit Parts(ImGuiRenderer& its_renderer) : renderer(its_renderer), minimap(its_renderer) {}
 
   void prepare(const Look& look, const Session& session, const Run& run, const ViewState& state);
   void upload();
@@ -66,6 +67,7 @@ struct Canvas::Parts {
   void point(const Session& session, std::size_t pane, ViewState& state, ImVec2 min, bool hovered,
              std::vector<Command>& commands);
   bool title(const Look& look, const Session& session, std::size_t pane, std::vector<Command>& commands);
+  void draw_minimap(const Look& look, const Session& session, const Run& run, ViewState& state, ImVec2 foot);
   void take_hands(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
                   ImVec2 max, std::vector<Command>& commands);
 
@@ -85,6 +87,7 @@ struct Canvas::Parts {
   Hand hand;
   std::optional<Cell> hovered;
   ChipsDrawn chips;  // as drawn last
+  Minimap minimap;
 };
 
 Canvas::Canvas(ImGuiRenderer& renderer) : parts_(std::make_unique<Parts>(renderer)) {}
@@ -304,6 +307,20 @@ void Canvas::Parts::take_answer(ViewState& state, const Session& session, std::s
   if (pane != session.lead()) commands.emplace_back(Lead{pane});
 }
 
+/// Above the sentence of a stop, if there is one.
+void Canvas::Parts::draw_minimap(const Look& look, const Session& session, const Run& run, ViewState& state,
+                                 ImVec2 foot) {
+  if (!state.minimap || state.captured || !exceeds_view(scene)) return;
+  const Breakpoints& breakpoints = session.breakpoints();
+  if (breakpoints.hunt() || !breakpoints.stopped().empty()) foot.y -= look.px(44);
+  const auto middle =
+      minimap.draw(look, run, memory, scene, std::clamp(state.view.slice, 0, run.lattice().depth() - 1),
+                   scene_palette(look.theme, state.colours), foot);
+  if (!middle) return;
+  zooming.active = false;
+  state.view.camera = {middle->x, middle->y, scene.camera.zoom};
+}
+
 void Canvas::draw(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
                   ImVec2 max, bool interactive, std::vector<Command>& commands, float below) {
   Parts& parts = *parts_;
@@ -347,6 +364,8 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
   parts.take_answer(state, session, pane, commands);
   if (state.legend && pane == session.lead())
     draw_number_key(look, list, run.info(), parts.scene, {min.x + look.px.m, max.y - below - look.px.s});
+  if (pane == session.lead())
+    parts.draw_minimap(look, session, run, state, {max.x - look.px.m, max.y - below - look.px.s});
   list.PopClipRect();
   ImGui::PopID();
 }
