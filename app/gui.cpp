@@ -152,6 +152,8 @@ Result<void> Program::open() {
   looks.panels = remembered_.panels;
   looks.legend = remembered_.legend;
   looks.view.range = remembered_.colours_so_far ? FieldSpan::so_far : FieldSpan::whole_run;
+  looks.minimap = remembered_.minimap;
+  looks.colours = remembered_.colours;
   looks.brush = remembered_.brush;
   looks.editing.round = remembered_.round_brush;
   looks.tab = remembered_.tab;
@@ -217,6 +219,7 @@ void Program::capture() {
       settling_ = 3;
     }
   }
+  shell_->view().captured = (wanted_ && !wanted_->window) || (recording_.on() && !recording_.of_window());
   if (settling_ > 0 && --settling_ == 0) carry_out(*std::exchange(wanted_, std::nullopt));
   if (const auto outcome = recording_.outcome()) {
     window_->pace(0);
@@ -312,6 +315,8 @@ Result<void> Program::close() {
   remembered_.panels = looks.panels;
   remembered_.legend = looks.legend;
   remembered_.colours_so_far = looks.view.range == FieldSpan::so_far;
+  remembered_.minimap = looks.minimap;
+  remembered_.colours = looks.colours;
   remembered_.brush = looks.brush;
   remembered_.round_brush = looks.editing.round;
   remembered_.tab = looks.tab;

@@ -40,6 +40,13 @@ std::string tab(const Json& json) {
   return number < 0 ? "" : kNumbered[static_cast<std::size_t>(number)];
 }
 
+/// By its id; one that there is not is the usual one.
+ui::FieldColours colours(const Json& json) {
+  const auto found = json.find("colours");
+  if (found == json.end() || !found->is_string()) return ui::FieldColours::viridis;
+  return ui::field_colours_named(found->get<std::string>()).value_or(ui::FieldColours::viridis);
+}
+
 }  // namespace
 
 std::string settings_path() {
@@ -65,6 +72,8 @@ Remembered read_settings(const std::string& path) {
   result.panels = flag(json, "panels", true);
   result.legend = flag(json, "legend", true);
   result.colours_so_far = flag(json, "colours_so_far", false);
+  result.minimap = flag(json, "minimap", true);
+  result.colours = colours(json);
   result.brush = whole(json, "brush", 1, 64, 1);
   result.round_brush = whole(json, "round_brush", 0, 1, 0) != 0;
   result.tab = tab(json);
@@ -88,6 +97,8 @@ Result<void> write_settings(const Remembered& settings, const std::string& path)
                      {"panels", settings.panels},
                      {"legend", settings.legend},
                      {"colours_so_far", settings.colours_so_far},
+                     {"minimap", settings.minimap},
+                     {"colours", ui::info_of(settings.colours).id},
                      {"brush", settings.brush},
                      {"round_brush", settings.round_brush ? 1 : 0},
                      {"tab", settings.tab},

@@ -106,7 +106,7 @@ FrameSize written_size(const RenderRequest& request) {
 
 Result<void> write_drawing(const std::string& path, const Run& run, const ui::ViewState& state,
                            Viewport size) {
-  const Palette palette = ui::scene_palette(state.dark ? ui::dark() : ui::light());
+  const Palette palette = ui::scene_palette(state.dark ? ui::dark() : ui::light(), state.colours);
   return write_file_atomically(path, scene_svg(build_scene(run, state.view, size, palette), palette));
 }
 
@@ -131,6 +131,8 @@ Result<ui::ViewState> requested_view(const RenderRequest& request) {
   state.view.scale = request.scale;
   state.view.range = request.range;
   state.legend = request.legend;
+  state.colours = request.colours;
+  state.minimap = false;  // where it is asked for, by its action
   state.live = false;
   return state;
 }

@@ -36,6 +36,7 @@ struct RenderRequest {
   std::variant<Moment, std::size_t, std::string> at =
       Moment::plan;  ///< or a position in the event log, or as moment_position() reads it; for stills
   FieldSpan range = FieldSpan::whole_run;
+  ui::FieldColours colours = ui::FieldColours::viridis;
   std::optional<Cell> pinned;
   std::optional<int> slice;                 ///< the layer that is shown; else that of the start
   std::optional<ViewSetup::Camera> camera;  ///< else the scenario's, else the whole world

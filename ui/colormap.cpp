@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <span>
 
 namespace replan::ui {
@@ -33,6 +34,52 @@ constexpr std::array<Rgb, 18> kViridisStops = {{
     {0.8456f, 0.8873f, 0.0997f},
     {0.9932f, 0.9062f, 0.1439f},
 }};
+
+// Every 17th entry of the published table.
+constexpr std::array<Rgb, 16> kCividisStops = {{
+    {0.0000f, 0.1351f, 0.3048f},
+    {0.0000f, 0.1816f, 0.4219f},
+    {0.1176f, 0.2259f, 0.4343f},
+    {0.2089f, 0.2725f, 0.4248f},
+    {0.2794f, 0.3187f, 0.4230f},
+    {0.3422f, 0.3649f, 0.4286f},
+    {0.4014f, 0.4118f, 0.4407f},
+    {0.4584f, 0.4596f, 0.4605f},
+    {0.5179f, 0.5085f, 0.4727f},
+    {0.5821f, 0.5587f, 0.4681f},
+    {0.6482f, 0.6106f, 0.4548f},
+    {0.7162f, 0.6644f, 0.4324f},
+    {0.7860f, 0.7204f, 0.3996f},
+    {0.8578f, 0.7790f, 0.3533f},
+    {0.9322f, 0.8402f, 0.2859f},
+    {0.9957f, 0.9093f, 0.2178f},
+}};
+
+constexpr std::array<Rgb, 3> kGreyStops = {{{0, 0, 0}, {0.5f, 0.5f, 0.5f}, {1, 1, 1}}};
+
+constexpr FieldColoursInfo kInfos[] = {
+    {FieldColours::viridis, "viridis", "Viridis",
+     "From violet over green to yellow: many steps can be told apart, with all common kinds of sight."},
+    {FieldColours::cividis, "cividis", "Cividis",
+     "From blue to yellow: looks nearly the same to those who tell red from green and those who do not."},
+    {FieldColours::grey, "grey", "Grey",
+     "From dark to light: for print, and so that only the marks have a colour."}};
+
+/// The part of a map that is used, 0 to 1: what begins or ends in the colour of the ground or of obstacles is cut off.
+struct Stretch {
+  float begin, end;
+};
+Stretch stretch_of(const Theme& theme, FieldColours colours) {
+  switch (colours) {
+    case FieldColours::viridis:
+      return theme.is_dark ? Stretch{0.3f, 1} : Stretch{0, 1};
+    case FieldColours::cividis:
+      return theme.is_dark ? Stretch{0.52f, 1} : Stretch{0, 1};
+    case FieldColours::grey:
+      break;
+  }
+  return theme.is_dark ? Stretch{0.56f, 1} : Stretch{0, 0.76f};
+}
 
 float catmull_rom(float a, float b, float c, float d, float t) {
   return 0.5f *
@@ -72,20 +119,37 @@ Colormap tabulate(std::span<const Rgb> stops) {
 
 }  // namespace
 
-const Colormap& viridis() {
-  static const Colormap map = tabulate(kViridisStops);
-  return map;
+std::span<const FieldColoursInfo> all_field_colours() {
+  return kInfos;
 }
 
-Colormap field_colours(const Theme& theme) {
+const FieldColoursInfo& info_of(FieldColours colours) {
+  return kInfos[static_cast<std::size_t>(colours)];
+}
+
+std::optional<FieldColours> field_colours_named(std::string_view id) {
+  for (const FieldColoursInfo& info : kInfos)
+    if (info.id == id) return info.colours;
+  return std::nullopt;
+}
+
+const Colormap& published(FieldColours colours) {
+  static const std::array<Colormap, std::size(kInfos)> maps = {tabulate(kViridisStops),
+                                                               tabulate(kCividisStops), tabulate(kGreyStops)};
+  return maps[static_cast<std::size_t>(colours)];
+}
+
+Colormap field_colours(const Theme& theme, FieldColours colours) {
   Colormap map{};
+  const Stretch part = stretch_of(theme, colours);
   for (std::size_t i = 0; i < map.size(); ++i)
-    map[i] = sample(viridis(), theme.field_begin + (1 - theme.field_begin) * static_cast<float>(i) / 255.0f);
+    map[i] =
+        sample(published(colours), part.begin + (part.end - part.begin) * static_cast<float>(i) / 255.0f);
   return map;
 }
 
-Colormap field_colours_over_free(const Theme& theme) {
-  Colormap map = field_colours(theme);
+Colormap field_colours_over_free(const Theme& theme, FieldColours colours) {
+  Colormap map = field_colours(theme, colours);
   for (ImU32& colour : map) colour = over_free(theme, colour);
   return map;
 }

@@ -23,7 +23,7 @@ constexpr Theme kDark = {
     .surround = rgb(0x1f252e), .unseen = rgb(0x85755c), .rhs = rgb(0xc5f06b), .path = rgb(0xffffff),
     .grid = rgb(0xffffff, 13), .arrow = rgb(0xffffff, 115), .outline = rgb(0x10131a),
     .selected = rgb(0x243746), .hover = rgb(0x2a313d), .series = rgb(0x253f51), .shade = rgb(0x0b0d10, 150),
-    .field_opacity = 0.55f, .field_begin = 0.3f, .is_dark = true,
+    .field_opacity = 0.55f, .is_dark = true,
 };
 
 constexpr Theme kLight = {
@@ -37,7 +37,7 @@ constexpr Theme kLight = {
     .surround = rgb(0xdbe1e9), .unseen = rgb(0xb5aa9a), .rhs = rgb(0x4d7c0f), .path = rgb(0x111827),
     .grid = rgb(0x111827, 26), .arrow = rgb(0x111827, 115), .outline = rgb(0xffffff),
     .selected = rgb(0xd6e9f6), .hover = rgb(0xe9edf2), .series = rgb(0xcce4f3), .shade = rgb(0x1b2430, 90),
-    .field_opacity = 0.62f, .field_begin = 0, .is_dark = false,
+    .field_opacity = 0.62f, .is_dark = false,
 };
 // clang-format on
 

@@ -44,7 +44,6 @@ struct Theme {
   ImU32 series;         ///< filled curves, as of expansions over the timeline
   ImU32 shade;          ///< over the window behind a dialog, translucent
   float field_opacity;  ///< of colour maps over free cells
-  float field_begin;    ///< where on a colour map the least value stands, 0 to 1: apart from the ground
   bool is_dark;
 };
 

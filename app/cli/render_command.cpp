@@ -24,6 +24,7 @@ struct RenderArguments {
   bool at_plan = false;
   std::vector<std::string> overlays;
   std::string range;
+  std::string colours;
   std::string theme;
   bool canvas_only = false;
   std::vector<std::string> actions;
@@ -61,6 +62,14 @@ Result<void> read_moment(const RenderArguments& arguments, app::RenderRequest& r
   return {};
 }
 
+Result<void> read_colours(const std::string& name, app::RenderRequest& request) {
+  if (name.empty()) return {};
+  const auto colours = ui::field_colours_named(name);
+  if (!colours) return Error{"--colours cannot be '" + name + "': give viridis, cividis or grey"};
+  request.colours = *colours;
+  return {};
+}
+
 Result<void> read_looks(const RenderArguments& arguments, app::RenderRequest& request) {
   if (!arguments.theme.empty()) request.theme = arguments.theme;
   if (!arguments.scale.empty()) {
@@ -73,6 +82,7 @@ Result<void> read_looks(const RenderArguments& arguments, app::RenderRequest& re
       return Error{"--range cannot be '" + arguments.range + "': give whole-run or so-far"};
     request.range = arguments.range == "so-far" ? FieldSpan::so_far : FieldSpan::whole_run;
   }
+  if (const auto colours = read_colours(arguments.colours, request); !colours) return colours;
   if (arguments.overlays.empty()) return {};
   const auto overlays = parse_overlays(split_list(arguments.overlays));
   if (!overlays)
@@ -244,6 +254,8 @@ Command add_render(CLI::App& program) {
          "--range", into.range,
          "Over what a field's colours reach: the values of the whole run (the default), or those so far")
       ->type_name("whole-run|so-far");
+  app->add_option("--colours", into.colours, "What fields are coloured by (default viridis)")
+      ->type_name("viridis|cividis|grey");
   app->add_option("--theme", into.theme, "The colours; else the scenario's, else dark")
       ->type_name("light|dark");
   app->add_option(

@@ -39,7 +39,7 @@ _replan_options() {
     render)
       echo "-h --help --map --start --goal --unreachable-goal --robot --threshold --invert --unknown --occupied --planner --set --stage -o --output --size --scale" \
         "--at --at-end --at-plan" \
-        "--overlay --theme --action --pin --camera --slice --range --canvas-only --panes --fps --speed --hold --from --to"
+        "--overlay --theme --action --pin --camera --slice --range --colours --canvas-only --panes --fps --speed --hold --from --to"
       ;;
     convert) echo "-h --help --start --goal --threshold --invert --unknown --occupied --slice --planner --set --stage" ;;
     show) echo "-h --help --map --start --goal --unreachable-goal --robot --threshold --invert --unknown --occupied --planner --set --stage --at --cell" ;;
@@ -76,6 +76,7 @@ _replan() {
     --action) _replan_list "$(_replan_ids actions)"; return ;;
     --start | --goal | --break | --cell | --pin | --camera | --size | --scale | --limit | --threshold | --occupied | --slice | --fps | --hold) return ;;
     --panes) COMPREPLY=($(compgen -W "1 2 4 all" -- "$cur")); return ;;
+    --colours) COMPREPLY=($(compgen -W "viridis cividis grey" -- "$cur")); return ;;
     --range) COMPREPLY=($(compgen -W "whole-run so-far" -- "$cur")); return ;;
     --speed) COMPREPLY=($(compgen -W "auto expansion move" -- "$cur")); return ;;
     --at | --from | --to) COMPREPLY=($(compgen -W "start plan end replan: move:" -- "$cur")); return ;;

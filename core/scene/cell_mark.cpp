@@ -77,18 +77,10 @@ void add_cell_lines(SceneContext& context, Colour colour) {
   }
 }
 
-double note_width(const SceneContext& context, std::string_view words) {
-  // Of UTF-8, each byte that begins a character. The small digits are six pixels wide.
+double words_width(const SceneContext& context, std::string_view words) {
+  // Of UTF-8, each byte that begins a character.
   const auto count = std::count_if(words.begin(), words.end(), [](char c) { return (c & 0xC0) != 0x80; });
-  return context.world(6.1 * static_cast<double>(count) + 8);
-}
-
-void add_note(SceneContext& context, Point at, Colour colour, std::string words) {
-  const double height = context.world(15);
-  context.add(Outline{at.x, at.y - height, note_width(context, words), height, OutlineShape::filled,
-                      faded(context.palette.background, 0.85), 0, 0});
-  context.add(Label{
-      {at.x + context.world(4), at.y - context.world(3)}, Anchor::lower_left, colour, std::move(words)});
+  return context.world(kDigitWidth * static_cast<double>(count));
 }
 
 }  // namespace replan

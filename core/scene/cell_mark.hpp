@@ -34,9 +34,7 @@ void mark_cell(SceneContext& context, Cell cell, OutlineShape shape, Colour colo
 /// Hairlines between the cells in sight.
 void add_cell_lines(SceneContext& context, Colour colour);
 
-/// Words on a ground of their own, which can be read over any field; `at` is their lower left corner.
-void add_note(SceneContext& context, Point at, Colour colour, std::string words);
-/// How wide such words are, in the world.
-double note_width(const SceneContext& context, std::string_view words);
+/// How wide words of the size of the numbers are, in the world.
+double words_width(const SceneContext& context, std::string_view words);
 
 }  // namespace replan

@@ -16,6 +16,14 @@ struct SceneMemory::Parts {
   FieldRanges ranges;
 };
 
+/// Words about a cell that are put where they hide least, once all else is drawn.
+struct Note {
+  Cell about;
+  std::vector<std::string> lines;
+  Colour colour = 0;
+  bool inside = false;  ///< they stay in the cell's height, else they go beside it
+};
+
 /// One scene in the making.
 struct SceneContext {
   const Run& run;
@@ -31,6 +39,9 @@ struct SceneContext {
   int slice = std::clamp(view.slice, 0, lattice.depth() - 1);  ///< the layer that is shown
   // Cells of it in sight, the upper ends excluded.
   int left = 0, top = 0, right = 0, bottom = 0;
+  std::vector<Note> notes = {};        ///< for build_notes()
+  std::optional<Cell> written = {};    ///< the cell that is tinted as just written
+  static constexpr double kTint = 0.25;  ///< how much it is
 
   [[nodiscard]] bool has(Overlay overlay) const { return view.overlays.has(overlay); }
   /// Device pixels of a length in the design.
@@ -62,10 +73,12 @@ struct SceneContext {
 /// Adds the way of something of so many layers: faint where it does not meet the slice.
 void add_through_layers(SceneContext& context, Polyline line, int thickness = 1);
 
-// What is always there, from the lowest up; the layers of marks (overlay.hpp) lie between the rim and the routes.
+// What is always there, from the lowest up; the layers of marks (overlay.hpp) lie between the rim and the routes. Over all
+// of them lie the numbers (numbers.hpp) and the notes.
 void build_raster(SceneContext& context);
 void build_rim(SceneContext& context);
 void build_routes(SceneContext& context);
 void build_things(SceneContext& context);
+void build_notes(SceneContext& context, Viewport viewport);
 
 }  // namespace replan

@@ -96,6 +96,7 @@ int count_block(const Run& run, EventKind kind, Cell cell) {
 void MapCoverage::recount(const Run& run, const MapEvent& event) {
   const Cell cell = run.lattice().position(event.node);
   if (cell.z != layer_) return;
+  ++revision_;
   (event.kind == EventKind::known ? known_ : truth_).change(cell, count_block(run, event.kind, cell));
 }
 
@@ -112,6 +113,7 @@ void MapCoverage::follow(const Run& run, const RunDigest& digest, int layer) {
     position_ = log.cursor();
     layer_ = layer;
     counted_.clear();
+    ++revision_;
   }
   const auto place = [](const auto& events, std::size_t position) {
     return std::partition_point(events.begin(), events.end(),

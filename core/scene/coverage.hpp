@@ -49,11 +49,13 @@ class MapCoverage {
   void follow(const Run& run, const RunDigest& digest, int layer);
   [[nodiscard]] const Coverage& truth() const { return truth_; }
   [[nodiscard]] const Coverage& known() const { return known_; }
+  /// Another number whenever one of them has changed.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
  private:
   void recount(const Run& run, const MapEvent& event);
 
-  std::uint64_t log_id_ = 0;
+  std::uint64_t log_id_ = 0, revision_ = 0;
   int layer_ = 0;
   std::size_t position_ = 0;
   std::vector<MapEvent> counted_;  // before that position: what a cut takes out of the log is counted anew

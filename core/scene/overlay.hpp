@@ -13,7 +13,7 @@
 namespace replan {
 
 /// Where a mark lies, from the lowest up.
-enum class Layer : std::uint8_t { lines, hatches, arrows, frames, numbers, script, routes, hand };
+enum class Layer : std::uint8_t { lines, hatches, arrows, frames, script, routes, hand };
 
 struct OverlayKind {
   OverlayInfo info = {};

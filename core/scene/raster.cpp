@@ -16,6 +16,12 @@ Colour blend(Colour a, Colour b, unsigned share) {
   return even | odd | 0xFF000000u;
 }
 
+/// Whether the field leaves out what is in the open list. Of a planner with one value alone g is written there before it is
+/// settled; of one with an rhs that is where such a value stands. So the same search looks the same with both.
+bool shows_settled_alone(const SceneContext& context) {
+  return context.scene.field == Overlay::g && !context.run.info().values.lookahead();
+}
+
 /// The colours of one view's cells.
 class CellColours {
  public:
@@ -24,7 +30,8 @@ class CellColours {
         map_(context.run.scenario().map),
         original_(map_.blocked),
         found_(context.run.scenario().map_found),
-        shows_unknown_(context.has(Overlay::unknown)) {
+        shows_unknown_(context.has(Overlay::unknown)),
+        settled_alone_(shows_settled_alone(context)) {
     const Palette& palette = context.palette;
     unknown_ = mix(palette.free, palette.obstacle, 0.5f);
     unknown_surprise_ = mix(palette.free, palette.surprise, 0.6f);
@@ -54,6 +61,7 @@ class CellColours {
     if (!context_.scene.range) return context_.palette.free;
     turn_to(node);
     if (page_ == nullptr) return context_.palette.free;
+    if (queue_ != nullptr && queue_[node % SearchState::kPage] != 0) return context_.palette.free;
     const std::int64_t value = reader_.read(page_[node % SearchState::kPage]);
     if (value == FieldReader::kNone) return context_.palette.free;
     const double step = std::clamp((static_cast<double>(value) - low_) * steps_, 0.0, 255.0);
@@ -103,6 +111,7 @@ class CellColours {
     page_ = context_.state.page(reader_.kind, node);
     truth_ = context_.state.map_page(EventKind::truth, node);
     known_ = context_.state.map_page(EventKind::known, node);
+    queue_ = settled_alone_ ? context_.state.page(EventKind::queue, node) : nullptr;
   }
 
   SceneContext& context_;
@@ -110,7 +119,7 @@ class CellColours {
   const SharedBytes& original_;
   const MapFindings& found_;
   std::vector<NodeId> surprises_;  // cells that some surprise blocks without telling the robot, ascending
-  bool shows_unknown_;
+  bool shows_unknown_, settled_alone_;
   Colour unknown_ = 0, unknown_surprise_ = 0, unseen_mover_ = 0, gone_ = 0;
   std::array<Colour, 256> ramp_{};
   FieldReader reader_;  // of the field that shows, if one does
@@ -119,6 +128,7 @@ class CellColours {
   const std::uint64_t* page_ = nullptr;
   const std::uint8_t* truth_ = nullptr;
   const std::uint8_t* known_ = nullptr;
+  const std::uint64_t* queue_ = nullptr;  // where what is in the open list has no colour
 };
 
 void paint_cells(SceneContext& context, CellColours& colours) {
@@ -295,6 +305,7 @@ void describe_field(SceneContext& context) {
   if (!cell || !context.lattice.contains(*cell)) return;
   const FieldReader reader = FieldReader::of(*scene.field);
   const NodeId node = context.node(cell->x, cell->y);
+  if (shows_settled_alone(context) && context.state.queued(node)) return;
   const std::int64_t value = reader.read(context.state.value(reader.kind, node));
   if (value != FieldReader::kNone && !context.state.known_blocked(node))
     scene.pointed = static_cast<double>(value) * reader.unit;

@@ -1,7 +1,7 @@
 // What runs across cells: path, trail, sight checks; and the things that stand on them.
 #include <cmath>
 
-#include "core/scene/context.hpp"
+#include "core/scene/numbers.hpp"
 
 namespace replan {
 namespace {
@@ -166,7 +166,24 @@ void add_cell_frames(SceneContext& context) {
   frame(*context.view.pinned, context.palette.accent, 2);
 }
 
+/// Where a cell's numbers leave no room for a disc: a frame around them.
+bool frame_thing(SceneContext& context, const Disc& disc) {
+  const NumberLayout layout(context);
+  const Cell cell = cell_of(disc.centre);
+  if (!layout.close || layout.waiting == NumbersShown::none || !context.in_sight(cell) ||
+      !waits(context, context.lattice.node(cell)))
+    return false;
+  const auto frame = [&](Colour colour, double stroke) {
+    context.add(Outline{static_cast<double>(cell.x), static_cast<double>(cell.y), 1, 1, OutlineShape::square,
+                        colour, context.pixels(stroke), 0});
+  };
+  frame(disc.rim, 4);
+  frame(disc.fill, 3);
+  return true;
+}
+
 void add_thing(SceneContext& context, Disc disc) {
+  if (frame_thing(context, disc)) return;
   disc.fill = context.seen_at(disc.centre, disc.fill);
   disc.rim = context.seen_at(disc.centre, disc.rim);
   context.add(disc);
@@ -199,7 +216,8 @@ void build_things(SceneContext& context) {
   add_cell_frames(context);
   // Never so small that they are lost, never so large that they hide their cell.
   const double cell = context.zoom / context.view.scale;
-  const auto radius = context.pixels(std::clamp(cell * 0.4, 6.0, 11.0));
+  const bool numbers = NumberLayout(context).waiting != NumbersShown::none;
+  const auto radius = context.pixels(std::clamp(cell * 0.4, 6.0, numbers ? 8.0 : 11.0));
   const float rim = context.pixels(2);
   const Palette& palette = context.palette;
   const Scenario& scenario = context.run.scenario();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/scene/numbers.hpp"
 #include "core/scene/overlay.hpp"
 
 namespace replan {
@@ -90,6 +91,8 @@ Scene build_scene(const Run& run, const View& view, Viewport viewport, const Pal
   Scene scene;
   scene.width = viewport.width;
   scene.height = viewport.height;
+  scene.columns = run.lattice().width();
+  scene.rows = run.lattice().height();
   scene.scale = view.scale;
   scene.background = palette.surround;
   scene.camera = resolve(view.camera, run.lattice().width(), run.lattice().height(), viewport);
@@ -97,13 +100,14 @@ Scene build_scene(const Run& run, const View& view, Viewport viewport, const Pal
   clip(context);
   build_raster(context);
   build_rim(context);
-  for (const Layer layer :
-       {Layer::lines, Layer::hatches, Layer::arrows, Layer::frames, Layer::numbers, Layer::script})
+  for (const Layer layer : {Layer::lines, Layer::hatches, Layer::arrows, Layer::frames, Layer::script})
     build_layer(context, layer);
   build_routes(context);
   build_layer(context, Layer::routes);
   build_things(context);
   build_layer(context, Layer::hand);
+  build_numbers(context);
+  build_notes(context, viewport);
   return scene;
 }
 

@@ -76,8 +76,11 @@ struct Label {
   Point at;  ///< of the anchor
   Anchor anchor;
   Colour colour;
-  std::string text;  ///< UTF-8
+  std::string text;   ///< UTF-8
+  Colour ground = 0;  ///< laid under the words; 0 alpha: none
 };
+/// Design pixels of a character of a label, and of the part of a line that digits fill.
+inline constexpr double kDigitWidth = 6.1, kDigitHeight = 10;
 using Shape = std::variant<Line, Arrow, Outline, Polyline, Ring, Disc, Label>;
 
 /// Range of a field's values: what the ends of its colour map stand for.
@@ -94,17 +97,21 @@ enum class Sign : std::uint8_t {
   count
 };
 
-/// Which values stand as numbers in the cells.
+/// How numbers stand in the cells.
 enum class NumbersShown : std::uint8_t {
   none,
-  two,   ///< g above rhs, in cells that wait
   one,   ///< g alone
+  two,   ///< g above rhs
   four,  ///< g, rhs and the key in the corners
 };
+/// Which values they are, as a set.
+using NumberMask = std::uint8_t;
+inline constexpr NumberMask kNumberG = 1, kNumberRhs = 2, kNumberKey = 4, kNumberDist = 8;
 
 struct Scene {
   Camera camera;              ///< resolved: its zoom is never 0
   int width = 0, height = 0;  ///< pixels of the view
+  int columns = 0, rows = 0;  ///< cells of the world
   double scale = 1;           ///< device pixels per design pixel
   Colour background = 0;
   Raster raster;
@@ -114,6 +121,7 @@ struct Scene {
   std::string field_words;          ///< what the field's values are, of this planner
   std::optional<double> pointed;    ///< the field's value at the cell under the mouse
   NumbersShown numbers = NumbersShown::none;
+  NumberMask written = 0;  ///< the values that stand in some cell
   std::uint32_t signs = 0;
 
   [[nodiscard]] bool shows(Sign sign) const { return (signs >> static_cast<unsigned>(sign) & 1u) != 0; }

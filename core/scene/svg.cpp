@@ -112,6 +112,7 @@ class Writer {
     const bool middle = label.anchor == Anchor::middle;
     // Digits are about seven tenths of the type size high.
     const double rise = middle ? 0.35 * size : low ? 0 : 0.7 * size;
+    if (label.ground >> 24 != 0) plate(label, rise - 0.7 * size, size);
     out_ += "<text" + attribute("x", x(label.at)) + attribute("y", y(label.at) + rise) +
             attribute("font-size", size) + " text-anchor=\"" +
             (middle  ? "middle"
@@ -177,6 +178,15 @@ class Writer {
   }
   void circle(double cx, double cy, double r, const std::string& style) {
     out_ += "<circle" + attribute("cx", cx) + attribute("cy", cy) + attribute("r", r) + style + "/>\n";
+  }
+  /// The ground of a label whose digits begin `top` below its anchor.
+  void plate(const Label& label, double top, double size) {
+    const auto count =
+        std::count_if(label.text.begin(), label.text.end(), [](char c) { return (c & 0xC0) != 0x80; });
+    const double width = 0.61 * size * static_cast<double>(count);
+    const bool right = label.anchor == Anchor::upper_right || label.anchor == Anchor::lower_right;
+    const double left = x(label.at) - (label.anchor == Anchor::middle ? width / 2 : right ? width : 0);
+    rectangle(left - 1, y(label.at) + top - 1, width + 2, 0.7 * size + 2, paint("fill", label.ground));
   }
   void figure(const std::string& path, const Outline& mark) {
     out_ += "<path d=\"" + path + "\" fill=\"none\"" + stroke(mark.colour, mark.stroke) + "/>\n";

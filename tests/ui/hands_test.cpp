@@ -58,6 +58,17 @@ class HandsTest : public ShellTest {
     });
     return open;
   }
+  /// Of a window that floats over the canvas; nothing if there is none.
+  ImVec2 middle_of(std::string_view name) {
+    ImVec2 middle;
+    offscreen_->frame([&] {
+      shell_->draw(offscreen_->stage().look(), *session_, 0);
+      for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+        if (window->Active && std::string_view(window->Name).starts_with(name))
+          middle = {window->Pos.x + window->Size.x / 2, window->Pos.y + window->Size.y / 2};
+    });
+    return middle;
+  }
   ImVec2 card() const {
     const PixelArea& canvas = shell_->panels().canvas;
     return {canvas.max.x - 60, canvas.min.y + 60};
@@ -252,11 +263,44 @@ TEST_F(HandsTest, InASmallWindowTheLegendStaysOnItsPane) {
 TEST_F(HandsTest, WhyStandsBesideThePinnedCell) {
   click(at({9, 6}));
   ASSERT_TRUE(shell_->view().view.pinned.has_value());
-  const float half = static_cast<float>(shell_->panels().zoom / 2);
-  const ImVec2 cell = at({9, 6});
-  click({cell.x + half + 20, cell.y - half + 10});
+  click(middle_of("question"));
   EXPECT_TRUE(shell_->panels().why_open);
   EXPECT_EQ(shell_->view().view.pinned, (Cell{9, 6})) << "the click went through to the world";
+}
+
+TEST_F(HandsTest, TheMinimapShowsWhileSomeOfTheWorldIsOutOfSightAndMovesTheView) {
+  choose_tool(shell_->view(), "paint");
+  frames(2);
+  EXPECT_EQ(middle_of("minimap").x, 0) << "all is in sight";
+  shell_->view().view.camera = {2, 2, 200};
+  frames(2);
+  const ImVec2 middle = middle_of("minimap");
+  ASSERT_GT(middle.x, 0);
+  click(middle);
+  EXPECT_NEAR(shell_->view().view.camera.x, 10, 0.3);
+  EXPECT_NEAR(shell_->view().view.camera.y, 4, 0.3);
+  EXPECT_EQ(shell_->view().view.camera.zoom, 200);
+  EXPECT_TRUE(session_->history().empty()) << "it was clicked through";
+  shell_->view().captured = true;
+  frames(2);
+  EXPECT_EQ(middle_of("minimap").x, 0) << "in a picture";
+  shell_->view().captured = false;
+  shell_->view().minimap = false;
+  frames(2);
+  EXPECT_EQ(middle_of("minimap").x, 0) << "it is switched off";
+}
+
+TEST_F(HandsTest, TheAnswerIsClosedWhenItIsAboutAnotherCell) {
+  click(at({9, 6}));
+  click(middle_of("question"));
+  ASSERT_TRUE(shell_->panels().why_open);
+  frames(2);
+  ASSERT_TRUE(session_->apply(Seek{3}).ok());
+  frames(2);
+  EXPECT_TRUE(shell_->panels().why_open) << "the same run at another moment";
+  shell_->view().view.pinned = Cell{2, 2};
+  frames(2);
+  EXPECT_FALSE(shell_->panels().why_open);
 }
 
 }  // namespace

@@ -19,12 +19,16 @@ TEST(Settings, KeepATabByItsId) {
   settings.brush = 7;
   settings.colours_so_far = true;
   settings.size_step = 3;
+  settings.minimap = false;
+  settings.colours = ui::FieldColours::cividis;
   ASSERT_TRUE(write_settings(settings, folder.file("window.json")).ok());
   const Remembered read = read_settings(folder.file("window.json"));
   EXPECT_EQ(read.tab, "figures");
   EXPECT_EQ(read.brush, 7);
   EXPECT_TRUE(read.colours_so_far);
   EXPECT_EQ(read.size_step, 3);
+  EXPECT_FALSE(read.minimap);
+  EXPECT_EQ(read.colours, ui::FieldColours::cividis);
 }
 
 TEST(Settings, ReadATabsNumberOfOlderVersions) {
@@ -33,6 +37,12 @@ TEST(Settings, ReadATabsNumberOfOlderVersions) {
   EXPECT_EQ(tab_of(R"({"tab": 7})"), "");
   EXPECT_EQ(tab_of(R"({"tab": true})"), "");
   EXPECT_EQ(tab_of("{}"), "");
+}
+
+TEST(Settings, ColoursThatThereAreNotAreTheUsualOnes) {
+  const test::TemporaryFolder folder;
+  for (const char* json : {R"({"colours": "jet"})", R"({"colours": 2})", "{}"})
+    EXPECT_EQ(read_settings(folder.with("window.json", json)).colours, ui::FieldColours::viridis) << json;
 }
 
 TEST(Settings, ATabThatThereIsNotIsTheOneThatShowsAtFirst) {

@@ -25,6 +25,7 @@ Palette palette() {
   colours.unseen = 0xFF884422;
   colours.accent = 0xFFFFAA00;
   colours.text = 0xFFEEEEEE;
+  colours.dim = 0xFF777777;
   colours.rhs = 0xFF11EE11;
   colours.path = 0xFF00FFFF;
   colours.field_opacity = 1;
@@ -128,7 +129,7 @@ TEST(Step, TheValueJustWrittenStandsBesideItsCell) {
   for (const double zoom : {8.0, 29.0, 60.0}) {
     const Scene scene =
         scene_at(*run, position, view_of({Overlay::step}, {cell.x + 0.5, cell.y + 0.5, zoom}));
-    EXPECT_TRUE(has_label(scene, "rhs ∞ → 1.414")) << zoom;
+    EXPECT_TRUE(has_label(scene, "rhs: ∞ → 1.4")) << zoom;
     const auto frames = shapes_of<Outline>(scene);
     EXPECT_TRUE(std::any_of(frames.begin(), frames.end(), [&](const Outline& frame) {
       return frame.x == cell.x && frame.y == cell.y && frame.shape == OutlineShape::filled;
@@ -157,7 +158,7 @@ TEST(Step, StandsInADrawingToo) {
   const auto run = finished(world());
   const Scene scene = scene_at(*run, after(*run, EventKind::rhs, 1), view_of({Overlay::step}));
   const std::string svg = scene_svg(scene, palette());
-  EXPECT_NE(svg.find("rhs ∞ → 1.414"), std::string::npos);
+  EXPECT_NE(svg.find("rhs: ∞ → 1.4"), std::string::npos);
   EXPECT_NE(svg.find("<circle"), std::string::npos);
   EXPECT_EQ(svg.find("stroke-dasharray=\"0\""), std::string::npos);
 }
@@ -165,7 +166,7 @@ TEST(Step, StandsInADrawingToo) {
 TEST(Waiting, BothNumbersStandInCellsThatDifferInTwoColours) {
   const auto run = finished(world());
   const std::size_t position = after(*run, EventKind::pop, 9) - 1;
-  const View near = view_of({Overlay::waiting}, {15, 6, 24});
+  const View near = view_of({Overlay::waiting, Overlay::queue}, {15, 6, 27});
   const Scene scene = scene_at(*run, position, near);
   const SearchState& state = run->timeline().state();
   std::size_t differ = 0, waiting = 0;
@@ -187,11 +188,125 @@ TEST(Waiting, BothNumbersStandInCellsThatDifferInTwoColours) {
                               [](const Outline& frame) { return frame.shape == OutlineShape::corners; })),
             waiting);
   EXPECT_TRUE(scene.shows(Sign::two_values) && scene.shows(Sign::queue));
-  const Scene farther = scene_at(*run, position, view_of({Overlay::waiting}, {15, 6, 15}));
+  const Scene farther = scene_at(*run, position, view_of({Overlay::waiting, Overlay::queue}, {15, 6, 15}));
   EXPECT_TRUE(shapes_of<Label>(farther).empty());
   EXPECT_EQ(shapes_of<Outline>(farther).size(), 4 + waiting) << "the world's edge and the open list";
-  const Scene far = scene_at(*run, position, view_of({Overlay::waiting}, {15, 6, 6}));
-  EXPECT_EQ(shapes_of<Outline>(far).size(), 4u);
+  for (const double zoom : {2.0, 6.0, 11.0}) {
+    const auto dots = shapes_of<Outline>(
+        scene_at(*run, position, view_of({Overlay::waiting, Overlay::queue}, {15, 6, zoom})));
+    EXPECT_EQ(dots.size(), 4 + waiting) << zoom;
+    EXPECT_EQ(dots.back().shape, OutlineShape::filled);
+    EXPECT_GE(dots.back().width * zoom, 2 - 1e-9) << "it can be seen";
+  }
+}
+
+/// The box of a label in cells, as wide as its digits.
+struct Box2 {
+  double left, top, right, bottom;
+};
+Box2 box_of(const Label& label, double zoom) {
+  const auto count =
+      std::count_if(label.text.begin(), label.text.end(), [](char c) { return (c & 0xC0) != 0x80; });
+  const double width = 6 * static_cast<double>(count) / zoom, height = 8 / zoom;
+  const bool right = label.anchor == Anchor::upper_right || label.anchor == Anchor::lower_right;
+  const bool low = label.anchor == Anchor::lower_left || label.anchor == Anchor::lower_right;
+  const bool middle = label.anchor == Anchor::middle;
+  const double x = label.at.x - (middle  ? width / 2
+                                 : right ? width
+                                         : 0),
+               y = label.at.y - (middle ? height / 2
+                                 : low  ? height
+                                        : 0);
+  return {x, y, x + width, y + height};
+}
+bool meet(const Box2& a, const Box2& b) {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
+TEST(Numbers, NeverStandHalfThereBetweenTwoLayouts) {
+  const auto run = finished(world());
+  const std::size_t position = after(*run, EventKind::pop, 9) - 1;
+  for (double zoom = 20; zoom < 90; zoom += 0.5) {
+    const Scene scene =
+        scene_at(*run, position, view_of({Overlay::numbers, Overlay::waiting}, {15, 6, zoom}));
+    std::size_t middle = 0, corners = 0;
+    for (const Label& label : shapes_of<Label>(scene)) {
+      EXPECT_EQ(label.colour >> 24, 0xFFu) << zoom;
+      EXPECT_EQ(label.ground >> 24, 0xFFu) << "what runs under it would strike it through";
+      ++(label.anchor == Anchor::middle ? middle : corners);
+    }
+    EXPECT_TRUE(middle == 0 || corners == 0) << zoom;
+    EXPECT_EQ(middle + corners > 0, scene.numbers != NumbersShown::none) << zoom;
+  }
+}
+
+TEST(Numbers, BothStandInSettledCellsTooAndTheSceneSaysWhichThereAre) {
+  const auto run = finished(world());
+  const std::size_t planned = after(*run, EventKind::plan_end, 0);
+  const View view = view_of({Overlay::numbers, Overlay::waiting}, {15, 6, 58});
+  const Scene scene = scene_at(*run, planned, view);
+  EXPECT_EQ(scene.numbers, NumbersShown::two);
+  EXPECT_EQ(scene.written, kNumberG | kNumberRhs);
+  std::size_t settled = 0;
+  for (const Label& label : shapes_of<Label>(scene)) settled += label.colour == palette().text ? 1u : 0u;
+  EXPECT_GT(settled, 20u);
+  const auto afresh = finished(world("astar"));
+  const Scene alone = scene_at(*afresh, after(*afresh, EventKind::plan_end, 0), view);
+  EXPECT_EQ(alone.numbers, NumbersShown::one);
+  EXPECT_EQ(alone.written, kNumberG) << "the planner has no rhs";
+}
+
+TEST(Numbers, DoNotMeetEachOtherInAnyLayout) {
+  const auto run = finished(world("dist-dstar-lite"));
+  for (const std::size_t position : {after(*run, EventKind::pop, 9) - 1, after(*run, EventKind::plan_end, 0)})
+    for (const double zoom : {26.0, 33.0, 43.0, 44.0, 58.0, 71.0, 72.0, 87.0}) {
+      const auto labels = shapes_of<Label>(
+          scene_at(*run, position, view_of({Overlay::numbers, Overlay::waiting}, {15, 6, zoom})));
+      for (std::size_t i = 0; i < labels.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+          ASSERT_FALSE(meet(box_of(labels[i], zoom), box_of(labels[k], zoom)))
+              << labels[i].text << " on " << labels[k].text << " at " << zoom;
+    }
+}
+
+TEST(Notes, LieOnNoNumberAndInsideTheView) {
+  const auto run = finished(world());
+  const View view = view_of({Overlay::numbers, Overlay::waiting, Overlay::step, Overlay::path}, {15, 6, 58});
+  std::size_t looked_at = 0;
+  for (std::size_t p = after(*run, EventKind::pop, 3); p < after(*run, EventKind::pop, 9); ++p) {
+    const Scene scene = scene_at(*run, p, view);
+    const auto labels = shapes_of<Label>(scene);
+    for (const Label& note : labels) {
+      if (note.ground >> 24 != 0) continue;  // a number
+      ++looked_at;
+      const Box2 box = box_of(note, 58);
+      for (const Label& number : labels)
+        if (number.ground >> 24 != 0) {
+          EXPECT_FALSE(meet(box, box_of(number, 58))) << note.text << " on " << number.text;
+        }
+      EXPECT_GE(box.left, 15 - kView.width / 116.0);
+      EXPECT_LE(box.right, 15 + kView.width / 116.0);
+      EXPECT_GE(box.top, 6 - kView.height / 116.0);
+      EXPECT_LE(box.bottom, 6 + kView.height / 116.0);
+    }
+  }
+  EXPECT_GT(looked_at, 20u);
+}
+
+TEST(Waiting, CellsLookTheSameWithAnyPlanner) {
+  for (const char* planner : {"astar", "dstar-lite"}) {
+    const auto run = finished(world(planner));
+    const Scene scene = scene_at(*run, after(*run, EventKind::plan_end, 0),
+                                 view_of({Overlay::g, Overlay::queue, Overlay::waiting}));
+    const SearchState& state = run->timeline().state();
+    const Raster& raster = scene.raster;
+    for (NodeId n = 0; n < run->lattice().node_count(); ++n) {
+      const Cell cell = run->lattice().position(n);
+      if (!state.queued(n) || state.known_blocked(n)) continue;
+      EXPECT_EQ(raster.texels[static_cast<std::size_t>(cell.y * raster.columns + cell.x)], palette().free)
+          << planner << " has not settled " << cell.x << ", " << cell.y;
+    }
+  }
 }
 
 TEST(Numbers, HaveLinesBetweenTheCellsAndTheKeyThatThePlannerDeclares) {

@@ -7,6 +7,7 @@
 #include "ui/canvas/chips.hpp"
 #include "ui/canvas/draw.hpp"
 #include "ui/canvas/hand.hpp"
+#include "ui/canvas/minimap.hpp"
 #include "ui/canvas/number_key.hpp"
 #include "ui/canvas/overlay.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -40,6 +41,7 @@ struct Canvas::Parts {
     double scale = 0;
     Viewport viewport;
     ImU32 free = 0;
+    FieldColours colours = FieldColours::viridis;
     friend bool operator==(const SceneKey&, const SceneKey&) = default;
   };
 
@@ -51,7 +53,7 @@ struct Canvas::Parts {
     bool active = false;
   };
 
-  explicit Parts(ImGuiRenderer& its_renderer) : renderer(its_renderer) {}
+  explicit Parts(ImGuiRenderer& its_renderer) : renderer(its_renderer), minimap(its_renderer) {}
 
   void prepare(const Look& look, const Session& session, const Run& run, const ViewState& state);
   void upload();
@@ -65,6 +67,7 @@ struct Canvas::Parts {
   void point(const Session& session, std::size_t pane, ViewState& state, ImVec2 min, bool hovered,
              std::vector<Command>& commands);
   bool title(const Look& look, const Session& session, std::size_t pane, std::vector<Command>& commands);
+  void draw_minimap(const Look& look, const Session& session, const Run& run, ViewState& state, ImVec2 foot);
   void take_hands(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
                   ImVec2 max, std::vector<Command>& commands);
 
@@ -84,6 +87,7 @@ struct Canvas::Parts {
   Hand hand;
   std::optional<Cell> hovered;
   ChipsDrawn chips;  // as drawn last
+  Minimap minimap;
 };
 
 Canvas::Canvas(ImGuiRenderer& renderer) : parts_(std::make_unique<Parts>(renderer)) {}
@@ -134,9 +138,10 @@ void Canvas::Parts::prepare(const Look& look, const Session& session, const Run&
                      view.selected_surprise,
                      view.scale,
                      viewport,
-                     look.theme.free};
+                     look.theme.free,
+                     state.colours};
   if (key == now) return;
-  scene = build_scene(run, view, viewport, scene_palette(look.theme), memory);
+  scene = build_scene(run, view, viewport, scene_palette(look.theme, state.colours), memory);
   key = now;
   upload();
 }
@@ -302,6 +307,20 @@ void Canvas::Parts::take_answer(ViewState& state, const Session& session, std::s
   if (pane != session.lead()) commands.emplace_back(Lead{pane});
 }
 
+/// Above the sentence of a stop, if there is one.
+void Canvas::Parts::draw_minimap(const Look& look, const Session& session, const Run& run, ViewState& state,
+                                 ImVec2 foot) {
+  if (!state.minimap || state.captured || !exceeds_view(scene)) return;
+  const Breakpoints& breakpoints = session.breakpoints();
+  if (breakpoints.hunt() || !breakpoints.stopped().empty()) foot.y -= look.px(44);
+  const auto middle =
+      minimap.draw(look, run, memory, scene, std::clamp(state.view.slice, 0, run.lattice().depth() - 1),
+                   scene_palette(look.theme, state.colours), foot);
+  if (!middle) return;
+  zooming.active = false;
+  state.view.camera = {middle->x, middle->y, scene.camera.zoom};
+}
+
 void Canvas::draw(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
                   ImVec2 max, bool interactive, std::vector<Command>& commands, float below) {
   Parts& parts = *parts_;
@@ -340,11 +359,13 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
   }
   const bool leads = interactive && session.runs().size() > 1 && pane == session.lead();
   if (leads) list.AddRectFilled(min, {max.x, min.y + look.px(2)}, look.theme.accent);
-  parts.chips =
-      draw_chips(look, list, run, parts.memory, parts.plans, state, min, max, interactive, parts.card);
+  parts.chips = draw_chips(look, list, run, parts.scene, parts.memory, parts.plans, state, min, max,
+                           interactive, parts.card);
   parts.take_answer(state, session, pane, commands);
   if (state.legend && pane == session.lead())
     draw_number_key(look, list, run.info(), parts.scene, {min.x + look.px.m, max.y - below - look.px.s});
+  if (pane == session.lead())
+    parts.draw_minimap(look, session, run, state, {max.x - look.px.m, max.y - below - look.px.s});
   list.PopClipRect();
   ImGui::PopID();
 }

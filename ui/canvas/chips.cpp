@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "core/plan/stage.hpp"
+#include "core/scene/cover.hpp"
 #include "core/world/ends.hpp"
 #include "ui/icons.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -51,6 +52,23 @@ std::string title_figures(const Run& run, SceneMemory& memory, const ViewState& 
 const char* why_wrong(const Run& run) {
   return run.info().exercise ? ": this planner is broken on purpose."
                              : ": its remote parents were never checked.";
+}
+
+/// Where a card of that size hides least of the world: at the right, from `top` or from `below` the title, or at the left
+/// below that.
+ImVec2 card_place(const Look& look, const Scene& scene, const ScreenArea& area, ImVec2 size, float top,
+                  float below) {
+  const float margin = look.px(12), left = area.min.x + margin, right = area.max.x - margin - size.x;
+  const PixelBox world = Cover::world(scene);
+  const auto hidden = [&](ImVec2 at) {
+    return PixelBox{0, 0, static_cast<double>(size.x), static_cast<double>(size.y)}
+        .moved_to(static_cast<double>(at.x - area.min.x), static_cast<double>(at.y - area.min.y))
+        .common(world);
+  };
+  ImVec2 best(right, top);
+  for (const ImVec2 at : {ImVec2(right, below), ImVec2(left, below)})
+    if (hidden(at) < hidden(best)) best = at;
+  return best;
 }
 
 }  // namespace
@@ -109,9 +127,9 @@ float pane_title_height(const Look& look) {
   return look.px(12) + look.px(29) + look.px.xs;
 }
 
-ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, SceneMemory& memory,
-                      FreshPlans& plans, const ViewState& state, ImVec2 min, ImVec2 max, bool choosable,
-                      CardFold& fold) {
+ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene& scene,
+                      SceneMemory& memory, FreshPlans& plans, const ViewState& state, ImVec2 min, ImVec2 max,
+                      bool choosable, CardFold& fold) {
   const Theme& theme = look.theme;
   const float margin = look.px(12);
   const std::size_t cursor = run.timeline().cursor();
@@ -126,20 +144,25 @@ ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, SceneM
   drawn.title = {corner, {corner.x + left.x, corner.y + left.y}};
   float below = min.y + margin + left.y + look.px.s;
   ImVec2 card_foot(max.x, min.y);  // lower left corner
+  const ScreenArea area{min, max};
   const RepairFigures repair = memory.repair(run, cursor);
   fold.see(repair.number, ImGui::GetTime());
   if (repair.number > 0) {
     const auto fresh = plans.of(run, static_cast<std::size_t>(repair.number), !state.live);
-    const ReplanReport report{repair, fresh, state.live};
+    const ReplanReport report{repair, fresh, state.live, run.info().incremental};
     const float room = max.x - min.x - left.x - 3 * margin;
     // A picture has the whole card where that hides little of the world.
     const bool roomy = max.y - min.y >= look.px(kWholeCardHeight);
     const bool whole = state.live ? fold.whole(ImGui::GetTime(), roomy) : roomy;
-    const bool beside = replan_card_size(look, report, !whole).x <= room;
-    const float top = beside ? min.y + margin : below;
-    drawn.card = draw_replan_card(look, {max.x - margin, top}, report, !whole);
-    const ImVec2 size = replan_card_size(look, report, !whole);
-    card_foot = {max.x - margin - size.x, top + size.y};
+    const bool fits = replan_card_size(look, report, CardForm::line).x <= room;
+    const CardForm form = whole ? CardForm::whole : fits ? CardForm::line : CardForm::short_line;
+    const ImVec2 size = replan_card_size(look, report, form);
+    const ImVec2 at = card_place(look, scene, area, size, size.x <= room ? min.y + margin : below, below);
+    drawn.card = draw_replan_card(look, at, report, form);
+    if (at.x > min.x + margin)
+      card_foot = {at.x, at.y + size.y};
+    else
+      below = at.y + size.y + look.px.s;
   }
   if (const StateMessage message = state_message(run, memory); !message.text.empty()) {
     const TextRun text{message.text, message.bad ? theme.bad : theme.text, look.fonts.ui};

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "ui/colormap.hpp"
-
 namespace replan::ui {
 namespace {
 
@@ -128,7 +126,13 @@ class Painter {
       at = {at.x - size.x / 2, at.y - size.y / 2};
     else
       at = {right ? at.x - size.x : at.x, low ? at.y - size.y + bearing : at.y - bearing};
-    list_.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)}, label.colour, begin, end);
+    at = {std::round(at.x), std::round(at.y)};
+    if (label.ground >> IM_COL32_A_SHIFT != 0) {
+      const float rim = look_.px.hair;
+      list_.AddRectFilled({at.x - rim, at.y + bearing - rim},
+                          {at.x + size.x + rim, at.y + size.y - bearing + rim}, label.ground);
+    }
+    list_.AddText(font, font->FontSize, at, label.colour, begin, end);
   }
 
  private:
@@ -223,7 +227,7 @@ class Painter {
 
 }  // namespace
 
-Palette scene_palette(const Theme& theme) {
+Palette scene_palette(const Theme& theme, FieldColours colours) {
   Palette palette;
   palette.background = theme.background;
   palette.surround = theme.surround;
@@ -246,7 +250,7 @@ Palette scene_palette(const Theme& theme) {
   palette.outline = theme.outline;
   palette.rhs = theme.rhs;
   palette.unseen = theme.unseen;
-  palette.field = field_colours(theme);
+  palette.field = field_colours(theme, colours);
   palette.field_opacity = theme.field_opacity;
   return palette;
 }

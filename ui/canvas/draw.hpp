@@ -4,12 +4,13 @@
 #include <imgui.h>
 
 #include "core/scene/scene.hpp"
+#include "ui/colormap.hpp"
 #include "ui/look.hpp"
 
 namespace replan::ui {
 
 /// The colours of scenes under a theme.
-Palette scene_palette(const Theme& theme);
+Palette scene_palette(const Theme& theme, FieldColours colours = FieldColours::viridis);
 
 /// From world to screen for a scene whose view begins at `min`.
 struct Projection {

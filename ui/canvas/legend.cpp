@@ -33,8 +33,8 @@ struct KeyTerm {
   std::string_view term;
 };
 constexpr KeyTerm kKeyTerms[] = {
-    {"last repair", "repair"},        {"moving", "moving-obstacle"}, {"over", "overconsistent"},
-    {"under", "underconsistent"},     {"no sight", "sight"},         {"path", "plan"},
+    {"last repair", "repair"},        {"moving", "moving-obstacle"}, {"g > rhs", "overconsistent"},
+    {"g < rhs", "underconsistent"},   {"no sight", "sight"},         {"path", "plan"},
     {"nearest to it", "nearest-goal"}};
 
 const OverlayInfo* overlay_called(std::string_view label) {
@@ -126,11 +126,12 @@ float Legend::height(const Look& look) {
   return legend_size(look, {}, {}).y + 2 * look.px.s;
 }
 
-void Legend::draw(const Look& look, const Scene& leading, std::uint32_t signs, ImVec2 min, ImVec2 max) {
+void Legend::draw(const Look& look, const Scene& leading, FieldColours map, std::uint32_t signs, ImVec2 min,
+                  ImVec2 max) {
   const float margin = look.px.m, room = max.x - min.x - 2 * margin;
   LegendField field;
   std::string low, high;
-  const Colormap colours = field_colours_over_free(look.theme);
+  const Colormap colours = field_colours_over_free(look.theme, map);
   if (leading.range) {
     low = value_text(leading.range->low);
     high = value_text(leading.range->high);
@@ -161,24 +162,26 @@ void Legend::draw(const Look& look, const Scene& leading, std::uint32_t signs, I
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBackground);
   ImGui::PopStyleVar();
   const float bottom = ImGui::GetWindowPos().y + size.y;
-  row(look, field, rows.front(), bottom);
+  row(look, field, rows.front(), {ImGui::GetWindowPos().x, bottom});
   if (!more.empty()) {
     const std::array<TextRun, 1> runs = {{{more, look.theme.dim, look.fonts.ui}}};
     const float left = ImGui::GetWindowPos().x + legend_size(look, field, rows.front()).x + look.px.xs;
     chip(look, *ImGui::GetWindowDrawList(), {left, bottom}, runs, Corner::bottom_left);
   }
   for (std::size_t i = 1; i < rows.size() && unfolded_; ++i)
-    row(look, {}, rows[i], bottom - step * static_cast<float>(i));
+    row(look, {}, rows[i],
+        {ImGui::GetWindowPos().x + size.x - legend_size(look, {}, rows[i]).x,
+         bottom - step * static_cast<float>(i)});
   unfolded_ = ImGui::IsWindowHovered() || ImGui::IsPopupOpen("word");
   explain(look);
   ImGui::End();
 }
 
+/// `corner`: its lower left one.
 void Legend::row(const Look& look, const LegendField& field, const std::vector<LegendEntry>& entries,
-                 float bottom) {
+                 ImVec2 corner) {
   std::vector<ScreenArea> boxes;
-  legend(look, *ImGui::GetWindowDrawList(), {ImGui::GetWindowPos().x, bottom}, field, entries,
-         Corner::bottom_left, &boxes);
+  legend(look, *ImGui::GetWindowDrawList(), corner, field, entries, Corner::bottom_left, &boxes);
   const std::size_t fields = boxes.size() - entries.size();
   if (fields > 0) key(look, field_, boxes.front());
   for (std::size_t i = 0; i < entries.size(); ++i) key(look, entries[i].label, boxes[fields + i]);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/scene/scene.hpp"
+#include "ui/colormap.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
@@ -24,12 +25,14 @@ class Legend {
   /// The height that it takes in one row, with the space around it.
   [[nodiscard]] static float height(const Look& look);
 
-  /// In a window of its own at the lower left of `min`..`max`: the field of the leading pane's scene, and the signs that
-  /// any pane shows. What has no room in its row unfolds above it while the mouse is there.
-  void draw(const Look& look, const Scene& leading, std::uint32_t signs, ImVec2 min, ImVec2 max);
+  /// In a window of its own at the lower left of `min`..`max`: the field of the leading pane's scene in its colours, and
+  /// the signs that any pane shows. What has no room in its row unfolds above its end while the mouse is there.
+  void draw(const Look& look, const Scene& leading, FieldColours colours, std::uint32_t signs, ImVec2 min,
+            ImVec2 max);
 
  private:
-  void row(const Look& look, const LegendField& field, const std::vector<LegendEntry>& entries, float bottom);
+  void row(const Look& look, const LegendField& field, const std::vector<LegendEntry>& entries,
+           ImVec2 corner);
   void key(const Look& look, std::string_view label, const ScreenArea& box);
   void explain(const Look& look);
 

@@ -11,8 +11,8 @@ namespace {
 /// The enlarged cell and the names in it.
 class KeyCell {
  public:
-  KeyCell(const Look& look, ImDrawList& list, const PlannerInfo& planner, ImVec2 min)
-      : look_(look), list_(list), planner_(planner), min_(min), side_(look.px(kSide)) {}
+  KeyCell(const Look& look, ImDrawList& list, const PlannerInfo& planner, NumberMask written, ImVec2 min)
+      : look_(look), list_(list), planner_(planner), written_(written), min_(min), side_(look.px(kSide)) {}
 
   static constexpr float kSide = 76;  // of the design
 
@@ -37,6 +37,7 @@ class KeyCell {
   }
 
  private:
+  [[nodiscard]] bool has(NumberMask what) const { return (written_ & what) != 0; }
   [[nodiscard]] float line() const { return look_.fonts.mono->FontSize; }
   [[nodiscard]] float width(std::string_view name) const { return text_width(look_.fonts.mono, name); }
   void write(std::string_view name, float x, float y, ImU32 colour) const {
@@ -49,33 +50,36 @@ class KeyCell {
     const SearchValues& values = planner_.values;
     const float inset = look_.px.xs, low = side_ - line() - inset;
     const auto right = [&](std::string_view name) { return side_ - width(name) - inset; };
-    write("g", inset, inset, look_.theme.text);
-    if (values.lookahead()) write("rhs", right("rhs"), inset, look_.theme.rhs);
-    if (const Field* first = values.find(EventKind::queue)) write(first->label, inset, low, look_.theme.dim);
-    write(values.order.second, right(values.order.second), low, look_.theme.dim);
-    if (planner_.clearance) centred("dist", (side_ - line()) / 2, look_.theme.dim);
+    const Field* first = values.find(EventKind::queue);
+    if (has(kNumberG)) write("g", inset, inset, look_.theme.text);
+    if (has(kNumberRhs)) write("rhs", right("rhs"), inset, look_.theme.rhs);
+    if (has(kNumberKey) && first != nullptr) write(first->label, inset, low, look_.theme.dim);
+    if (has(kNumberKey)) write(values.order.second, right(values.order.second), low, look_.theme.dim);
+    if (has(kNumberDist)) centred("dist", (side_ - line()) / 2, look_.theme.dim);
   }
 
   const Look& look_;
   ImDrawList& list_;
   const PlannerInfo& planner_;
+  NumberMask written_;
   ImVec2 min_;
   float side_;
 };
 
 /// What the names stand for.
-std::string meaning(const PlannerInfo& planner, NumbersShown numbers) {
-  std::string text = planner.from_goal ? "g is the cost to the goal, as it was settled last."
-                                       : "g is the cost from the start, as it was settled last.";
-  const bool all = numbers == NumbersShown::four;
-  if (planner.values.lookahead() && numbers != NumbersShown::one)
-    text += " rhs is what the neighbours say now: where the two differ, the cell waits.";
-  if (all)
+std::string meaning(const PlannerInfo& planner, NumberMask written) {
+  const auto has = [written](NumberMask what) { return (written & what) != 0; };
+  std::string text = planner.values.lookahead()
+                         ? planner.from_goal ? "g is the cost to the goal, as it was settled last."
+                                             : "g is the cost from the start, as it was settled last."
+                     : planner.from_goal ? "g is the least cost to the goal that was found so far."
+                                         : "g is the least cost from the start that was found so far.";
+  if (has(kNumberRhs)) text += " rhs is what the neighbours say now: where the two differ, the cell waits.";
+  if (has(kNumberKey))
     text +=
         " Below stands the key of a cell in the open list: the smallest is taken next, and of equal ones "
-        "that with "
-        "the smaller second number.";
-  if (all && planner.clearance) text += " dist is the penalty for lying near an obstacle.";
+        "that with the smaller second number.";
+  if (has(kNumberDist)) text += " dist is the penalty for lying near an obstacle.";
   return text;
 }
 
@@ -88,9 +92,9 @@ void draw_number_key(const Look& look, ImDrawList& list, const PlannerInfo& plan
   const ImVec2 min(foot.x, foot.y - side), max(foot.x + side, foot.y);
   list.AddRectFilled(min, max, with_alpha(look.theme.panel, kChipOpacity), look.px.radius_l);
   list.AddRect(min, max, look.theme.line, look.px.radius_l, 0, look.px.hair);
-  KeyCell(look, list, planner, {min.x + margin, min.y + margin}).draw(scene.numbers);
+  KeyCell(look, list, planner, scene.written, {min.x + margin, min.y + margin}).draw(scene.numbers);
   if (!ImGui::IsMouseHoveringRect(min, max, false)) return;
-  const std::string words = meaning(planner, scene.numbers);
+  const std::string words = meaning(planner, scene.written);
   hint(look, {"The numbers in the cells", "", words.c_str()});
 }
 

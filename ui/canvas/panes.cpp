@@ -40,7 +40,7 @@ void Panes::draw(const Look& look, const Session& session, std::size_t most, Vie
   }
   shown_ = std::clamp(session.lead(), first, first + count - 1);
   area_ = {grid.min(shown_ - first), grid.max(shown_ - first)};
-  if (state.legend) legend_.draw(look, scene(), signs, min, foot);
+  if (state.legend) legend_.draw(look, scene(), state.colours, signs, min, foot);
 }
 
 }  // namespace replan::ui

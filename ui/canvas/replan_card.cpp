@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "ui/canvas/chips.hpp"
 #include "ui/icons.hpp"
@@ -25,6 +26,11 @@ std::string milliseconds(double ms) {
   return text;
 }
 
+/// Whether it tells a repair from a plan from scratch: not where it was one.
+bool compares(const ReplanReport& report) {
+  return report.repairs && !report.repair.cause.afresh();
+}
+
 /// A line of the card's table: what, for the repair, from scratch.
 struct Row {
   std::string what, repair, scratch;
@@ -37,13 +43,17 @@ std::vector<Row> rows_of(const ReplanReport& report) {
   if (report.times)
     rows.push_back({"milliseconds", report.repair.ms ? milliseconds(*report.repair.ms) : "…",
                     fresh(report.fresh ? milliseconds(report.fresh->ms) : "")});
+  if (!compares(report))
+    for (Row& row : rows) row.scratch = std::exchange(row.repair, "");
   return rows;
 }
 
-std::string brief_text(const ReplanReport& report) {
-  std::string text = "replan " + grouped(report.repair.number) + " · " + grouped(report.repair.touched);
-  if (report.fresh) text += " of " + grouped(report.fresh->touched);
-  return text + " touched";
+std::string brief_text(const ReplanReport& report, CardForm form) {
+  std::string text =
+      "replan " + grouped(report.repair.number) + " · " + grouped(report.repair.touched) + " touched";
+  if (form == CardForm::line && compares(report) && report.fresh)
+    text += ", " + grouped(report.fresh->touched) + " from scratch";
+  return text;
 }
 
 /// Lays the whole card out; without a list it only measures.
@@ -53,7 +63,7 @@ class CardPen {
       : look_(look), report_(report), rows_(rows_of(report)) {
     const float what = widest([](const Row& row) -> const std::string& { return row.what; }, look.fonts.ui);
     repair_ =
-        std::max(text_width(look.fonts.small, "repair"),
+        std::max(compares(report) ? text_width(look.fonts.small, "repair") : 0,
                  widest([](const Row& row) -> const std::string& { return row.repair; }, look.fonts.mono));
     scratch_ =
         std::max(text_width(look.fonts.small, "from scratch"),
@@ -79,7 +89,8 @@ class CardPen {
     y += look_.px(22);
     draw_text(list, look_.fonts.ui, {left, y}, theme.text, cause());
     y += look_.px(22);
-    right_aligned(list, look_.fonts.small, right - scratch_ - look_.px(16), y, theme.dim, "repair");
+    if (compares(report_))
+      right_aligned(list, look_.fonts.small, right - scratch_ - look_.px(16), y, theme.dim, "repair");
     right_aligned(list, look_.fonts.small, right, y, theme.dim, "from scratch");
     y += look_.px(18);
     for (const Row& row : rows_) {
@@ -110,8 +121,8 @@ class CardPen {
   ImVec2 size_;
 };
 
-void draw_brief(const Look& look, ImVec2 min, const ReplanReport& report) {
-  const std::string text = brief_text(report);
+void draw_brief(const Look& look, ImVec2 min, const ReplanReport& report, CardForm form) {
+  const std::string text = brief_text(report, form);
   const std::array<TextRun, 1> runs = {{{text, look.theme.warning, look.fonts.ui}}};
   chip(look, *ImGui::GetWindowDrawList(), min, runs);
 }
@@ -131,9 +142,9 @@ std::string cause_sentence(const ReplanCause& cause) {
   return cells(cause.blocked) + " blocked.";
 }
 
-ImVec2 replan_card_size(const Look& look, const ReplanReport& report, bool brief) {
-  if (!brief) return CardPen(look, report).size();
-  return {text_width(look.fonts.ui, brief_text(report)) + look.px(20), look.px(29)};
+ImVec2 replan_card_size(const Look& look, const ReplanReport& report, CardForm form) {
+  if (form == CardForm::whole) return CardPen(look, report).size();
+  return {text_width(look.fonts.ui, brief_text(report, form)) + look.px(20), look.px(29)};
 }
 
 void CardFold::see(std::int64_t replan, double now) {
@@ -142,10 +153,11 @@ void CardFold::see(std::int64_t replan, double now) {
   until_ = now + kWholeSeconds;
 }
 
-CardAnswer draw_replan_card(const Look& look, ImVec2 pos, const ReplanReport& report, bool brief) {
-  const ImVec2 size = replan_card_size(look, report, brief);
+CardAnswer draw_replan_card(const Look& look, ImVec2 pos, const ReplanReport& report, CardForm form) {
+  const ImVec2 size = replan_card_size(look, report, form);
+  const bool brief = form != CardForm::whole;
   const std::string id = "card##" + std::to_string(ImGui::GetID("card"));
-  ImGui::SetNextWindowPos({std::floor(pos.x - size.x), pos.y});
+  ImGui::SetNextWindowPos({std::floor(pos.x), std::floor(pos.y)});
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::Begin(id.c_str(), nullptr,
@@ -155,7 +167,7 @@ CardAnswer draw_replan_card(const Look& look, ImVec2 pos, const ReplanReport& re
   const ImVec2 min = ImGui::GetWindowPos();
   CardAnswer answer = CardAnswer::none;
   if (brief)
-    draw_brief(look, min, report);
+    draw_brief(look, min, report, form);
   else
     CardPen(look, report).draw(*ImGui::GetWindowDrawList(), min);
   if (!brief) {

@@ -12,7 +12,8 @@ namespace replan::ui {
 struct ReplanReport {
   RepairFigures repair;
   std::optional<FreshPlan> fresh;
-  bool times = true;  ///< off in pictures, which are to be the same each time
+  bool times = true;    ///< off in pictures, which are to be the same each time
+  bool repairs = true;  ///< off where the planner begins from scratch each time
 };
 
 /// One sentence: "The robot saw 6 cells blocked and 2 free."
@@ -45,10 +46,16 @@ class CardFold {
 /// What a click on a card asks for.
 enum class CardAnswer : std::uint8_t { none, repair, close, open };
 
-ImVec2 replan_card_size(const Look& look, const ReplanReport& report, bool brief);
+enum class CardForm : std::uint8_t {
+  whole,
+  line,        ///< what the repair touched, and a plan from scratch
+  short_line,  ///< without that
+};
 
-/// The card with its upper right corner at `pos`, or as one line if `brief`, in a window of its own: what is clicked on
-/// it is not clicked on the world under it. Within the ID of its pane.
-CardAnswer draw_replan_card(const Look& look, ImVec2 pos, const ReplanReport& report, bool brief);
+ImVec2 replan_card_size(const Look& look, const ReplanReport& report, CardForm form);
+
+/// The card with its upper left corner at `pos`, in a window of its own: what is clicked on it is not clicked on the world
+/// under it. Within the ID of its pane.
+CardAnswer draw_replan_card(const Look& look, ImVec2 pos, const ReplanReport& report, CardForm form);
 
 }  // namespace replan::ui

@@ -7,6 +7,7 @@
 
 #include "core/scene/view.hpp"
 #include "ui/canvas/editing.hpp"
+#include "ui/colormap.hpp"
 #include "ui/tools/tool_box.hpp"
 
 namespace replan::ui {
@@ -18,9 +19,11 @@ struct ViewState {
   int brush = 1;  ///< side of the brush in cells, 1 to 64
   Editing editing;
   bool dark = true;
+  FieldColours colours = FieldColours::viridis;
   bool panels = true;  ///< side panel and tool strip shown
   std::string tab;     ///< the id of the chosen side tab; empty: the one that shows at first
   bool legend = true;
+  bool minimap = true;       ///< the whole world in a corner, while some of it is out of sight
   bool hides_panes = false;  ///< there is no room for all of them
   static constexpr int kSmallest = -3, kLargest = 8;
   int size_step = 0;  ///< of words, buttons and panels, beside what the display asks for
@@ -38,6 +41,7 @@ struct ViewState {
   int zoom_steps = 0;         ///< in, or below 0 out
   int pan_x = 0, pan_y = 0;   ///< steps towards which the view goes
   bool panned = false;        ///< something was dragged while Space was down
+  bool captured = false;  ///< a picture or a film is made of the canvas: what only serves its user stays away
   bool live = true;  ///< a window; else a picture, which shows no wall times and waits for what is worked out
 };
 

@@ -55,6 +55,20 @@ struct AboutLine {
   std::string name, version;
 };
 
+/// Where "Why?", or its answer, stands, and what that was worked out for.
+struct WhyPlace {
+  struct Key {
+    Cell cell;
+    std::uint64_t log_id = 0;
+    Camera camera;
+    int width = 0, height = 0;
+    bool open = false, measured = false;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  std::optional<Key> key;
+  ImVec2 at;
+};
+
 /// What the panels share between frames; no part of the document.
 struct PanelState {
   float side_width = 372;  ///< of the design; the user drags it
@@ -65,10 +79,11 @@ struct PanelState {
   bool animated = false;  ///< something on it moves by itself
   double zoom = 0;        ///< device pixels per cell on the canvas, as fitted or chosen
   TabBox tabs;
-  TouchedList touched;          ///< by the last replan
-  bool menu_open = false;       ///< that of ViewState::menu
-  float why_height = 0;         ///< what that took in the last frame, in pixels
-  bool why_open = false;        ///< beside the pinned cell it is told why its value is what it is
+  TouchedList touched;     ///< by the last replan
+  bool menu_open = false;  ///< that of ViewState::menu
+  float why_height = 0;    ///< what that took in the last frame, in pixels
+  bool why_open = false;   ///< beside the pinned cell it is told why its value is what it is
+  WhyPlace why;
   std::optional<Cell> pointed;  ///< the cell of the row under the mouse, which the canvas shows as hovered
   double exporting = -1;  ///< how much of a trace has been written, 0 to 1; below 0: none is being written
   ClipboardWork clipboard;

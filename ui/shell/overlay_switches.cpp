@@ -34,6 +34,16 @@ void range_switch(Frame& frame) {
   hint(frame.look, each.hint());
 }
 
+/// By what fields are coloured.
+void colour_choices(Frame& frame) {
+  for (const ActionId id : {ActionId::colours_viridis, ActionId::colours_cividis, ActionId::colours_grey}) {
+    const Action& each = action(id);
+    bool on = each.rules.checked(context_of(frame));
+    if (choice(frame.look, each.label.c_str(), on)) perform(frame, id);
+    hint(frame.look, each.hint());
+  }
+}
+
 }  // namespace
 
 void draw_overlay_switches(Frame& frame) {
@@ -45,6 +55,8 @@ void draw_overlay_switches(Frame& frame) {
   for (const OverlayInfo& info : overlays())
     if (info.is_field()) overlay_switch(frame, info, width);
   range_switch(frame);
+  ImGui::Dummy({0, look.px.xs});
+  colour_choices(frame);
   ImGui::EndGroup();
   ImGui::SameLine(0, look.px(28));
   ImGui::BeginGroup();

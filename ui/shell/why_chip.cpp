@@ -1,7 +1,10 @@
 // "Why?" beside the pinned cell on the canvas, and the answer.
 #include <algorithm>
+#include <cmath>
 
-#include "ui/canvas/draw.hpp"
+#include "core/scene/cover.hpp"
+#include "ui/canvas/chips.hpp"
+#include "ui/canvas/legend.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/panels.hpp"
 #include "ui/tabs/cell_view.hpp"
@@ -11,15 +14,30 @@ namespace {
 
 constexpr float kAnswerWidth = 320;
 
-/// The upper left corner of a box of that size beside a cell: at its right, or at its left if there is more room.
-ImVec2 beside(const Look& look, const Projection& screen, Cell cell, ImVec2 size, ImVec2 min, ImVec2 max) {
-  const double x = cell.x, y = cell.y;
-  const ImVec2 low = screen({x, y}), high = screen({x + 1, y + 1});
-  const float gap = look.px.s;
-  const bool left = high.x + gap + size.x > max.x;
-  const float wanted = left ? low.x - gap - size.x : high.x + gap;
-  return {std::clamp(wanted, min.x, std::max(min.x, max.x - size.x)),
-          std::clamp(low.y, min.y, std::max(min.y, max.y - size.y))};
+/// Where a box of that size hides least: near the cell, or, for the answer, wherever there is room.
+ImVec2 best_place(const Look& look, const Scene& scene, Cell cell, ImVec2 size, bool open, ImVec2 min,
+                  ImVec2 max) {
+  const auto px = [&look](float design) { return static_cast<double>(look.px(design)); };
+  const double width = max.x - min.x, height = max.y - min.y;
+  const PixelBox room{px(4), static_cast<double>(pane_title_height(look)), width - px(4),
+                      height - static_cast<double>(Legend::height(look))};
+  const PixelBox box{0, 0, static_cast<double>(size.x), static_cast<double>(size.y)};
+  const double reach = open ? std::max(width, height) : px(96), farther = px(open ? 0.5f : 2);
+  const PixelBox best = Cover(scene).best_beside(box, Cover::cell(scene, cell), room, px(8), reach, farther);
+  return {min.x + std::round(static_cast<float>(best.left)),
+          min.y + std::round(static_cast<float>(best.top))};
+}
+
+/// It stays where it is while one steps through a run, and is closed where it is about another cell or another run.
+ImVec2 place(Frame& frame, const Scene& scene, Cell cell, ImVec2 size, ImVec2 min, ImVec2 max) {
+  WhyPlace& why = frame.panels.why;
+  const WhyPlace::Key now{cell,         frame.run().log_id(),  scene.camera, scene.width,
+                          scene.height, frame.panels.why_open, size.y > 0};
+  if (why.key != now) {
+    why.at = best_place(frame.look, scene, cell, size, frame.panels.why_open, min, max);
+    why.key = now;
+  }
+  return {why.at.x, std::max(min.y, std::min(why.at.y, max.y - size.y))};
 }
 
 void answer(Frame& frame, Cell cell) {
@@ -43,13 +61,16 @@ void question(Frame& frame) {
 
 void draw_why_chip(Frame& frame, const Scene& scene, ImVec2 min, ImVec2 max) {
   const std::optional<Cell>& pinned = frame.view.view.pinned;
+  const auto& before = frame.panels.why.key;
+  if (before && (before->cell != pinned || before->log_id != frame.run().log_id()))
+    frame.panels.why_open = false;
   if (!pinned || !frame.session.scenario().map.contains(*pinned)) return;
   const Look& look = frame.look;
   const bool open = frame.panels.why_open;
   const float line = look.fonts.title->FontSize + look.px.s;
   const ImVec2 size = open ? ImVec2(look.px(kAnswerWidth), frame.panels.why_height)
                            : ImVec2(text_width(look.fonts.title, "Why?") + 2 * look.px.s, line);
-  ImGui::SetNextWindowPos(beside(look, Projection(scene, min), *pinned, size, min, max));
+  ImGui::SetNextWindowPos(place(frame, scene, *pinned, size, min, max));
   ImGui::SetNextWindowSize(open ? ImVec2(size.x, 0) : size);
   ImGui::SetNextWindowBgAlpha(0.96f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,

@@ -133,6 +133,12 @@ struct Pen {
     x += shape_room(look, entry.shape);
     // The colours of grounds cannot be read as words.
     const bool ground = entry.shape == LegendShape::tile || entry.shape == LegendShape::square;
+    const std::size_t slash = entry.label.rfind('/');
+    if (entry.shape == LegendShape::two_values && slash != std::string_view::npos) {
+      write(look.fonts.ui, look.theme.text, entry.label.substr(0, slash + 1));
+      write(look.fonts.ui, entry.colour, entry.label.substr(slash + 1));
+      return;
+    }
     write(look.fonts.ui, ground ? look.theme.dim : entry.colour, entry.label);
   }
   void gradient(const LegendField& field) {

@@ -231,7 +231,7 @@ enum class LegendShape {
   tile,  ///< of a cell, with a rim
   outline,
   corners,
-  two_values,
+  two_values,  ///< what stands before a slash in its label is in the colour of text
   up,
   down,
   line,

@@ -43,13 +43,12 @@ std::unique_ptr<CellMark> consistency_signs(SceneContext& context) {
 }  // namespace
 
 OverlayKind overlay_consistency() {
-  return {
-      .info = {.label = "consistency",
-               .help = "Cells whose g and rhs differ: over (g > rhs) can be settled, under (g < rhs) must be "
-                       "raised first.",
-               .key = '5'},
-      .layer = Layer::frames,
-      .each = consistency_signs};
+  return {.info = {.label = "consistency",
+                   .help = "Cells whose g and rhs differ: with g > rhs they can be settled, with g < rhs "
+                           "they must be raised first.",
+                   .key = '5'},
+          .layer = Layer::frames,
+          .each = consistency_signs};
 }
 
 }  // namespace replan

@@ -95,8 +95,7 @@ class ComingSurprise {
     const CellChange* first = &cells_.all().front();
     if (!context_.in_sight(first->cell)) return;
     const std::string words = at.move ? "step " + std::to_string(*at.move) : "when near";
-    add_note(context_, {static_cast<double>(first->cell.x), static_cast<double>(first->cell.y)}, colour_,
-             words);
+    context_.notes.push_back({first->cell, {words}, colour_});
   }
 
   SceneContext& context_;

@@ -4,18 +4,38 @@
 
 #include "core/debug/event_words.hpp"
 #include "core/debug/in_hand.hpp"
+#include "core/scene/numbers.hpp"
 #include "core/scene/overlay.hpp"
 
 namespace replan {
 namespace {
+
+/// From so many design pixels a cell on the sums of its neighbours can be read.
+constexpr double kSumsFrom = 52;
 
 /// What a sum is made of: "1.4+28.7", or with the penalty as a third. On two lines where a cell has no room for it.
 std::vector<std::string> sum_lines(const SceneContext& context, const Offer& offer) {
   std::string sum = cost_text(offer.step, 1) + "+" + cost_text(offer.g, 1);
   if (offer.dist <= Cost::zero()) return {sum};
   const std::string penalty = "+" + cost_text(offer.dist, 1);
-  if (note_width(context, sum + penalty) <= 1) return {sum + penalty};
+  if (words_width(context, sum + penalty) + context.world(8) <= 1) return {sum + penalty};
   return {sum, penalty};
+}
+
+/// "rhs: ∞ → 2.8", "key: none → 6.0": with as many decimals as it takes to see that something has changed.
+std::string written_words(const Box& lattice, const Field& field, const InHand::Write& write) {
+  const auto change = [&](const std::string& from, const std::string& to) { return from + " → " + to; };
+  const bool key = field.type == FieldType::queue;
+  const auto cost = [key](std::uint64_t raw, int decimals) {
+    if (key && raw == 0) return std::string("none");
+    return cost_text(Cost{static_cast<std::int64_t>(raw) - (key ? 1 : 0)}, decimals);
+  };
+  const std::string name = key ? "key" : value_name(field);
+  if (!key && field.type != FieldType::cost)
+    return name + ": " +
+           change(value_text(lattice, field, write.before), value_text(lattice, field, write.after));
+  const bool coarse = cost(write.before, 1) != cost(write.after, 1);
+  return name + ": " + change(cost(write.before, coarse ? 1 : 3), cost(write.after, coarse ? 1 : 3));
 }
 
 /// What the search has in hand, all in the colour of the line of code that is lit.
@@ -39,7 +59,8 @@ class StepMarks {
 
   /// The neighbours that are tried, joined to the vertex that tries them; near enough each with its sum.
   void add_trials() {
-    const double joined = context_.grown(10, 16), readable = context_.grown(48, 56);
+    const double joined = context_.grown(10, 16);
+    const bool readable = context_.zoom >= kSumsFrom * context_.view.scale;
     if (hand_.trials.empty() || joined <= 0 || cell_of(hand_.centre).z != context_.slice) return;
     context_.scene.show(Sign::tried);
     const Point centre = context_.centre(hand_.centre);
@@ -54,24 +75,10 @@ class StepMarks {
       // Between the middles of the cells, which have signs of their own.
       context_.add(Line{on_the_way(0.3), on_the_way(0.7), faded(colour_, joined * strength),
                         context_.pixels(trial.taken ? 2 : 1)});
-      if (readable > 0) add_sum(trial, readable);
+      if (readable)
+        context_.notes.push_back({cell_of(trial.offer.node), sum_lines(context_, trial.offer),
+                                  trial.taken ? colour_ : context_.palette.dim, true});
     }
-  }
-
-  /// At the lower edge of the cell; in the middle, where its corners have numbers.
-  void add_sum(const Trial& trial, double strength) {
-    const std::vector<std::string> lines = sum_lines(context_, trial.offer);
-    const Point there = context_.centre(trial.offer.node);
-    const Colour colour = faded(trial.taken ? colour_ : context_.palette.dim, strength);
-    const double height = context_.world(15);
-    const double foot = context_.scene.numbers == NumbersShown::four
-                            ? there.y + height * static_cast<double>(lines.size()) / 2
-                            : there.y + 0.5;
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      add_note(context_,
-               {there.x - note_width(context_, lines[i]) / 2,
-                foot - height * static_cast<double>(lines.size() - 1 - i)},
-               colour, lines[i]);
   }
 
   /// The cell of the value that was just written, with what it was and is.
@@ -80,24 +87,11 @@ class StepMarks {
     if (!context_.in_sight(cell)) return;
     context_.scene.show(Sign::written);
     const auto x = static_cast<double>(cell.x), y = static_cast<double>(cell.y);
-    context_.add(Outline{x, y, 1, 1, OutlineShape::filled, faded(colour_, 0.25), 0, 0});
+    context_.add(Outline{x, y, 1, 1, OutlineShape::filled, faded(colour_, SceneContext::kTint), 0, 0});
+    context_.written = cell;
     mark_cell(context_, cell, OutlineShape::square, colour_, 1, context_.pixels(2), 0);
     const Field& field = context_.run.info().values.field(write.event.kind);
-    const std::string words = value_name(field) + " " + value_text(context_.lattice, field, write.before) +
-                              " → " + value_text(context_.lattice, field, write.after);
-    add_note(context_, place_of_words(cell, words), colour_, words);
-  }
-
-  /// Above the cell, or below it at the upper edge of the view; never beyond its sides.
-  [[nodiscard]] Point place_of_words(Cell cell, const std::string& words) const {
-    const Camera& camera = context_.scene.camera;
-    const double half_width = context_.scene.width / 2.0 / context_.zoom,
-                 half_height = context_.scene.height / 2.0 / context_.zoom, gap = context_.world(10),
-                 height = context_.world(15), width = note_width(context_, words);
-    const double left = camera.x - half_width, right = camera.x + half_width - width;
-    const bool above = cell.y - gap - height > camera.y - half_height;
-    return {std::max(left, std::min<double>(cell.x, right)),
-            above ? cell.y - gap : cell.y + 1 + gap + height};
+    context_.notes.push_back({cell, {written_words(context_.lattice, field, write)}, colour_});
   }
 
   /// A ring around u, with a rim so that it stands off any field.
@@ -107,9 +101,17 @@ class StepMarks {
     context_.scene.show(Sign::in_hand);
     const Point at = SceneContext::centre(cell);
     const double side = context_.zoom / context_.view.scale;
-    const double radius = context_.world(std::clamp(side / 2 + 1.5, 8.0, 24.0));
+    const double radius = context_.world(std::clamp(side / 2 + 1.5, 8.0, room_for_ring(side)));
     context_.add(Ring{at, radius, context_.palette.outline, context_.pixels(5), 0});
     context_.add(Ring{at, radius, colour_, context_.pixels(2.6), 0});
+  }
+
+  /// In design pixels: between the numbers of a cell that is so large.
+  [[nodiscard]] double room_for_ring(double side) const {
+    const NumberLayout layout(context_);
+    if (layout.waiting == NumbersShown::none || layout.close) return 24;
+    if (layout.waiting == NumbersShown::four) return std::min(side / 2 - 17, 24.0);
+    return std::max(8.0, layout.apart * side - 6);
   }
 
   SceneContext& context_;
