@@ -155,14 +155,11 @@ bool do_step(LessonPlayer& player, Session& session) {
 TouchClaim touched_by_last_repair(const Session& session) {
   const Run& run = session.run();
   const std::size_t cursor = run.timeline().cursor();
-  std::size_t begin = 0, end = cursor;
-  for (const Milestone& each : run.milestones()) {
-    if (each.event >= cursor) break;
-    if (each.kind == EventKind::plan_begin) begin = each.event;
-    if (each.kind == EventKind::plan_end) end = each.event + 1;
-  }
+  std::size_t begin = 0;
+  for (const Milestone& each : run.milestones())
+    if (each.kind == EventKind::plan_begin && each.event < cursor) begin = each.event;
   TouchedList touched;
-  touched.follow(run.log_view(), run.log_id(), begin, end);
+  touched.follow(run.log_view(), run.log_id(), begin, cursor);
   return {static_cast<std::int64_t>(touched.list().size()),
           plan_from_scratch(FreshPlanTask(run), {}).touched};
 }
@@ -230,6 +227,7 @@ TEST(ShippedLessons, TakeThePressesThatTheyAskFor) {
       }
       for (int press = 1; press <= asked->second; ++press) {
         ASSERT_TRUE(session.apply(Step{StepUnit::expansion, 1}).ok());
+        player.note("Step");
         session.settle();
         const bool done = player.look(session);
         EXPECT_EQ(done, press == asked->second)
