@@ -95,6 +95,17 @@ TEST_F(LessonTest, EachStepBeginsWithTheSelectTool) {
   EXPECT_EQ(shell_->view().tools.chosen_id(), "select");
 }
 
+TEST_F(LessonTest, TheFirstStepPinsItsCellInAWorldOfAnotherSize) {
+  press('P', true);
+  type("lesson km");
+  press(key::kEnter);
+  session_->settle();
+  frames(4);
+  ASSERT_EQ(player().lesson().id, "km");
+  ASSERT_TRUE(player().step().cell);
+  EXPECT_EQ(shell_->view().view.pinned, player().step().cell);
+}
+
 TEST_F(LessonTest, TheWorldStaysWhereItIsFromStepToStep) {
   begin();
   const float top = shell_->panels().canvas.min.y;

@@ -79,9 +79,10 @@ float LessonCard::height(const Look& look, float width) const {
   return std::ceil(2 * look.px.s + look.px(kHead + kGap) + tallest + look.px.control);
 }
 
-/// What a step begins with: its cell is pinned, and no tool is in hand that was taken for something else.
 void LessonCard::enter_step(Frame& frame) {
+  if (!open() || shown_ == player_->number()) return;
   shown_ = player_->number();
+  frame.panels.animated = true;  // the canvas has been drawn without that
   frame.view.view.pinned = player_->step().cell;
   frame.panels.why_open = false;
   choose_tool(frame.view, "select");
@@ -170,7 +171,6 @@ void LessonCard::draw_buttons(Frame& frame) {
 
 void LessonCard::draw(Frame& frame) {
   const Look& look = frame.look;
-  if (shown_ != player_->number()) enter_step(frame);
   const float top = ImGui::GetCursorPosY(), left = ImGui::GetCursorPosX();
   draw_head(frame);
   float y = top + look.px(kHead);

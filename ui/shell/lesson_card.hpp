@@ -27,9 +27,11 @@ class LessonCard {
   [[nodiscard]] float height(const Look& look, float width) const;
   /// In the current ImGui window; there must be a lesson.
   void draw(Frame& frame);
+  /// What a step begins with: its cell is pinned, and no tool is in hand that was taken for something else. Once a
+  /// frame, behind the canvas, which forgets what was pinned in another world.
+  void enter_step(Frame& frame);
 
  private:
-  void enter_step(Frame& frame);
   void draw_head(Frame& frame);
   void draw_buttons(Frame& frame);
   void draw_way_on(Frame& frame);

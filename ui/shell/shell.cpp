@@ -169,6 +169,7 @@ void Shell::draw_parts(Frame& frame) {
     area("lesson", {left, look.px.menu}, {split - left, strip}, look.theme.panel, {look.px.m, look.px.s},
          [&] { lesson_.draw(frame); });
   draw_canvas(frame, {left, top}, {split, under});
+  lesson_.enter_step(frame);
   area("transport", {0, under}, {transport_end, look.px.transport}, look.theme.panel,
        {look.px.l, look.px(14)}, [&] { draw_transport(frame); });
   if (panels) {
