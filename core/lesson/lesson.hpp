@@ -23,10 +23,12 @@
 // (core/debug/condition.hpp) that has to hold at the cursor of the leading run, and `given`, a command
 // (core/session/commands.def) or an action of the window that the learner has to have given since the step began. `do`
 // (deeds.hpp) does it for the learner; without one the cursor goes to where `until` comes true. `cell` is the cell that
-// the step is about: a window pins it. Lessons stand in the order of their files' names: 1-first-steps.md has the id
+// the step is about: a window pins it. `touches`, as in "3 of 36", is a claim that the words make: the latest repair has
+// touched 3 cells, where a plan from scratch touches 36. Tests hold lessons to it. Lessons stand in the order of their files' names: 1-first-steps.md has the id
 // "first-steps".
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,6 +41,12 @@
 
 namespace replan {
 
+/// How many cells the latest repair has touched, and how many a plan from scratch would.
+struct TouchClaim {
+  std::int64_t repair = 0, scratch = 0;
+  friend bool operator==(const TouchClaim&, const TouchClaim&) = default;
+};
+
 struct LessonStep {
   std::string title;
   std::vector<std::string> paragraphs = {};  ///< with the marks of core/base/markdown.hpp
@@ -46,6 +54,7 @@ struct LessonStep {
   std::vector<std::string> given = {};
   std::vector<Deed> deeds = {};
   std::optional<Cell> cell = {};
+  std::optional<TouchClaim> touches = {};  ///< once the step is done
 };
 
 struct Lesson {

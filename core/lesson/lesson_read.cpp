@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <filesystem>
 
 #include "core/base/file.hpp"
@@ -26,6 +27,12 @@ std::string_view without_ticks(std::string_view text) {
   text = trimmed(text);
   if (text.size() > 1 && text.front() == '`' && text.back() == '`') return text.substr(1, text.size() - 2);
   return text;
+}
+
+/// Whether the text is a whole number and no more; it is then in `number`.
+bool is_number(std::string_view text, std::int64_t& number) {
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return failed == std::errc{} && end == text.data() + text.size();
 }
 
 class Reader {
@@ -158,15 +165,16 @@ class Reader {
     const std::string_view value = without_ticks(item.substr(std::min(colon + 1, item.size())));
     if (value.empty())
       return error("'" + std::string(key) + "' has no value; write '- " + std::string(key) + ": `...`'");
-    static constexpr std::string_view kKeys[] = {"until", "given", "do", "cell"};
+    static constexpr std::string_view kKeys[] = {"until", "given", "do", "cell", "touches"};
     LessonStep& step = lesson_.steps.back();
     if (key == "until") return take_condition(step, value);
     if (key == "given") return take_given(step, value);
     if (key == "do") return take_deed(step, value);
     if (key == "cell") return take_cell(step, value);
+    if (key == "touches") return take_claim(step, value);
     const std::string_view nearest = nearest_name(key, kKeys);
     return error("a step has no '" + std::string(key) + "'" +
-                 (nearest.empty() ? "; give until, given, do or cell"
+                 (nearest.empty() ? "; give until, given, do, cell or touches"
                                   : "; did you mean '" + std::string(nearest) + "'?"));
   }
 
@@ -203,6 +211,17 @@ class Reader {
     const Result<Cell> cell = parse_lesson_cell(text, box());
     if (!cell) return error(cell.error());
     step.cell = *cell;
+    return {};
+  }
+
+  Result<void> take_claim(LessonStep& step, std::string_view text) {
+    constexpr std::string_view kOf = " of ";
+    TouchClaim claim;
+    const std::size_t of = std::min(text.find(kOf), text.size());
+    if (!is_number(text.substr(0, of), claim.repair) ||
+        !is_number(text.substr(std::min(of + kOf.size(), text.size())), claim.scratch))
+      return error("'" + std::string(text) + "' does not say how many cells are touched; write 3 of 36");
+    step.touches = claim;
     return {};
   }
 

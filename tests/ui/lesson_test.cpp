@@ -39,7 +39,7 @@ class LessonTest : public ShellTest {
     const Look& look = offscreen_->stage().look();
     float x = look.px.tools + look.px.m + look.px(12);
     for (const char* each : buttons) x += text_width(look.fonts.ui, each) + look.px(24) + look.px.s;
-    click({x, look.px.menu + shell_->lesson().height(look) - look.px(24)});
+    click({x, shell_->panels().canvas.min.y - look.px(20)});
   }
   [[nodiscard]] const LessonPlayer& player() const { return shell_->lesson().player(); }
 };
@@ -59,15 +59,99 @@ TEST_F(LessonTest, GoesOnAsTheLearnerDoesWhatItAsksFor) {
   EXPECT_EQ(player().number(), 0u) << "the first button goes back now";
 }
 
-TEST_F(LessonTest, IsSkippedAndDoneForTheLearner) {
+TEST_F(LessonTest, IsDoneForTheLearner) {
   begin();
   click_behind({"Skip"});
   EXPECT_TRUE(player().done()) << "it was done";
   EXPECT_EQ(session_->run().timeline().cursor(), 0u);
   click_behind({});
   EXPECT_EQ(player().number(), 1u);
-  click_behind({"Back"});
-  EXPECT_EQ(player().number(), 2u) << "it was skipped";
+}
+
+TEST_F(LessonTest, WhatIsSkippedIsDoneSoThatLaterStepsCanBe) {
+  begin();
+  const std::size_t steps = player().lesson().steps.size();
+  click_behind({});
+  EXPECT_EQ(player().number(), 1u);
+  EXPECT_EQ(session_->run().timeline().cursor(), 0u) << "it was done";
+  for (std::size_t step = 1; step + 1 < steps; ++step) {
+    click_behind({"Back"});
+    session_->settle();
+    frames(4);
+    ASSERT_EQ(player().number(), step + 1) << player().step().title;
+  }
+  EXPECT_EQ(session_->run().decisions().back().figures.replans, 1) << "the wall was painted";
+}
+
+TEST_F(LessonTest, EachStepBeginsWithTheSelectTool) {
+  shell_->perform_next(ActionId::tool_fill);
+  frames(2);
+  begin();
+  EXPECT_EQ(shell_->view().tools.chosen_id(), "select");
+  shell_->perform_next(ActionId::tool_fill);
+  frames(2);
+  click_behind({});
+  EXPECT_EQ(player().number(), 1u);
+  EXPECT_EQ(shell_->view().tools.chosen_id(), "select");
+}
+
+TEST_F(LessonTest, TheFirstStepPinsItsCellInAWorldOfAnotherSize) {
+  press('P', true);
+  type("lesson km");
+  press(key::kEnter);
+  session_->settle();
+  frames(4);
+  ASSERT_EQ(player().lesson().id, "km");
+  ASSERT_TRUE(player().step().cell);
+  EXPECT_EQ(shell_->view().view.pinned, player().step().cell);
+}
+
+TEST_F(LessonTest, TheWorldStaysWhereItIsFromStepToStep) {
+  begin();
+  const float top = shell_->panels().canvas.min.y;
+  for (std::size_t step = 0; step + 1 < player().lesson().steps.size(); ++step) {
+    EXPECT_EQ(shell_->panels().canvas.min.y, top) << player().step().title;
+    if (step == 0)
+      click_behind({"Skip"});
+    else
+      click_behind({"Back", "Skip"});
+    session_->settle();
+    frames(4);
+    EXPECT_TRUE(player().done()) << player().step().title;
+    EXPECT_EQ(shell_->panels().canvas.min.y, top) << "done: " << player().step().title;
+    if (step == 0)
+      click_behind({});
+    else
+      click_behind({"Back"});
+  }
+}
+
+TEST_F(LessonTest, NobodyIsAskedAboutTheWorldOfALesson) {
+  begin();
+  ASSERT_TRUE(session_->apply(PaintCells{{{{0, 0}, true}}}).ok());
+  frames(2);
+  EXPECT_TRUE(session_->modified());
+  shell_->perform_next(ActionId::first_steps);
+  frames(2);
+  session_->settle();
+  frames(3);
+  EXPECT_FALSE(session_->modified()) << "it begins again";
+  ASSERT_TRUE(session_->apply(PaintCells{{{{0, 0}, true}}}).ok());
+  frames(2);
+  EXPECT_TRUE(shell_->documents().may_close(*session_));
+}
+
+TEST_F(LessonTest, WhatIsEditedAfterALessonIsAskedAbout) {
+  begin();
+  ASSERT_TRUE(session_->apply(PaintCells{{{{0, 0}, true}}}).ok());
+  frames(2);
+  const Look& look = offscreen_->stage().look();
+  click({shell_->panels().canvas.max.x - look.px(24), look.px.menu + look.px(18)});
+  ASSERT_FALSE(shell_->lesson().open());
+  EXPECT_TRUE(shell_->documents().may_close(*session_)) << "nothing was done since";
+  ASSERT_TRUE(session_->apply(PaintCells{{{{1, 0}, true}}}).ok());
+  frames(2);
+  EXPECT_FALSE(shell_->documents().may_close(*session_));
 }
 
 TEST_F(LessonTest, ClosesWithItsWorld) {

@@ -1,13 +1,16 @@
 // Lessons: how they are read, how a step comes to be done, and that each that is shipped can be played to its end.
 #include "core/lesson/lesson.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "core/base/markdown.hpp"
+#include "core/debug/touched.hpp"
 #include "core/lesson/lesson_player.hpp"
 #include "core/session/command_name.hpp"
+#include "core/session/fresh_plan.hpp"
 
 namespace replan::lesson_test {
 namespace {
@@ -23,7 +26,7 @@ About *nothing* much.
 )";
 const std::string kStep =
     "\n## Begin\n\nPress **Home**\nnow.\n\n- given: `Seek`\n- until: `expansions == 0`\n"
-    "- do: `seek 0`\n- cell: `3, 1`\n";
+    "- do: `seek 0`\n- cell: `3, 1`\n- touches: `3 of 12`\n";
 
 Lesson read(const std::string& text) {
   Result<Lesson> lesson = parse_lesson(text, "l.md", ".");
@@ -50,6 +53,7 @@ TEST(LessonReader, TakesAllParts) {
   EXPECT_EQ(expression_text(*step.until), "expansions == 0");
   EXPECT_EQ(step.deeds.size(), 1u);
   EXPECT_EQ(step.cell, (Cell{3, 1}));
+  EXPECT_EQ(step.touches, (TouchClaim{3, 12}));
 }
 
 TEST(LessonReader, TakesAScenarioFromItsFile) {
@@ -78,6 +82,8 @@ TEST(LessonReader, ErrorsNameTheLineAndTheMend) {
   EXPECT_EQ(error_of(kHead + "## A\nB.\n- do: `step far`\n"),
             "l.md:11: a step is 'step UNIT [COUNT]', and a unit is line, expansion, move, replan or mission");
   EXPECT_EQ(error_of(kHead + "## A\nB.\n- cell: `1`\n"), "l.md:11: '1' is no cell; write 3,1");
+  EXPECT_EQ(error_of(kHead + "## A\nB.\n- touches: `few of 12`\n"),
+            "l.md:11: 'few of 12' does not say how many cells are touched; write 3 of 36");
   EXPECT_EQ(
       error_of("# A\nB.\n## C\n"),
       "l.md:3: the scenario is missing: put a block that begins with ```scenario before the first step");
@@ -145,9 +151,38 @@ bool do_step(LessonPlayer& player, Session& session) {
   return player.look(session);
 }
 
+/// What the latest repair of the leading run touched at the cursor, and what a plan from scratch would have.
+TouchClaim touched_by_last_repair(const Session& session) {
+  const Run& run = session.run();
+  const std::size_t cursor = run.timeline().cursor();
+  std::size_t begin = 0;
+  for (const Milestone& each : run.milestones())
+    if (each.kind == EventKind::plan_begin && each.event < cursor) begin = each.event;
+  TouchedList touched;
+  touched.follow(run.log_view(), run.log_id(), begin, cursor);
+  return {static_cast<std::int64_t>(touched.list().size()),
+          plan_from_scratch(FreshPlanTask(run), {}).touched};
+}
+
+std::string words_of(const LessonStep& step) {
+  std::string words;
+  for (const std::string& each : step.paragraphs) words += without_markdown(each) + " ";
+  return words;
+}
+
+/// Holds the step's claim, if it makes one, to the run; the repair has to be worth it.
+void expect_claim(const LessonPlayer& player, const Session& session) {
+  if (!player.step().touches) return;
+  const TouchClaim claim = *player.step().touches;
+  const TouchClaim really = touched_by_last_repair(session);
+  EXPECT_EQ(claim, really) << player.lesson().id << ": '" << player.step().title << "': " << really.repair
+                           << " of " << really.scratch;
+  EXPECT_LE(claim.repair * 3, claim.scratch) << "a lesson shows a repair that pays";
+}
+
 TEST(ShippedLessons, ArePlayedToTheirEndByTheirDeeds) {
   const std::vector<LessonFile> files = lesson_files();
-  ASSERT_GE(files.size(), 4u);
+  ASSERT_GE(files.size(), 5u);
   EXPECT_EQ(files.front().id, "first-steps");
   std::set<std::string> ids;
   for (const LessonFile& file : files) {
@@ -161,10 +196,67 @@ TEST(ShippedLessons, ArePlayedToTheirEndByTheirDeeds) {
       EXPECT_FALSE(player.look(session))
           << file.path << ": '" << player.step().title << "' is done before it begins";
       EXPECT_TRUE(do_step(player, session)) << file.path << ": '" << player.step().title << "' is never done";
+      expect_claim(player, session);
       player.go_on();
     }
     EXPECT_TRUE(player.at_last());
   }
+}
+
+/// Where a lesson says how often a key is pressed, that is how often it has to be.
+TEST(ShippedLessons, TakeThePressesThatTheyAskFor) {
+  const std::pair<std::string_view, int> kCounts[] = {{"Press → once", 1},
+                                                      {"Press → again", 1},
+                                                      {"Press → twice", 2},
+                                                      {"Press → three times", 3},
+                                                      {"Press → some five times", 5}};
+  for (const LessonFile& file : lesson_files()) {
+    Result<Lesson> lesson = read_lesson(file);
+    ASSERT_TRUE(lesson.ok()) << lesson.error();
+    LessonPlayer player(std::move(lesson.value()));
+    Session session(player.lesson().scenario);
+    session.settle();
+    for (std::size_t i = 0; i < player.lesson().steps.size(); ++i, player.go_on()) {
+      const std::string words = words_of(player.step());
+      const auto asked = std::find_if(std::begin(kCounts), std::end(kCounts), [&](const auto& each) {
+        return words.find(each.first) != std::string::npos;
+      });
+      if (asked == std::end(kCounts)) {
+        EXPECT_TRUE(do_step(player, session)) << file.path << ": " << player.step().title;
+        continue;
+      }
+      for (int press = 1; press <= asked->second; ++press) {
+        ASSERT_TRUE(session.apply(Step{StepUnit::expansion, 1}).ok());
+        player.note("Step");
+        session.settle();
+        const bool done = player.look(session);
+        EXPECT_EQ(done, press == asked->second)
+            << file.path << ": '" << player.step().title << "' after " << press << " presses";
+      }
+    }
+  }
+}
+
+TEST(ShippedLessons, CountTheExpansionsOfTwoPlanners) {
+  const Result<Lesson> lesson = read_lesson("two-planners");
+  ASSERT_TRUE(lesson.ok()) << lesson.error();
+  Session session(lesson->scenario);
+  session.settle();
+  ASSERT_TRUE(session.apply(RunToEnd{}).ok());
+  session.settle();
+  std::string words;
+  for (const LessonStep& step : lesson->steps) words += words_of(step);
+  std::vector<std::int64_t> all;
+  for (const auto& run : session.runs()) {
+    const MissionFigures& end = run->decisions().back().figures;
+    EXPECT_EQ(end.replans, 1);
+    for (const std::int64_t count : {end.counters.expansions, end.last_plan.expansions})
+      EXPECT_NE(words.find(std::to_string(count)), std::string::npos) << count;
+    all.push_back(end.counters.expansions);
+  }
+  EXPECT_GE(all[1], 2 * all[0]) << "A* has twice the work";
+  EXPECT_EQ(session.runs()[0]->decisions().back().figures.moves,
+            session.runs()[1]->decisions().back().figures.moves);
 }
 
 TEST(ShippedLessons, AreMadeOfShortSentences) {

@@ -100,9 +100,13 @@ void Documents::ask_about_unsaved(const Session& session) {
                        .danger = Question::Choice{"Discard", DialogDecision::Kind::discard}});
 }
 
+bool Documents::would_lose_edits(const Session& session) const {
+  return session.modified() && session.document_state() != disregarded_;
+}
+
 void Documents::after_saving(Session& session, Deed deed) {
   deed_ = std::move(deed);
-  if (session.modified())
+  if (would_lose_edits(session))
     ask_about_unsaved(session);
   else
     go_on(session);
@@ -153,6 +157,7 @@ void Documents::replace(Session& session, ReplaceScenario document) {
   window_.show(document.scenario.view);
   watch_.watch({});
   disk_differs_ = false;
+  disregarded_.reset();
   reading_ = {};
   if (const Result<void> done = session.apply(std::move(document)); !done)
     window_.message.tell(done.error(), true);
@@ -177,7 +182,7 @@ void Documents::drop(Session& session, const std::vector<std::string>& paths) {
 }
 
 bool Documents::may_close(const Session& session) {
-  if (quitting_ || !session.modified()) return true;
+  if (quitting_ || !would_lose_edits(session)) return true;
   deed_ = [this](Session&) { quitting_ = true; };
   ask_about_unsaved(session);
   return false;

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,8 @@ class Documents {
   void take_decision(Session& session, const DialogDecision& decision);
   /// Does it once unsaved edits are dealt with.
   void after_saving(Session& session, Deed deed);
+  /// The document as it is now is not worth keeping: nobody is asked about its edits.
+  void disregard_edits(const Session& session) { disregarded_ = session.document_state(); }
   /// Another document, without a question.
   void replace(Session& session, ReplaceScenario document);
 
@@ -90,6 +93,7 @@ class Documents {
     std::vector<StampedFile> files;
   };
 
+  [[nodiscard]] bool would_lose_edits(const Session& session) const;
   void ask_about_unsaved(const Session& session);
   void go_on(Session& session);
   void choose_open(const Session& session, const std::string& path);
@@ -124,7 +128,8 @@ class Documents {
   MapReading reading_;         // how the document's file was read
   bool disk_differs_ = false;  // the user keeps another version than the file's
   std::chrono::steady_clock::time_point looked_at_disk_;
-  std::int64_t unsaved_since_ = 0;  // seconds since 1970; 0: all is saved
+  std::int64_t unsaved_since_ = 0;            // seconds since 1970; 0: all is saved
+  std::optional<std::uint64_t> disregarded_;  // Session::document_state() of what nobody wants to keep
   bool quitting_ = false;
 };
 

@@ -1,6 +1,7 @@
 #include "ui/shell/lesson_card.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <imgui_internal.h>
 
@@ -13,12 +14,21 @@ namespace {
 
 /// Longer lines are hard to read.
 constexpr float kWidestText = 880;
+/// Heights of the line with the title, and of the gap below a paragraph.
+constexpr float kHead = 26, kGap = 4;
 
 /// The lesson after that one; nullptr if it is the last.
 const Lesson* lesson_after(std::span<const Lesson> lessons, std::string_view id) {
   const auto at =
       std::find_if(lessons.begin(), lessons.end(), [id](const Lesson& each) { return each.id == id; });
   return at == lessons.end() || at + 1 == lessons.end() ? nullptr : &*(at + 1);
+}
+
+float text_height(const Look& look, const LessonStep& step, float width) {
+  float height = 0;
+  for (const std::string& each : step.paragraphs)
+    height += marked_paragraph_height(look, each, width, look.px(kWidestText)) + look.px(kGap);
+  return height;
 }
 
 }  // namespace
@@ -44,14 +54,38 @@ void wish_for_lesson(Wish& wish, PanelState& panels, const std::string& id) {
 void LessonCard::begin(Lesson lesson) {
   player_.emplace(std::move(lesson));
   shown_.reset();
+  skipping_ = false;
 }
 
 void LessonCard::note(std::string_view name) {
   if (player_) player_->note(name);
 }
 
-float LessonCard::height(const Look& look) const {
-  return height_ > 0 ? height_ : look.px(120);
+bool LessonCard::look(const Session& session) {
+  if (!open()) return false;
+  const bool done = player_->look(session);
+  const bool rests =
+      std::none_of(session.runs().begin(), session.runs().end(), [](const auto& run) { return run->busy(); });
+  if (!skipping_ || !(player_->done() || rests)) return done;
+  skipping_ = false;
+  player_->go_on();
+  return true;
+}
+
+float LessonCard::height(const Look& look, float width) const {
+  float tallest = 0;
+  for (const LessonStep& step : player_->lesson().steps)
+    tallest = std::max(tallest, text_height(look, step, width - 2 * look.px.m));
+  return std::ceil(2 * look.px.s + look.px(kHead + kGap) + tallest + look.px.control);
+}
+
+void LessonCard::enter_step(Frame& frame) {
+  if (!open() || shown_ == player_->number()) return;
+  shown_ = player_->number();
+  frame.panels.animated = true;  // the canvas has been drawn without that
+  frame.view.view.pinned = player_->step().cell;
+  frame.panels.why_open = false;
+  choose_tool(frame.view, "select");
 }
 
 void LessonCard::draw_head(Frame& frame) {
@@ -74,19 +108,26 @@ void LessonCard::draw_head(Frame& frame) {
       {.icon = icon::times, .hint = {"Close the lesson", "", "The world stays. Help has all lessons."}});
 }
 
-/// Does the step for the learner.
-void LessonCard::do_it(Frame& frame) {
+/// Does the step for the learner. False if it cannot be done, which is said.
+bool LessonCard::do_it(Frame& frame) {
   const Result<std::vector<Deed>> deeds = player_->deeds(frame.session);
   if (!deeds) {
     frame.panels.said = deeds.error();
     frame.panels.said_bad = true;
-    return;
+    return false;
   }
   for (const Deed& deed : *deeds) {
     if (const auto* command = std::get_if<Command>(&deed)) frame.commands.push_back(*command);
     if (const auto* act = std::get_if<ActionDeed>(&deed))
       if (const Action* found = find_action(act->action)) perform(frame, found->id);
   }
+  return true;
+}
+
+/// Later steps may rest on this one, so it is done before the next one begins.
+void LessonCard::skip(Frame& frame) {
+  skipping_ = do_it(frame);
+  if (!skipping_) player_->go_on();
 }
 
 /// What leads on: to the next step, or past the last one.
@@ -94,8 +135,11 @@ void LessonCard::draw_way_on(Frame& frame) {
   const Look& look = frame.look;
   const bool done = player_->done();
   if (!player_->at_last()) {
-    if (button(look, done ? "Next" : "Skip", done ? ButtonKind::primary : ButtonKind::plain))
+    if (!button(look, done ? "Next" : "Skip", done ? ButtonKind::primary : ButtonKind::plain)) return;
+    if (done)
       player_->go_on();
+    else
+      skip(frame);
     return;
   }
   if (const Lesson* next = lesson_after(lessons_of(frame.panels), player_->lesson().id)) {
@@ -127,17 +171,16 @@ void LessonCard::draw_buttons(Frame& frame) {
 
 void LessonCard::draw(Frame& frame) {
   const Look& look = frame.look;
-  if (shown_ != player_->number()) {
-    shown_ = player_->number();
-    frame.view.view.pinned = player_->step().cell;
-  }
+  const float top = ImGui::GetCursorPosY(), left = ImGui::GetCursorPosX();
   draw_head(frame);
-  for (const std::string& each : player_->step().paragraphs)
+  float y = top + look.px(kHead);
+  for (const std::string& each : player_->step().paragraphs) {
+    ImGui::SetCursorPos({left, y});
     marked_paragraph(look, look.theme.text, each, look.px(kWidestText));
+    y += ImGui::GetItemRectSize().y + look.px(kGap);
+  }
+  ImGui::SetCursorPos({left, ImGui::GetWindowHeight() - look.px.s - look.px.control});
   draw_buttons(frame);
-  const float height = ImGui::GetCursorPosY() + look.px.xs;
-  if (height != height_) frame.panels.animated = true;  // it was drawn with another one
-  height_ = height;
   edge(look, Edge::bottom);
   if (closing_) close();
   closing_ = false;

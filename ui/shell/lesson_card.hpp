@@ -19,23 +19,28 @@ class LessonCard {
 
   /// What the learner has given, by its name.
   void note(std::string_view name);
-  /// Looks whether the step is done now. True if that has just come about.
-  bool look(const Session& session) { return open() && player_->look(session); }
+  /// Looks whether the step is done now, and goes on if it was skipped. True if either has just come about.
+  bool look(const Session& session);
 
-  /// How high it is, in pixels, as drawn last.
-  [[nodiscard]] float height(const Look& look) const;
+  /// How high it is where it is that wide, in pixels: the same for all steps of a lesson, so that the world below stays
+  /// where it is. There must be a lesson.
+  [[nodiscard]] float height(const Look& look, float width) const;
   /// In the current ImGui window; there must be a lesson.
   void draw(Frame& frame);
+  /// What a step begins with: its cell is pinned, and no tool is in hand that was taken for something else. Once a
+  /// frame, behind the canvas, which forgets what was pinned in another world.
+  void enter_step(Frame& frame);
 
  private:
   void draw_head(Frame& frame);
   void draw_buttons(Frame& frame);
   void draw_way_on(Frame& frame);
-  void do_it(Frame& frame);
+  bool do_it(Frame& frame);
+  void skip(Frame& frame);
 
   std::optional<LessonPlayer> player_;
-  std::optional<std::size_t> shown_;  // the step whose cell was pinned
-  float height_ = 0;
+  std::optional<std::size_t> shown_;  // the step that was entered
+  bool skipping_ = false;             // the step is being done, and then left
   bool closing_ = false;
 };
 

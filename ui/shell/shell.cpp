@@ -170,13 +170,14 @@ void Shell::draw_parts(Frame& frame) {
     area("tools", {0, look.px.menu}, {left, under - look.px.menu}, look.theme.panel, {look.px(7), look.px(8)},
          [&] { draw_tool_strip(frame); });
   const bool told = panels_.caption && !session_caption.empty() && !lesson_.open();
-  const float strip = lesson_.open() ? lesson_.height(look) : told ? look.px(kCaption) : 0;
+  const float strip = lesson_.open() ? lesson_.height(look, split - left) : told ? look.px(kCaption) : 0;
   const float top = look.px.menu + strip;
   if (told) draw_caption(frame, {left, look.px.menu}, {split - left, strip});
   if (lesson_.open())
     area("lesson", {left, look.px.menu}, {split - left, strip}, look.theme.panel, {look.px.m, look.px.s},
          [&] { lesson_.draw(frame); });
   draw_canvas(frame, {left, top}, {split, under});
+  lesson_.enter_step(frame);
   area("transport", {0, under}, {transport_end, transport}, look.theme.panel, {look.px.l, look.px(14)},
        [&] { draw_transport(frame); });
   if (panels) {

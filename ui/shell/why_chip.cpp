@@ -6,6 +6,7 @@
 #include "ui/canvas/chips.hpp"
 #include "ui/canvas/legend.hpp"
 #include "ui/icons.hpp"
+#include "ui/shell/actions.hpp"
 #include "ui/shell/panels.hpp"
 #include "ui/tabs/cell_view.hpp"
 
@@ -53,8 +54,8 @@ void answer(Frame& frame, Cell cell) {
 
 void question(Frame& frame) {
   const Look& look = frame.look;
-  if (link(look, "why", "Why?", look.fonts.title)) frame.panels.why_open = true;
-  hint(look, {"Why?", "", "Why the pinned cell has the value that it has."});
+  if (link(look, "why", "Why?", look.fonts.title)) perform(frame, ActionId::why);
+  hint(look, action(ActionId::why).hint());
 }
 
 }  // namespace

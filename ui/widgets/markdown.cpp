@@ -52,15 +52,19 @@ std::vector<Word> words_of(const Look& look, ImU32 colour, std::span<const Markd
   return words;
 }
 
-}  // namespace
+float line_height(const Look& look) {
+  return look.fonts.ui->FontSize + look.px(4);
+}
 
-void marked_paragraph(const Look& look, ImU32 colour, std::string_view markdown, float widest) {
-  const std::vector<MarkdownSpan> spans = markdown_spans(markdown);
-  const std::vector<Word> words = words_of(look, colour, spans);
-  const float whole = ImGui::GetContentRegionAvail().x, blank = text_width(look.fonts.ui, " ");
-  const float room = widest > 0 ? std::min(whole, widest) : whole;
-  const float line = look.fonts.ui->FontSize + look.px(4);
-  const ImVec2 origin = ImGui::GetCursorScreenPos();
+/// How wide a paragraph is: all the room there is, or `widest`.
+float room_for(float whole, float widest) {
+  return widest > 0 ? std::min(whole, widest) : whole;
+}
+
+/// Breaks the words into lines and calls `place` with each and where it stands. Returns the height.
+template <class Place>
+float lay_out(const Look& look, std::span<const Word> words, float room, Place&& place) {
+  const float blank = text_width(look.fonts.ui, " ");
   float x = 0, y = 0;
   for (std::size_t i = 0; i < words.size();) {
     // Glued words stay on one line.
@@ -71,16 +75,33 @@ void marked_paragraph(const Look& look, ImU32 colour, std::string_view markdown,
     if (x > 0 && !words[i].glued) x += blank;
     if (x > 0 && x + width > room) {
       x = 0;
-      y += line;
+      y += line_height(look);
     }
     for (; i < end; ++i) {
-      const float lower = (look.fonts.ui->FontSize - words[i].font->FontSize) * 0.5f;
-      draw_text(*ImGui::GetWindowDrawList(), words[i].font, {origin.x + x, origin.y + y + lower},
-                words[i].colour, words[i].text);
+      place(words[i], ImVec2(x, y));
       x += text_width(words[i].font, words[i].text);
     }
   }
-  ImGui::Dummy({std::max(room, 1.0f), y + line});
+  return y + line_height(look);
+}
+
+}  // namespace
+
+void marked_paragraph(const Look& look, ImU32 colour, std::string_view markdown, float widest) {
+  const std::vector<MarkdownSpan> spans = markdown_spans(markdown);
+  const float room = room_for(ImGui::GetContentRegionAvail().x, widest);
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float height = lay_out(look, words_of(look, colour, spans), room, [&](const Word& word, ImVec2 at) {
+    const float lower = (look.fonts.ui->FontSize - word.font->FontSize) * 0.5f;
+    draw_text(list, word.font, {origin.x + at.x, origin.y + at.y + lower}, word.colour, word.text);
+  });
+  ImGui::Dummy({std::max(room, 1.0f), height});
+}
+
+float marked_paragraph_height(const Look& look, std::string_view markdown, float whole, float widest) {
+  const std::vector<MarkdownSpan> spans = markdown_spans(markdown);
+  return lay_out(look, words_of(look, 0, spans), room_for(whole, widest), [](const Word&, ImVec2) {});
 }
 
 }  // namespace replan::ui

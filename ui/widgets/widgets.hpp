@@ -33,6 +33,8 @@ void text(const ImFont* font, ImU32 colour, std::string_view text);
 void paragraph(const ImFont* font, ImU32 colour, std::string_view text);
 /// The same of a text with the marks of core/base/markdown.hpp, at most `widest` wide; 0: as wide as there is room.
 void marked_paragraph(const Look& look, ImU32 colour, std::string_view markdown, float widest = 0);
+/// How high that is where there is room for `whole` pixels.
+float marked_paragraph_height(const Look& look, std::string_view markdown, float whole, float widest = 0);
 
 // --- Hints ----------------------------------------------------------------------------------------------
 
