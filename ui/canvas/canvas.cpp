@@ -55,7 +55,8 @@ struct Canvas::Parts {
 
   explicit Parts(ImGuiRenderer& its_renderer) : renderer(its_renderer), minimap(its_renderer) {}
 
-  void prepare(const Look& look, const Session& session, const Run& run, const ViewState& state);
+  void prepare(const Look& look, const Session& session, const Run& run, const ViewState& state,
+               bool may_wait);
   void upload();
   void navigate(ViewState& state, ImVec2 min, bool hovered);
   void zoom_by(ViewState& state, double factor, ImVec2 min, ImVec2 at);
@@ -81,6 +82,7 @@ struct Canvas::Parts {
   int columns = 0, rows = 0;  // of the world that was fitted
   Viewport viewport;
   CardFold card;
+  bool behind = false;  // it shows what was, or nothing yet
   bool fit = false;
   bool panning = false;
   Glide zooming;
@@ -101,7 +103,7 @@ void Canvas::fit() {
 }
 
 bool Canvas::animating() const {
-  return parts_->zooming.active || parts_->plans.busy();
+  return parts_->zooming.active || parts_->plans.busy() || parts_->behind;
 }
 
 const Scene& Canvas::scene() const {
@@ -122,8 +124,8 @@ void Canvas::Parts::upload() {
   renderer.update_texture(texture, 0, 0, raster.columns, raster.rows, raster.texels);
 }
 
-void Canvas::Parts::prepare(const Look& look, const Session& session, const Run& run,
-                            const ViewState& state) {
+void Canvas::Parts::prepare(const Look& look, const Session& session, const Run& run, const ViewState& state,
+                            bool may_wait) {
   View view = state.view;
   view.selected_mover = state.editing.mover;
   view.selected_surprise = state.editing.surprise;
@@ -140,7 +142,8 @@ void Canvas::Parts::prepare(const Look& look, const Session& session, const Run&
                      viewport,
                      look.theme.free,
                      state.colours};
-  if (key == now) return;
+  behind = key != now && may_wait;
+  if (key == now || behind) return;
   scene = build_scene(run, view, viewport, scene_palette(look.theme, state.colours), memory);
   key = now;
   upload();
@@ -322,7 +325,7 @@ void Canvas::Parts::draw_minimap(const Look& look, const Session& session, const
 }
 
 void Canvas::draw(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
-                  ImVec2 max, bool interactive, std::vector<Command>& commands, float below) {
+                  ImVec2 max, bool interactive, std::vector<Command>& commands, float below, bool may_wait) {
   Parts& parts = *parts_;
   const Viewport viewport{static_cast<int>(max.x - min.x), static_cast<int>(max.y - min.y),
                           static_cast<int>(pane_title_height(look)), static_cast<int>(below)};
@@ -342,9 +345,14 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
   parts.scene.width = viewport.width;
   parts.scene.height = viewport.height;
   ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (may_wait && !parts.key) {
+    parts.behind = true;
+    list.AddRectFilled(min, max, look.theme.surround);
+    return;
+  }
   ImGui::PushID(static_cast<int>(pane));
   if (interactive) parts.take_hands(look, session, pane, state, min, max, commands);
-  parts.prepare(look, session, run, state);
+  parts.prepare(look, session, run, state, may_wait);
   list.PushClipRect(min, max, true);
   list.AddRectFilled(min, max, look.theme.surround);
   const Raster& raster = parts.scene.raster;

@@ -21,10 +21,11 @@ class Canvas {
   ~Canvas();
 
   /// Draws pane `pane` of the session at `min`..`max` (screen coordinates), of which the lowest `below` pixels are left
-  /// free by a fitted world. With `interactive` the mouse
-  /// pans, zooms, hovers, pins and uses the tool; commands that come of it are appended to `commands`.
+  /// free by a fitted world. With `interactive` the mouse pans, zooms, hovers, pins and uses the tool; commands that come of
+  /// it are appended to `commands`. With `may_wait` what takes long is left to the next frame.
   void draw(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
-            ImVec2 max, bool interactive, std::vector<Command>& commands, float below = 0);
+            ImVec2 max, bool interactive, std::vector<Command>& commands, float below = 0,
+            bool may_wait = false);
 
   /// What was drawn last.
   [[nodiscard]] const Scene& scene() const;

@@ -2,9 +2,16 @@
 
 #include <algorithm>
 
+#include "core/base/deadline.hpp"
 #include "ui/canvas/pane_grid.hpp"
 
 namespace replan::ui {
+namespace {
+
+/// What the panes' pictures may take of a frame before others have to wait for the next one.
+constexpr double kScenesMs = 30;
+
+}  // namespace
 
 Canvas& Panes::canvas(std::size_t pane) {
   while (canvases_.size() <= pane) canvases_.push_back(std::make_unique<Canvas>(renderer_));
@@ -31,14 +38,18 @@ void Panes::draw(const Look& look, const Session& session, std::size_t most, Vie
   const ImVec2 foot = max;
   if (count > 1) max.y -= legend;
   const PaneGrid grid(look, count, min, max);
-  std::uint32_t signs = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    canvas(first + i).draw(look, session, first + i, state, grid.min(i), grid.max(i), interactive, commands,
-                           count > 1 ? 0 : legend);
-    grid.draw_parting(i);
-    signs |= canvas(first + i).scene().signs;
-  }
   shown_ = std::clamp(session.lead(), first, first + count - 1);
+  std::uint32_t signs = 0;
+  // In a window the leading pane comes first; where a picture takes long, the others' may be one frame late.
+  const Deadline deadline(kScenesMs);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = (shown_ - first + i) % count, pane = first + at;
+    const bool may_wait = state.live && i > 0 && deadline.passed();
+    canvas(pane).draw(look, session, pane, state, grid.min(at), grid.max(at), interactive, commands,
+                      count > 1 ? 0 : legend, may_wait);
+    grid.draw_parting(at);
+    signs |= canvas(pane).scene().signs;
+  }
   area_ = {grid.min(shown_ - first), grid.max(shown_ - first)};
   if (state.legend) legend_.draw(look, scene(), state.colours, signs, min, foot);
 }
