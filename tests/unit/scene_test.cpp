@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/scene/overview.hpp"
 #include "core/scene/svg.hpp"
 #include "core/session/session.hpp"
 
@@ -234,6 +235,35 @@ TEST(Scene, ObstaclesNeverVanishFromFarAway) {
     EXPECT_NE(texel_at(scene, {701.5, 333.5}), palette().free) << zoom;
     EXPECT_EQ(texel_at(scene, {200.5, 900.5}), palette().free) << zoom;
   }
+}
+
+TEST(Overview, IsMadeAnewWhereTheMapHasChangedAndNotElse) {
+  Scenario scenario = world();
+  scenario.map = GridMap(700, 300);
+  for (int y = 100; y < 140; ++y)
+    for (int x = 200; x < 240; ++x) scenario.map.set({x, y}, true);
+  scenario.surprises = {};
+  Session session(scenario);
+  session.settle();
+  SceneMemory memory;
+  OverviewKeeper keeper;
+  EXPECT_TRUE(keeper.follow(session.run(), memory, 0, palette(), 160));
+  const Overview& small = keeper.picture();
+  EXPECT_EQ(small.columns, 88) << "blocks of 8";
+  EXPECT_EQ(small.rows, 38);
+  const auto at = [&](int x, int y) { return small.texels[static_cast<std::size_t>(y / 8 * 88 + x / 8)]; };
+  EXPECT_EQ(at(220, 120), palette().obstacle);
+  EXPECT_EQ(at(20, 20), palette().free);
+  EXPECT_FALSE(keeper.follow(session.run(), memory, 0, palette(), 160));
+  ASSERT_TRUE(session.apply(Seek{0}).ok());
+  EXPECT_FALSE(keeper.follow(session.run(), memory, 0, palette(), 160)) << "another moment, the same map";
+  std::vector<CellChange> wall;
+  for (int y = 16; y < 24; ++y)
+    for (int x = 16; x < 24; ++x) wall.push_back({{x, y}, true});
+  ASSERT_TRUE(session.apply(PaintCells{wall, 0}).ok());
+  session.settle();
+  EXPECT_TRUE(keeper.follow(session.run(), memory, 0, palette(), 160));
+  EXPECT_EQ(at(20, 20), palette().obstacle);
 }
 
 TEST(Scene, NumbersAppearAt44AndCornersAt72Pixels) {

@@ -14,8 +14,8 @@
 namespace replan::ui {
 namespace {
 
-/// Height of the design from which on a canvas has room for the whole card of a replan.
-constexpr float kWholeCardHeight = 560;
+/// A whole card of which a larger share lies over the world is one line until it is clicked.
+constexpr double kMostHidden = 0.25;
 
 /// The settings that tell a pane from another one with the same planner; empty if there is none.
 std::string distinction(const Run& run) {
@@ -54,21 +54,54 @@ const char* why_wrong(const Run& run) {
                              : ": its remote parents were never checked.";
 }
 
+struct CardPlace {
+  ImVec2 at;
+  double hidden = 0;  ///< the share of the card that lies over the world
+};
+
 /// Where a card of that size hides least of the world: at the right, from `top` or from `below` the title, or at the left
 /// below that.
-ImVec2 card_place(const Look& look, const Scene& scene, const ScreenArea& area, ImVec2 size, float top,
-                  float below) {
+CardPlace card_place(const Look& look, const Scene& scene, const ScreenArea& area, ImVec2 size, float top,
+                     float below) {
   const float margin = look.px(12), left = area.min.x + margin, right = area.max.x - margin - size.x;
   const PixelBox world = Cover::world(scene);
-  const auto hidden = [&](ImVec2 at) {
-    return PixelBox{0, 0, static_cast<double>(size.x), static_cast<double>(size.y)}
-        .moved_to(static_cast<double>(at.x - area.min.x), static_cast<double>(at.y - area.min.y))
-        .common(world);
-  };
-  ImVec2 best(right, top);
-  for (const ImVec2 at : {ImVec2(right, below), ImVec2(left, below)})
-    if (hidden(at) < hidden(best)) best = at;
+  CardPlace best{{right, top}, 2};
+  for (const ImVec2 at : {ImVec2(right, top), ImVec2(right, below), ImVec2(left, below)}) {
+    const auto x = static_cast<double>(at.x - area.min.x), y = static_cast<double>(at.y - area.min.y);
+    const PixelBox box{x, y, x + static_cast<double>(size.x), y + static_cast<double>(size.y)};
+    if (const double hidden = box.common(world) / (box.width() * box.height()); hidden < best.hidden)
+      best = {at, hidden};
+  }
   return best;
+}
+
+/// The fullest line that has room beside the title.
+CardForm line_form(const Look& look, const ReplanReport& report, float room) {
+  for (const CardForm form : {CardForm::line, CardForm::comparison})
+    if (replan_card_size(look, report, form).x <= room) return form;
+  return CardForm::touched;
+}
+
+struct CardDrawn {
+  CardAnswer answer;
+  ScreenArea area;
+};
+
+/// The card of a replan in a pane, beside its title or below it.
+CardDrawn draw_card(const Look& look, const Scene& scene, const ReplanReport& report, const CardFold& fold,
+                    const ScreenArea& pane, const ScreenArea& title) {
+  const float room = pane.max.x - title.max.x - 2 * look.px(12);
+  const auto place = [&](CardForm form) {
+    const ImVec2 size = replan_card_size(look, report, form);
+    const float below = title.max.y + look.px.s;
+    return card_place(look, scene, pane, size, size.x <= room ? title.min.y : below, below);
+  };
+  // A picture has the whole card where that hides little of the world.
+  const bool roomy = place(CardForm::whole).hidden <= kMostHidden;
+  const bool whole = report.times ? fold.whole(ImGui::GetTime(), roomy) : roomy;
+  const CardForm form = whole ? CardForm::whole : line_form(look, report, room);
+  const ImVec2 at = place(form).at, size = replan_card_size(look, report, form);
+  return {draw_replan_card(look, at, report, form), {at, {at.x + size.x, at.y + size.y}}};
 }
 
 }  // namespace
@@ -144,25 +177,17 @@ ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, const 
   drawn.title = {corner, {corner.x + left.x, corner.y + left.y}};
   float below = min.y + margin + left.y + look.px.s;
   ImVec2 card_foot(max.x, min.y);  // lower left corner
-  const ScreenArea area{min, max};
   const RepairFigures repair = memory.repair(run, cursor);
   fold.see(repair.number, ImGui::GetTime());
   if (repair.number > 0) {
     const auto fresh = plans.of(run, static_cast<std::size_t>(repair.number), !state.live);
     const ReplanReport report{repair, fresh, state.live, run.info().incremental};
-    const float room = max.x - min.x - left.x - 3 * margin;
-    // A picture has the whole card where that hides little of the world.
-    const bool roomy = max.y - min.y >= look.px(kWholeCardHeight);
-    const bool whole = state.live ? fold.whole(ImGui::GetTime(), roomy) : roomy;
-    const bool fits = replan_card_size(look, report, CardForm::line).x <= room;
-    const CardForm form = whole ? CardForm::whole : fits ? CardForm::line : CardForm::short_line;
-    const ImVec2 size = replan_card_size(look, report, form);
-    const ImVec2 at = card_place(look, scene, area, size, size.x <= room ? min.y + margin : below, below);
-    drawn.card = draw_replan_card(look, at, report, form);
-    if (at.x > min.x + margin)
-      card_foot = {at.x, at.y + size.y};
+    const CardDrawn card = draw_card(look, scene, report, fold, {min, max}, drawn.title);
+    drawn.card = card.answer;
+    if (card.area.min.x > min.x + margin)
+      card_foot = {card.area.min.x, card.area.max.y};
     else
-      below = at.y + size.y + look.px.s;
+      below = card.area.max.y + look.px.s;
   }
   if (const StateMessage message = state_message(run, memory); !message.text.empty()) {
     const TextRun text{message.text, message.bad ? theme.bad : theme.text, look.fonts.ui};

@@ -49,11 +49,10 @@ std::vector<Row> rows_of(const ReplanReport& report) {
 }
 
 std::string brief_text(const ReplanReport& report, CardForm form) {
-  std::string text =
-      "replan " + grouped(report.repair.number) + " · " + grouped(report.repair.touched) + " touched";
-  if (form == CardForm::line && compares(report) && report.fresh)
-    text += ", " + grouped(report.fresh->touched) + " from scratch";
-  return text;
+  const std::string touched = grouped(report.repair.touched) + " touched",
+                    named = "replan " + grouped(report.repair.number) + " · " + touched;
+  if (form == CardForm::touched || !compares(report) || !report.fresh) return named;
+  return (form == CardForm::line ? named : touched) + ", " + grouped(report.fresh->touched) + " from scratch";
 }
 
 /// Lays the whole card out; without a list it only measures.

@@ -48,8 +48,9 @@ enum class CardAnswer : std::uint8_t { none, repair, close, open };
 
 enum class CardForm : std::uint8_t {
   whole,
-  line,        ///< what the repair touched, and a plan from scratch
-  short_line,  ///< without that
+  line,        ///< the replan, what it touched, and what a plan from scratch does
+  comparison,  ///< without the replan's number
+  touched,     ///< without the plan from scratch
 };
 
 ImVec2 replan_card_size(const Look& look, const ReplanReport& report, CardForm form);
