@@ -4,6 +4,7 @@
 
 #include "core/base/file.hpp"
 #include "ui/documents/files.hpp"
+#include "ui/documents/questions.hpp"
 #include "ui/shell/format.hpp"
 
 namespace replan::ui {
@@ -88,16 +89,8 @@ void Documents::give_up() {
 }
 
 void Documents::ask_about_unsaved(const Session& session) {
-  const std::size_t count = session.unsaved_edits();
-  std::string words =
-      document_name(session) + " has " + count_text(static_cast<std::int64_t>(count), "edit", "edits");
-  if (unsaved_since_ != 0) words += " since " + date_text(unsaved_since_);
-  words += count == 1 ? " that is not in a file yet. Without saving it is lost."
-                      : " that are not in a file yet. Without saving they are lost.";
-  window_.dialogs.ask({.title = "Save the changes?",
-                       .words = words,
-                       .primary = {"Save", DialogDecision::Kind::save_first},
-                       .danger = Question::Choice{"Discard", DialogDecision::Kind::discard}});
+  window_.dialogs.ask(unsaved_question(document_name(session), session.unsaved_edits(),
+                                       unsaved_since_ != 0 ? date_text(unsaved_since_) : ""));
 }
 
 void Documents::after_saving(Session& session, Deed deed) {
@@ -117,13 +110,7 @@ void Documents::save_in_place(Session& session) {
   if (!saves_in_place(session.file())) {
     choose_save(session);
   } else if (disk_differs_ || watch_.changed() == session.file()) {
-    window_.dialogs.ask(
-        {.title = "Write over the other version?",
-         .words = file_name(session.file()) +
-                  " was written by another program since it was opened here. Saving puts your "
-                  "version in its place.",
-         .primary = {"Save as…", DialogDecision::Kind::save_elsewhere},
-         .danger = Question::Choice{"Overwrite", DialogDecision::Kind::overwrite}});
+    window_.dialogs.ask(overwrite_question(file_name(session.file())));
   } else if (save(session, session.file())) {
     go_on(session);
   }

@@ -1,7 +1,6 @@
 // The window's dialogs: one at a time, over everything else.
 #pragma once
 
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -128,8 +127,8 @@ class Dialogs {
   Question question_;
   std::vector<AutosaveNote> notes_;
   std::vector<AboutLine> about_;
-  std::string name_;  // of what is being opened
-  std::chrono::steady_clock::time_point since_;
+  std::string name_;   // of what is being opened
+  double since_ = -1;  // when it was first drawn, in ImGui's seconds; below 0: not yet
   std::string folder_;
   double width_ = 48, height_ = 32;  // of the new world
   DialogDecision::Kind file_decision_ = DialogDecision::Kind::none;

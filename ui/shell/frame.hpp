@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,9 @@ enum class Wish : std::uint8_t {
   about
 };
 
+/// The menus of the bar, and their submenus.
+enum class Menu : std::uint8_t { file, edit, world, planner, run, debug, view, overlays, record, help };
+
 /// A thing that the program is made of, and its version.
 struct AboutLine {
   std::string name, version;
@@ -86,6 +90,7 @@ struct PanelState {
   std::optional<std::vector<Lesson>> lessons;  ///< once they were asked for
   std::vector<const char*> performed;          ///< actions of this frame, by their names
   std::vector<AboutLine> about;                ///< told by the owner of the pixels
+  std::optional<Menu> open_menu;               ///< to be opened by the menu bar, without the mouse
   bool caption = false;              ///< what the world is about is told over the canvas, if it says so
   std::vector<std::string> notices;  ///< for the Log: what the platform had to say (missing fonts)
 };

@@ -42,6 +42,10 @@ void planner_items(Frame& frame) {
 
 void menu(Frame& frame, const char* name, Menu which) {
   ImGui::PushStyleColor(ImGuiCol_Text, frame.look.theme.dim);
+  if (frame.panels.open_menu == which) {
+    ImGui::OpenPopup(name);
+    frame.panels.open_menu.reset();
+  }
   const bool open = ImGui::BeginMenu(name);
   ImGui::PopStyleColor();
   if (!open) return;

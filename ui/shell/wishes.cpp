@@ -1,5 +1,6 @@
 // What the shell does with what actions wish for and what its dialogs come to.
 #include "ui/documents/files.hpp"
+#include "ui/shell/gallery.hpp"
 #include "ui/shell/shell.hpp"
 
 namespace replan::ui {
@@ -37,6 +38,10 @@ void Shell::take_wish(Session& session, Wish wish) {
     default:
       return documents_.take_wish(session, wish);
   }
+}
+
+bool Shell::show_dialog(std::string_view name, const Session& session) {
+  return show_from_gallery(name, {session, dialogs_, world_dialogs_, documents_, view_, panels_});
 }
 
 void Shell::open_lesson(Session& session, const std::string& id) {

@@ -66,7 +66,7 @@ FileChoice FileDialog::draw(const Look& look, float height) {
   }
   if (mode_ == Mode::browse) take_keys();
   // Before anything is drawn: a picture that is on show must not be given back.
-  preview_.show(shown_, list_.selected());
+  preview_.show(spec_.fixed ? spec_.fixed->files : shown_, list_.selected());
   const float top = ImGui::GetCursorPosY();
   draw_head(look);
   draw_crumbs(look);

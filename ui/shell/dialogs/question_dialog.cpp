@@ -71,8 +71,7 @@ DialogDecision Dialogs::recover_dialog(const Look& look) {
 }
 
 DialogDecision Dialogs::opening_dialog(const Look& look) {
-  const auto waited = std::chrono::steady_clock::now() - since_;
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(waited).count();
+  const int seconds = static_cast<int>(ImGui::GetTime() - since_);
   heading(look, "Opening " + name_);
   progress(look, -1, seconds < 2 ? "Reading…" : "Reading… " + std::to_string(seconds) + " s");
   ImGui::Dummy({0, look.px.xs});
