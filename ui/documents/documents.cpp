@@ -12,13 +12,12 @@ namespace replan::ui {
 void Documents::take_wish(Session& session, Wish wish) {
   switch (wish) {
     case Wish::new_world:
-      return after_saving(session, [this](Session&) { window_.dialogs.show(DialogKind::new_world); });
+      return window_.dialogs.show(DialogKind::new_world);
     case Wish::open:
-      return after_saving(session, [this](Session& its) { choose_open(its, {}); });
+      return choose_open(session, {});
     case Wish::worlds:
-      return after_saving(session, [this](Session&) {
-        if (library_) window_.dialogs.choose_world(*library_);
-      });
+      if (library_) window_.dialogs.choose_world(*library_);
+      return;
     case Wish::recent:
       return open(session, window_.panels.wished);
     case Wish::forget_recent:
@@ -28,9 +27,7 @@ void Documents::take_wish(Session& session, Wish wish) {
     case Wish::quit:
       return after_saving(session, [this](Session&) { quitting_ = true; });
     case Wish::open_world:
-      return after_saving(session, [this, path = window_.panels.wished](Session& its) {
-        load(its, {Loading::From::library, path, {}});
-      });
+      return load_next(session, {Loading::From::library, window_.panels.wished, {}});
     case Wish::save_figures:
       return choose_figures_file();
     case Wish::save:
@@ -47,13 +44,15 @@ void Documents::take_decision(Session& session, const DialogDecision& decision) 
     case DialogDecision::Kind::cancel:
       return give_up();
     case DialogDecision::Kind::open:
-      return load(session, {Loading::From::file, decision.path, decision.reading});
+      return load_next(session, {Loading::From::file, decision.path, decision.reading});
     case DialogDecision::Kind::open_world:
-      return load(session, {Loading::From::library, decision.path, {}});
+      return load_next(session, {Loading::From::library, decision.path, {}});
     case DialogDecision::Kind::save:
       return write_(session, decision.path);
     case DialogDecision::Kind::new_world:
-      return replace(session, {empty_world(decision.width, decision.height, session.scenario()), ""});
+      return after_saving(session, [this, decision](Session& its) {
+        replace(its, {empty_world(decision.width, decision.height, its.scenario()), ""});
+      });
     case DialogDecision::Kind::discard:
       return go_on(session);
     case DialogDecision::Kind::save_first:
@@ -152,7 +151,12 @@ std::string Documents::names_on_show() const {
 }
 
 void Documents::open(Session& session, const std::string& path) {
-  after_saving(session, [this, path](Session& its) { load(its, {Loading::From::file, path, {}}); });
+  load_next(session, {Loading::From::file, path, {}});
+}
+
+/// Unsaved edits are asked about once it is known what takes their place, and not before one may look.
+void Documents::load_next(Session& session, Loading what) {
+  after_saving(session, [this, what = std::move(what)](Session& its) { load(its, what); });
 }
 
 void Documents::drop(Session& session, const std::vector<std::string>& paths) {
@@ -160,7 +164,7 @@ void Documents::drop(Session& session, const std::vector<std::string>& paths) {
   if (!dropped.sentence.empty()) window_.message.tell(dropped.sentence, dropped.path.empty());
   if (dropped.path.empty() || window_.dialogs.open()) return;
   if (!dropped.folder) return open(session, dropped.path);
-  after_saving(session, [this, path = dropped.path](Session& its) { choose_open(its, path); });
+  choose_open(session, dropped.path);
 }
 
 bool Documents::may_close(const Session& session) {
