@@ -46,10 +46,10 @@ DialogDecision Dialogs::recover_dialog(const Look& look) {
                              : note.name.empty() ? "untitled"
                                                  : note.name;
     ImGui::BeginGroup();
-    text(look.fonts.title, look.theme.text, elide(look.fonts.title, name, room));
+    text_line(look, look.fonts.title, look.theme.text, name, room);
     const std::string edits = count_text(static_cast<std::int64_t>(note.edits), "edit", "edits");
-    text(look.fonts.ui, look.theme.dim,
-         elide(look.fonts.ui, "edited " + date_text(note.edited_at) + " · " + edits + " not saved", room));
+    text_line(look, look.fonts.ui, look.theme.dim,
+              "edited " + date_text(note.edited_at) + " · " + edits + " not saved", room);
     ImGui::EndGroup();
     hint(look, {"", "", note.file.empty() ? "It was in no file yet." : note.file.c_str()});
     const float end = ImGui::GetCursorPosY();
