@@ -62,7 +62,7 @@ TEST_P(DialogRenderGoldenToo, AtTwiceTheSize) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Some, DialogRenderGoldenToo,
-                         testing::Values("film", "open", "keys", "unsaved", "menu_view"),
+                         testing::Values("film_window", "open", "keys", "unsaved", "menu_view"),
                          [](const auto& name) { return name.param; });
 
 TEST(DialogRender, AWrongNameShowsThoseThereAre) {

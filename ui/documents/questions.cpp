@@ -1,6 +1,6 @@
 #include "ui/documents/questions.hpp"
 
-#include "core/base/words.hpp"
+#include "ui/shell/format.hpp"
 
 namespace replan::ui {
 

@@ -173,7 +173,7 @@ DialogDecision Dialogs::file_dialog(const Look& look, float height) {
     decision.kind = file_decision_ != DialogDecision::Kind::none ? file_decision_
                     : file_->saving()                            ? DialogDecision::Kind::save
                                                                  : DialogDecision::Kind::open;
-  decision.fps = static_cast<int>(fps_);
+  decision.film = film_.choice();
   decision.map = trace_map_;
   return decision;
 }

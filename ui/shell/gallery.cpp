@@ -44,8 +44,14 @@ void choose(const Room& room, FileDialogSpec spec, const std::string& name) {
   room.dialogs.choose_file(at_home(std::move(spec), name), {});
 }
 
-void record(const Room& room, bool film, bool window, const std::string& name) {
-  room.dialogs.ask_capture(film, window, at_home({}, name), {});
+void film(const Room& room, bool window, FilmPart part) {
+  room.dialogs.choose_part(part);
+  const PixelArea area{{0, 0}, {window ? 1440.0f : 1020.0f, window ? 900.0f : 704.0f}};
+  room.dialogs.ask_film(room.session, window, area, at_home({}, "replan-20200131-120000.gif"), {});
+}
+
+void picture(const Room& room) {
+  room.dialogs.ask_picture(false, at_home({}, "replan-20200131-120000.png"), {});
 }
 
 void recover(const Room& room) {
@@ -91,9 +97,10 @@ constexpr std::array kExhibits = {
     Exhibit{"save_as",
             [](const Room& room) { choose(room, spec_to_save(room.session.snapshot()), "demo.json"); }},
     Exhibit{"figures", [](const Room& room) { choose(room, spec_to_save_figures(), "figures.csv"); }},
-    Exhibit{"film", [](const Room& room) { record(room, true, false, "replan-20200131-120000.gif"); }},
-    Exhibit{"film_window", [](const Room& room) { record(room, true, true, "replan-20200131-120000.gif"); }},
-    Exhibit{"picture", [](const Room& room) { record(room, false, false, "replan-20200131-120000.png"); }},
+    Exhibit{"film", [](const Room& room) { film(room, false, FilmPart::live); }},
+    Exhibit{"film_window", [](const Room& room) { film(room, true, FilmPart::replan); }},
+    Exhibit{"film_run", [](const Room& room) { film(room, false, FilmPart::whole); }},
+    Exhibit{"picture", picture},
     Exhibit{"trace",
             [](const Room& room) {
               room.dialogs.ask_trace({52407, 1204, 403000}, at_home({}, "demo.trace.yaml"), {});
@@ -115,6 +122,9 @@ constexpr std::array kExhibits = {
     Exhibit{"menu_planner", [](const Room& room) { menu(room, Menu::planner); }},
     Exhibit{"menu_run", [](const Room& room) { menu(room, Menu::run); }},
     Exhibit{"menu_view", [](const Room& room) { menu(room, Menu::view); }},
+    Exhibit{"menu_overlays", [](const Room& room) { menu(room, Menu::overlays); }},
+    Exhibit{"menu_tabs", [](const Room& room) { menu(room, Menu::tabs); }},
+    Exhibit{"menu_panes", [](const Room& room) { menu(room, Menu::panes); }},
     Exhibit{"menu_record", [](const Room& room) { menu(room, Menu::record); }},
     Exhibit{"menu_help", [](const Room& room) { menu(room, Menu::help); }},
 };

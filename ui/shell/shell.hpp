@@ -80,7 +80,7 @@ class Shell {
   void take_wish(Session& session, Wish wish);
   void open_lesson(Session& session, const std::string& id);
   void follow_lesson(const Session& session);
-  void ask_for_capture(bool film, bool window);
+  void ask_for_capture(const Session& session, bool film, bool window);
   void ask_for_trace(const Session& session);
   void export_trace(const Session& session, const DialogDecision& decision);
   void go_to_pasted(Session& session);

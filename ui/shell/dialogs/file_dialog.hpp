@@ -39,6 +39,8 @@ struct FileDialogSpec {
   /// What else there is to choose, drawn above the buttons for the name as it stands, and how high that is in the design.
   std::function<void(const Look& look, const std::string& name)> options = {};
   float options_height = 0;
+  /// What stands at the right in place of a look at the chosen file; when saving without it, nothing does.
+  std::function<void(const Look& look, const std::string& name)> aside = {};
   std::optional<FixedFolder> fixed = {};  ///< in place of the disk
 };
 
