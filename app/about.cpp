@@ -14,6 +14,16 @@ std::string dotted(int major, int minor, int patch) {
   return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
 }
 
+std::string compiler() {
+#if defined(__clang__)
+  return "Clang " __clang_version__;
+#elif defined(__GNUC__)
+  return "GCC " __VERSION__;
+#else
+  return __VERSION__;
+#endif
+}
+
 }  // namespace
 
 std::vector<ui::AboutLine> about_lines() {
@@ -24,7 +34,7 @@ std::vector<ui::AboutLine> about_lines() {
           {"GLFW", dotted(major, minor, patch)},
           {"JSON for Modern C++",
            dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
-          {"Compiler", __VERSION__}};
+          {"Compiler", compiler()}};
 }
 
 }  // namespace replan::app

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/about.hpp"
+#include "app/film_maker.hpp"
 #include "app/gui_settings.hpp"
 #include "app/platform/window.hpp"
 #include "app/recording.hpp"
@@ -118,6 +119,7 @@ class Program {
   void follow();
   void capture();
   void carry_out(const ui::CaptureRequest& request);
+  Result<void> make_film(const ui::CaptureRequest& request);
   void take_picture(const ui::CaptureRequest& request);
   [[nodiscard]] ui::PixelArea area(bool window) const;
   void report_first_frame();
@@ -136,6 +138,7 @@ class Program {
   bool timed_ = false;
   const bool timing_ = is_set("REPLAN_TIMING");
   Recording recording_;
+  FilmMaker maker_{recording_};
   std::optional<ui::CaptureRequest> wanted_;  // by the user, and not begun yet
   int settling_ = 0;                          // frames until the dialog has gone from the pixels
 };
@@ -186,12 +189,13 @@ void Program::run() {
 bool Program::frame() {
   const Clock::time_point now = Clock::now();
   const double passed = std::chrono::duration<double>(now - last_).count();
-  const double seconds = recording_.on() ? recording_.step() : passed;
+  const double seconds = recording_.on() && !maker_.on() ? recording_.step() : passed;
   last_ = now;
   const double begin_ms = thread_ms();
   session_.update(seconds);
   const double updated_ms = thread_ms();
   shell_->panels().recording = recording_.state();
+  if (maker_.on()) shell_->panels().recording.made = maker_.share();
   shell_->draw(window_->stage().look(), session_, seconds);
   const double spent = milliseconds(Clock::now() - now);
   draw_ms_ = draw_ms_ == 0 ? spent : draw_ms_ * 0.9 + spent * 0.1;
@@ -200,7 +204,7 @@ bool Program::frame() {
   follow();
   if (!timed_) report_first_frame();
   capture();
-  return shell_->wants_frames(session_) || settling_ > 0;
+  return shell_->wants_frames(session_) || settling_ > 0 || maker_.on();
 }
 
 /// The pixels that a film or a picture is made of, as drawn last.
@@ -214,6 +218,9 @@ void Program::capture() {
     if (request->kind == ui::CaptureRequest::Kind::stop) {
       window_->pace(0);
       recording_.stop(Window::wake);
+    } else if (request->kind == ui::CaptureRequest::Kind::give_up) {
+      maker_.cancel(session_);
+      shell_->tell("The film was not made", false);
     } else {
       wanted_ = request;
       settling_ = 3;
@@ -225,7 +232,10 @@ void Program::capture() {
     window_->pace(0);
     shell_->tell(outcome->sentence, outcome->bad);
   }
-  if (recording_.on())
+  if (maker_.on()) {
+    if (const Result<void> made = maker_.go_on(session_, Window::wake); !made && !made.error().empty())
+      shell_->tell(made.error(), true);
+  } else if (recording_.on())
     window_->capture(
         [this](const ui::Image& image) { recording_.take(image, area(recording_.of_window())); });
 }
@@ -235,11 +245,17 @@ void Program::carry_out(const ui::CaptureRequest& request) {
     take_picture(request);
     return;
   }
-  if (const Result<void> started = recording_.start(request, area(request.window)); !started) {
-    shell_->tell(started.error(), true);
-    return;
-  }
-  window_->pace(recording_.step());
+  const bool live = request.film.part == ui::FilmPart::live;
+  const Result<void> started = live ? recording_.start(request, area(request.window)) : make_film(request);
+  if (!started) return shell_->tell(started.error(), true);
+  if (live) window_->pace(recording_.step());
+}
+
+Result<void> Program::make_film(const ui::CaptureRequest& request) {
+  return maker_.begin(request,
+                      {filmed_view(shell_->view()), shell_->panels().panes, area(request.window),
+                       static_cast<double>(window_->stage().look().px.scale)},
+                      session_);
 }
 
 void Program::take_picture(const ui::CaptureRequest& request) {
@@ -302,6 +318,7 @@ void Program::report_slow_frame(double update_ms, double draw_ms) {
 }
 
 Result<void> Program::close() {
+  if (maker_.on()) maker_.cancel(session_);
   if (recording_.state().busy()) {
     window_->hide();
     if (const auto outcome = recording_.end(); outcome && outcome->bad)

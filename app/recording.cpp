@@ -28,7 +28,7 @@ Result<void> Recording::start(const ui::CaptureRequest& request, const ui::Pixel
   width_ = static_cast<int>(area.max.x) - static_cast<int>(area.min.x);
   height_ = static_cast<int>(area.max.y) - static_cast<int>(area.min.y);
   if (width_ < 1 || height_ < 1) return Error{"there is nothing to be seen of the canvas"};
-  auto film = Film::open({request.path, width_, height_, request.fps});
+  auto film = Film::open({request.path, width_, height_, request.film.fps});
   if (!film) return Error{film.error()};
   film_ = std::move(*film);
   return {};
@@ -74,7 +74,8 @@ std::optional<FilmOutcome> Recording::end() {
 }
 
 ui::RecordingState Recording::state() const {
-  return {on(), !on() && finisher_.joinable(), request_.window, static_cast<double>(frames_) / request_.fps};
+  return {on(), !on() && finisher_.joinable(), request_.window,
+          static_cast<double>(frames_) / request_.film.fps};
 }
 
 }  // namespace replan::app

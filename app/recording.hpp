@@ -36,6 +36,8 @@ class Recording {
   Result<void> start(const ui::CaptureRequest& request, const ui::PixelArea& area);
   /// The next frame, out of the window's pixels. Waits if the writing is behind; no frame is dropped.
   void take(const ui::Image& picture, const ui::PixelArea& area);
+  /// Takes no more frames and leaves no film; a folder keeps the pictures that it has.
+  void give_up() { film_.reset(); }
   /// Takes no more frames and completes the file in the background; `done` is called on that thread.
   void stop(void (*done)());
   /// The outcome, once, when there is one.
@@ -46,7 +48,7 @@ class Recording {
   [[nodiscard]] bool on() const { return film_ != nullptr; }
   [[nodiscard]] bool of_window() const { return request_.window; }
   /// Seconds that go by from frame to frame.
-  [[nodiscard]] double step() const { return 1.0 / request_.fps; }
+  [[nodiscard]] double step() const { return 1.0 / request_.film.fps; }
   [[nodiscard]] ui::RecordingState state() const;
 
  private:

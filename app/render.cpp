@@ -6,6 +6,7 @@
 #include "core/scene/svg.hpp"
 #include "ui/canvas/draw.hpp"
 #include "ui/shell/actions.hpp"
+#include "ui/shell/gallery.hpp"
 
 namespace replan::app {
 namespace {
@@ -45,11 +46,27 @@ Error unknown_action(const std::string& name) {
                                 : "; did you mean '" + std::string(nearest) + "'?")};
 }
 
+bool is_window_still(const RenderRequest& request) {
+  return request.window && file_extension(request.output) == ".png";
+}
+
+Result<void> check_dialog(const RenderRequest& request) {
+  if (request.dialog.empty()) return {};
+  if (!is_window_still(request))
+    return Error{"a dialog shows in a picture of the window alone: give a name that ends in .png"};
+  std::string known;
+  for (const std::string_view name : ui::gallery_names()) {
+    if (name == request.dialog) return {};
+    known += (known.empty() ? "" : ", ") + std::string(name);
+  }
+  return Error{"the window has no dialog '" + request.dialog + "'; there are " + known};
+}
+
 /// The window's actions that a request names.
 Result<std::vector<ui::ActionId>> requested_actions(const RenderRequest& request) {
   std::vector<ui::ActionId> found;
   if (request.actions.empty()) return found;
-  if (!request.window || is_film(request.output) || file_extension(request.output) == ".svg")
+  if (!is_window_still(request))
     return Error{
         "an action of the window shows in a picture of the window alone: give a name that ends in .png"};
   for (const std::string& name : request.actions) {
@@ -67,7 +84,8 @@ StudioSettings studio_settings(const RenderRequest& request) {
           request.window,
           request.panes.value_or(request.window ? 0 : 1),
           1.0 / request.film.fps,
-          {}};
+          {},
+          request.dialog};
 }
 
 Result<void> render_film(const RenderRequest& request, Session& session, ui::ViewState state) {
@@ -145,6 +163,7 @@ Result<void> render(const RenderRequest& request) {
   if (!state) return Error{state.error()};
   auto actions = requested_actions(request);
   if (!actions) return Error{actions.error()};
+  if (const auto known = check_dialog(request); !known) return known;
   const std::string extension = file_extension(request.output);
   Session session(request.scenario);
   if (is_film(request.output)) return render_film(request, session, std::move(*state));

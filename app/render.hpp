@@ -47,6 +47,9 @@ struct RenderRequest {
   /// Of the window, done one after the other before a still is drawn: their identifiers in
   /// ui/shell/actions.def, such as "keys" for the page of keys. So pictures of dialogs and tabs are made.
   std::vector<std::string> actions;
+  /// Of the window: the dialog or menu of ui/shell/gallery.hpp that is open, with contents that do not depend on the
+  /// machine.
+  std::string dialog;
   FilmOptions film;
   std::function<void(std::size_t done, std::size_t all)> progress;  ///< called after each frame of a film
 };

@@ -54,7 +54,7 @@ void Studio::draw(Session& session) {
 /// Each sees what the one before it has led to: its frame tells the session, and what the session does in the
 /// background is waited for.
 void Studio::do_actions(Session& session) {
-  if (settings_.actions.empty()) return;
+  if (settings_.actions.empty() && settings_.dialog.empty()) return;
   shell_->documents().settle_in(session, {{}, library_folder(), {}});
   for (const ui::ActionId action : settings_.actions) {
     shell_->perform_next(action);
@@ -62,6 +62,7 @@ void Studio::do_actions(Session& session) {
     session.settle();
     draw(session);
   }
+  if (!settings_.dialog.empty()) shell_->show_dialog(settings_.dialog, session);
   for (int i = 0; i < kActionFrames; ++i) draw(session);
 }
 

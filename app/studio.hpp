@@ -18,7 +18,8 @@ struct StudioSettings {
   std::size_t panes = 1;      ///< of the canvas; for a window 0: as many as there is room for
   double seconds = 1.0 / 30;  ///< from picture to picture
   std::vector<ui::ActionId> actions =
-      {};  ///< of the window, done one after the other before the first picture
+      {};                   ///< of the window, done one after the other before the first picture
+  std::string dialog = {};  ///< of the window: shown after them (ui/shell/gallery.hpp)
 };
 
 class Studio {

@@ -28,6 +28,7 @@ struct RenderArguments {
   std::string theme;
   bool canvas_only = false;
   std::vector<std::string> actions;
+  std::string dialog;
   std::string pin;
   std::string camera;
   std::string slice;
@@ -178,6 +179,7 @@ Result<int> render(const RenderArguments& arguments) {
   request.output = arguments.out;
   request.window = !arguments.canvas_only;
   request.actions = split_list(arguments.actions);
+  request.dialog = arguments.dialog;
   if (!arguments.size.empty())
     if (const auto size = read_size(arguments.size, request); !size) return Error{size.error()};
   if (const auto moment = read_moment(arguments, request); !moment) return Error{moment.error()};
@@ -264,6 +266,11 @@ Command add_render(CLI::App& program) {
          "check_laws,show_debug; 'replan list actions' shows them")
       ->type_name("NAME[,NAME...]")
       ->allow_extra_args(false);
+  app->add_option(
+         "--dialog", into.dialog,
+         "Of a picture of the window: the dialog that is open, such as open or keys, or the menu, such as "
+         "menu_view, with contents that are the same on every machine; a wrong name shows them all")
+      ->type_name("NAME");
   app->add_option("--pin", into.pin, "The cell that is pinned: the Cell tab tells of it")
       ->type_name("X,Y[,Z]");
   app->add_option("--slice", into.slice,

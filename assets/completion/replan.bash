@@ -39,7 +39,7 @@ _replan_options() {
     render)
       echo "-h --help --map --start --goal --unreachable-goal --robot --threshold --invert --unknown --occupied --planner --set --stage -o --output --size --scale" \
         "--at --at-end --at-plan" \
-        "--overlay --theme --action --pin --camera --slice --range --colours --canvas-only --panes --fps --speed --hold --from --to"
+        "--overlay --theme --action --dialog --pin --camera --slice --range --colours --canvas-only --panes --fps --speed --hold --from --to"
       ;;
     convert) echo "-h --help --start --goal --threshold --invert --unknown --occupied --slice --planner --set --stage" ;;
     show) echo "-h --help --map --start --goal --unreachable-goal --robot --threshold --invert --unknown --occupied --planner --set --stage --at --cell" ;;
@@ -73,6 +73,7 @@ _replan() {
     --trace) _replan_files jsonl yaml yml json; return ;;
     --trace-map) _replan_files map; return ;;
     -o | --output) _replan_files png svg gif webp mp4; return ;;
+    --dialog) COMPREPLY=($(compgen -W "new_world open worlds opening save_as figures film film_window film_run picture trace unsaved changed overwrite recover generate resize edits keys about menu_file menu_edit menu_world menu_planner menu_run menu_view menu_overlays menu_tabs menu_panes menu_record menu_help" -- "$cur")); return ;;
     --action) _replan_list "$(_replan_ids actions)"; return ;;
     --start | --goal | --break | --cell | --pin | --camera | --size | --scale | --limit | --threshold | --occupied | --slice | --fps | --hold) return ;;
     --panes) COMPREPLY=($(compgen -W "1 2 4 all" -- "$cur")); return ;;

@@ -202,6 +202,11 @@ constexpr GlossaryTerm kTerms[] = {
     {"moving-obstacle", "Moving obstacle",
      "A box of cells that goes along a drawn way. It waits for the robot rather than run into it."},
     {"robot-moves", "Moves", "How many cells the robot has entered."},
+    {"robot", "Robot",
+     "What drives along the plan. It plans on the map that it believes in, which its sensor corrects within "
+     "its "
+     "radius, "
+     "and replans when that changes."},
     {"steps", "Steps", "The robot's clock: every move is a step, and so is every wait while it has no path."},
     {"travelled", "Travelled",
      "How far the robot has driven, in cells, along the straight segments of its paths."},
@@ -311,6 +316,7 @@ constexpr Alias kAliases[] = {
     {"g < rhs", "underconsistent"},
     {"consistency", "state"},
     {"last expansion", "order"},
+    {"last exp.", "order"},
     {"expanded", "times"},
     {"local parent", "lp"},
     {"remote parent", "rp"},
@@ -321,7 +327,6 @@ constexpr Alias kAliases[] = {
     {"sight_checks", "sight-checks"},
     {"start", "s_start"},
     {"last", "s_last"},
-    {"robot", "steps"},
     {"line", "code-line"},
     {"queue operations", "queue-operations"},
     {"sight checks", "sight-checks"},

@@ -77,13 +77,13 @@ TEST_F(PaletteTest, KeysAreOffWhileTyping) {
 TEST_F(PaletteTest, ArrowsChooseAndEscapeCloses) {
   const bool dark = shell_->view().dark;
   press('P', true);
-  type("light or dark");
+  type("light theme");
   press(key::kDown);
   press(key::kUp);
   press(key::kEnter);
   EXPECT_NE(shell_->view().dark, dark);
   press('P', true);
-  type("light or dark");
+  type("light theme");
   press(key::kEscape);
   EXPECT_NE(shell_->view().dark, dark) << "nothing was done";
   press(key::kSpace);
@@ -110,6 +110,21 @@ TEST_F(PaletteTest, WhatCannotBeDoneIsNotDoneAndSaysWhy) {
   press(key::kEnter);
   type("x");
   EXPECT_TRUE(session_->undo_text().empty());
+}
+
+TEST_F(PaletteTest, FewLettersAreNotFoundScatteredOverWords) {
+  offscreen_->frame([this] {
+    std::vector<Command> commands;
+    Wish wish = Wish::none;
+    Frame frame{offscreen_->stage().look(), *session_, shell_->view(), shell_->panels(), commands, wish};
+    const std::vector<PaletteEntry> entries = palette_entries(frame, nullptr);
+    const auto found = palette_hits(entries, "rhs", {});
+    ASSERT_FALSE(found.empty());
+    for (const PaletteHit& hit : found)
+      EXPECT_NE(entries[hit.entry].label.find("rhs"), std::string::npos) << entries[hit.entry].label;
+    EXPECT_FALSE(palette_hits(entries, "dld", {}).empty());
+    EXPECT_FALSE(palette_hits(entries, "cow", {}).empty()) << "Colours, Copy the world: beginnings of words";
+  });
 }
 
 TEST_F(PaletteTest, HoldsEveryActionPlannerAndTermOnce) {

@@ -148,6 +148,35 @@ TEST_F(DialogsTest, APickedWorldIsNobodysFile) {
   EXPECT_EQ(session_->scenario().name, "Hall");
 }
 
+TEST_F(DialogsTest, UnsavedEditsAreAskedAboutOnceAnotherWorldIsChosen) {
+  std::filesystem::create_directory(folder_.file("library"));
+  folder_.with("library/a.json", world("Hall"));
+  folder_.with("second.json", world("Second"));
+  settle_in();
+  edit();
+  const std::string before = *read_file(path_);
+  press('O', true, true);
+  press(key::kEscape);  // only looked
+  press('O', true);
+  press(key::kEscape);
+  press('N', true);
+  press(key::kEscape);
+  EXPECT_TRUE(session_->modified());
+  EXPECT_EQ(session_->scenario().name, "First");
+  press('O', true, true);
+  press(key::kEnter);  // the world is chosen
+  EXPECT_EQ(session_->scenario().name, "First") << "not asked";
+  press(key::kEscape);  // stays
+  EXPECT_TRUE(session_->modified());
+  EXPECT_EQ(*read_file(path_), before);
+  press('O', true);
+  type("second");
+  press(key::kEnter);
+  press(key::kEnter);  // save, and go on
+  EXPECT_EQ(session_->scenario().name, "Second");
+  EXPECT_NE(*read_file(path_), before);
+}
+
 TEST_F(DialogsTest, AFileThatChangedOnDiskIsReadAgainOrNotWrittenOverUnasked) {
   settle_in();
   frames(2);

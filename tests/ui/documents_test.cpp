@@ -114,6 +114,23 @@ TEST(FileList, ReadsAFolderAndSaysWhyNot) {
   EXPECT_EQ(list.entries()[1].size, std::string_view(kMap).size());
   EXPECT_EQ(list.entries()[1].kind, FileKind::map);
   EXPECT_GT(list.entries()[1].modified, 0);
+  folder.with("presets.json", R"({"version": 3})");
+  folder.with("world.json", R"({"name": "A", "replan": 1})");
+  folder.with("ci.yaml", "on: push\n");
+  folder.with("office.yaml", "image: office.png\nresolution: 0.05\n");
+  const auto looked_into = read_folder(folder.path());
+  ASSERT_TRUE(looked_into.ok());
+  for (const FileEntry& entry : *looked_into) {
+    if (entry.name == "presets.json" || entry.name == "ci.yaml") {
+      EXPECT_EQ(entry.kind, FileKind::other) << entry.name;
+    }
+    if (entry.name == "world.json") {
+      EXPECT_EQ(entry.kind, FileKind::scenario);
+    }
+    if (entry.name == "office.yaml") {
+      EXPECT_EQ(entry.kind, FileKind::map);
+    }
+  }
   EXPECT_NE(read_folder(folder.file("gone")).error().find("is not there any more"), std::string::npos);
   EXPECT_NE(read_folder(folder.file("a.map")).error().find("is not a folder"), std::string::npos);
   ::chmod(folder.file("sub").c_str(), 0);

@@ -90,7 +90,7 @@ TEST(Recording, CutsOutTheCanvasWhateverItsSizeNow) {
 class Recorded : public testing::Test {
  protected:
   ui::CaptureRequest request(const std::string& name) const {
-    return {ui::CaptureRequest::Kind::film, false, folder_.file(name), 25};
+    return {ui::CaptureRequest::Kind::film, false, folder_.file(name), {.fps = 25}};
   }
   test::TemporaryFolder folder_;
   const ui::PixelArea area_{{0, 0}, {32, 16}};

@@ -1,14 +1,8 @@
 // Pictures of the demo world against golden ones. REPLAN_UPDATE_GOLDEN=1 writes them anew: look at them then.
-#include "app/render.hpp"
-
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
-#include <gtest/gtest.h>
-
-#include "tests/support/temporary_folder.hpp"
-#include "ui/image.hpp"
+#include "tests/ui/golden_picture.hpp"
 
 namespace replan::app::render_test {
 namespace {
@@ -34,27 +28,6 @@ std::size_t plan_end(const RenderRequest& request, int n) {
   for (const Milestone& milestone : session.run().milestones())
     if (milestone.kind == EventKind::plan_end && n-- == 0) return milestone.event + 1;
   return session.run().timeline().size();
-}
-
-/// Fonts may be rastered a little differently on another system; shapes and colours may not.
-void compare_with_golden(RenderRequest request, const std::string& name) {
-  const test::TemporaryFolder folder;
-  request.output = folder.file(name + ".png");
-  const Result<void> drawn = render(request);
-  ASSERT_TRUE(drawn.ok()) << drawn.error();
-  const fs::path golden = fs::path(REPLAN_SOURCE_DIR) / "tests" / "golden" / (name + ".png");
-  if (std::getenv("REPLAN_UPDATE_GOLDEN") != nullptr) {
-    fs::create_directories(golden.parent_path());
-    fs::copy_file(request.output, golden, fs::copy_options::overwrite_existing);
-    return;
-  }
-  const auto expected = ui::read_image(golden), actual = ui::read_image(request.output);
-  ASSERT_TRUE(expected.ok()) << expected.error();
-  ASSERT_TRUE(actual.ok()) << actual.error();
-  const ui::Difference difference = ui::compare(*expected, *actual, 24);
-  EXPECT_TRUE(difference.same_size);
-  EXPECT_LT(difference.share, 0.01) << name << ": max " << difference.max << ", mean " << difference.mean;
-  EXPECT_LT(difference.mean, 0.6) << name;
 }
 
 class RenderGolden : public testing::TestWithParam<const char*> {};

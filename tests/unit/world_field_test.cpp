@@ -79,9 +79,9 @@ TEST(Field, F1MatricesThatCannotBeMeant) {
   EXPECT_EQ(read_as("0,,1\n"), "a.txt:1: column 3: an empty cell: write 0 for a free one");
   EXPECT_EQ(read_as("0,1 0,1\n"), "a.txt:1: column 5: two cells with nothing but blanks between them");
   EXPECT_EQ(read_as("0,1\n0\n"),
-            "a.txt:2: the row has 1 cells, the rows before it have 2: make them equally long");
+            "a.txt:2: the row has 1 cell, the rows before it have 2: make them equally long");
   EXPECT_EQ(read_as("[[0, 1], [1]]"),
-            "a.txt:1: the row has 1 cells, the rows before it have 2: make them equally long");
+            "a.txt:1: the row has 1 cell, the rows before it have 2: make them equally long");
   EXPECT_EQ(read_as("[[[0, 1]]]"),
             "a.txt:1: column 3: brackets three deep: a map has rows and columns alone");
   EXPECT_EQ(read_as("[[0, 1],\n [1, 0]"), "a.txt:2: column 8: the file ends before a bracket is closed");

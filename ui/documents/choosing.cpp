@@ -1,4 +1,5 @@
-// Which files can be opened and written: what the file dialog is asked for.
+#include "ui/documents/choosing.hpp"
+
 #include <algorithm>
 #include <filesystem>
 
@@ -37,6 +38,40 @@ std::vector<FileFilter> filters_to_save() {
 
 }  // namespace
 
+FileDialogSpec spec_to_open() {
+  return {.title = "Open",
+          .action = "Open",
+          .filters = filters_to_open(),
+          .path = {},
+          .places = {},
+          .losses = {}};
+}
+
+FileDialogSpec spec_to_save(std::shared_ptr<const Scenario> scenario) {
+  return {.saving = true,
+          .title = "Save as",
+          .action = "Save",
+          .filters = filters_to_save(),
+          .path = {},
+          .places = {},
+          .losses = [scenario = std::move(scenario)](const std::string& extension) {
+            return lost_in(extension, *scenario);
+          }};
+}
+
+FileDialogSpec spec_to_save_figures() {
+  std::vector<FileFilter> filters;
+  for (const FiguresFormatInfo& format : figures_formats())
+    filters.push_back({std::string(format.name) + " (" + format.extension + ")", {format.extension}});
+  return {.saving = true,
+          .title = "Save the figures",
+          .action = "Save",
+          .filters = std::move(filters),
+          .path = {},
+          .places = {},
+          .losses = {}};
+}
+
 /// Where a file that has no place yet is likely to go.
 std::string Documents::last_folder() const {
   if (const std::string& folder = window_.dialogs.folder(); !folder.empty()) return folder;
@@ -70,15 +105,10 @@ FileDialogSpec Documents::place_for(const std::string& name, const std::string& 
 
 void Documents::choose_open(const Session& session, const std::string& path) {
   const std::string file = session.file().empty() ? "" : file_folder(session.file());
-  window_.dialogs.choose_file({.title = "Open",
-                               .action = "Open",
-                               .filters = filters_to_open(),
-                               .path = !path.empty()                       ? path
-                                       : !window_.dialogs.folder().empty() ? window_.dialogs.folder()
-                                                                           : file,
-                               .places = places(),
-                               .losses = {}},
-                              surroundings_.work);
+  FileDialogSpec spec = spec_to_open();
+  spec.path = !path.empty() ? path : !window_.dialogs.folder().empty() ? window_.dialogs.folder() : file;
+  spec.places = places();
+  window_.dialogs.choose_file(std::move(spec), surroundings_.work);
 }
 
 void Documents::choose_save(const Session& session) {
@@ -90,31 +120,18 @@ void Documents::choose_save(const Session& session) {
   } else if (!saves_in_place(name)) {
     name = file_folder(name) + "/" + file_stem(name) + ".json";
   }
-  window_.dialogs.choose_file(
-      {.saving = true,
-       .title = "Save as",
-       .action = "Save",
-       .filters = filters_to_save(),
-       .path = name,
-       .places = places(),
-       .losses = [scenario = session.snapshot()](
-                     const std::string& extension) { return lost_in(extension, *scenario); }},
-      surroundings_.work);
+  FileDialogSpec spec = spec_to_save(session.snapshot());
+  spec.path = std::move(name);
+  spec.places = places();
+  window_.dialogs.choose_file(std::move(spec), surroundings_.work);
 }
 
 void Documents::choose_figures_file() {
-  std::vector<FileFilter> filters;
-  for (const FiguresFormatInfo& format : figures_formats())
-    filters.push_back({std::string(format.name) + " (" + format.extension + ")", {format.extension}});
   write_ = [this](Session& session, const std::string& path) { save_figures(session, path); };
-  window_.dialogs.choose_file({.saving = true,
-                               .title = "Save the figures",
-                               .action = "Save",
-                               .filters = std::move(filters),
-                               .path = last_folder() + "/figures.csv",
-                               .places = places(),
-                               .losses = {}},
-                              surroundings_.work);
+  FileDialogSpec spec = spec_to_save_figures();
+  spec.path = last_folder() + "/figures.csv";
+  spec.places = places();
+  window_.dialogs.choose_file(std::move(spec), surroundings_.work);
 }
 
 /// In the format that the name ends in.

@@ -4,6 +4,7 @@
 
 #include "core/base/file.hpp"
 #include "ui/documents/files.hpp"
+#include "ui/documents/questions.hpp"
 #include "ui/shell/format.hpp"
 
 namespace replan::ui {
@@ -11,13 +12,12 @@ namespace replan::ui {
 void Documents::take_wish(Session& session, Wish wish) {
   switch (wish) {
     case Wish::new_world:
-      return after_saving(session, [this](Session&) { window_.dialogs.show(DialogKind::new_world); });
+      return window_.dialogs.show(DialogKind::new_world);
     case Wish::open:
-      return after_saving(session, [this](Session& its) { choose_open(its, {}); });
+      return choose_open(session, {});
     case Wish::worlds:
-      return after_saving(session, [this](Session&) {
-        if (library_) window_.dialogs.choose_world(*library_);
-      });
+      if (library_) window_.dialogs.choose_world(*library_);
+      return;
     case Wish::recent:
       return open(session, window_.panels.wished);
     case Wish::forget_recent:
@@ -27,9 +27,7 @@ void Documents::take_wish(Session& session, Wish wish) {
     case Wish::quit:
       return after_saving(session, [this](Session&) { quitting_ = true; });
     case Wish::open_world:
-      return after_saving(session, [this, path = window_.panels.wished](Session& its) {
-        load(its, {Loading::From::library, path, {}});
-      });
+      return load_next(session, {Loading::From::library, window_.panels.wished, {}});
     case Wish::save_figures:
       return choose_figures_file();
     case Wish::save:
@@ -46,13 +44,15 @@ void Documents::take_decision(Session& session, const DialogDecision& decision) 
     case DialogDecision::Kind::cancel:
       return give_up();
     case DialogDecision::Kind::open:
-      return load(session, {Loading::From::file, decision.path, decision.reading});
+      return load_next(session, {Loading::From::file, decision.path, decision.reading});
     case DialogDecision::Kind::open_world:
-      return load(session, {Loading::From::library, decision.path, {}});
+      return load_next(session, {Loading::From::library, decision.path, {}});
     case DialogDecision::Kind::save:
       return write_(session, decision.path);
     case DialogDecision::Kind::new_world:
-      return replace(session, {empty_world(decision.width, decision.height, session.scenario()), ""});
+      return after_saving(session, [this, decision](Session& its) {
+        replace(its, {empty_world(decision.width, decision.height, its.scenario()), ""});
+      });
     case DialogDecision::Kind::discard:
       return go_on(session);
     case DialogDecision::Kind::save_first:
@@ -88,16 +88,8 @@ void Documents::give_up() {
 }
 
 void Documents::ask_about_unsaved(const Session& session) {
-  const std::size_t count = session.unsaved_edits();
-  std::string words =
-      document_name(session) + " has " + count_text(static_cast<std::int64_t>(count), "edit", "edits");
-  if (unsaved_since_ != 0) words += " since " + date_text(unsaved_since_);
-  words += count == 1 ? " that is not in a file yet. Without saving it is lost."
-                      : " that are not in a file yet. Without saving they are lost.";
-  window_.dialogs.ask({.title = "Save the changes?",
-                       .words = words,
-                       .primary = {"Save", DialogDecision::Kind::save_first},
-                       .danger = Question::Choice{"Discard", DialogDecision::Kind::discard}});
+  window_.dialogs.ask(unsaved_question(document_name(session), session.unsaved_edits(),
+                                       unsaved_since_ != 0 ? date_text(unsaved_since_) : ""));
 }
 
 bool Documents::would_lose_edits(const Session& session) const {
@@ -121,13 +113,7 @@ void Documents::save_in_place(Session& session) {
   if (!saves_in_place(session.file())) {
     choose_save(session);
   } else if (disk_differs_ || watch_.changed() == session.file()) {
-    window_.dialogs.ask(
-        {.title = "Write over the other version?",
-         .words = file_name(session.file()) +
-                  " was written by another program since it was opened here. Saving puts your "
-                  "version in its place.",
-         .primary = {"Save as…", DialogDecision::Kind::save_elsewhere},
-         .danger = Question::Choice{"Overwrite", DialogDecision::Kind::overwrite}});
+    window_.dialogs.ask(overwrite_question(file_name(session.file())));
   } else if (save(session, session.file())) {
     go_on(session);
   }
@@ -170,7 +156,12 @@ std::string Documents::names_on_show() const {
 }
 
 void Documents::open(Session& session, const std::string& path) {
-  after_saving(session, [this, path](Session& its) { load(its, {Loading::From::file, path, {}}); });
+  load_next(session, {Loading::From::file, path, {}});
+}
+
+/// Unsaved edits are asked about once it is known what takes their place, and not before one may look.
+void Documents::load_next(Session& session, Loading what) {
+  after_saving(session, [this, what = std::move(what)](Session& its) { load(its, what); });
 }
 
 void Documents::drop(Session& session, const std::vector<std::string>& paths) {
@@ -178,7 +169,7 @@ void Documents::drop(Session& session, const std::vector<std::string>& paths) {
   if (!dropped.sentence.empty()) window_.message.tell(dropped.sentence, dropped.path.empty());
   if (dropped.path.empty() || window_.dialogs.open()) return;
   if (!dropped.folder) return open(session, dropped.path);
-  after_saving(session, [this, path = dropped.path](Session& its) { choose_open(its, path); });
+  choose_open(session, dropped.path);
 }
 
 bool Documents::may_close(const Session& session) {

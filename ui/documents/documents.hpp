@@ -108,6 +108,7 @@ class Documents {
   void note(const std::vector<std::string>& notes);
   void complain(const std::string& sentence);
   void load(Session& session, Loading what);
+  void load_next(Session& session, Loading what);
   void take_recovered(Session& session, const Loading& what, ReplaceScenario document);
   void look_at_disk(const Session& session);
   void remember(const std::string& path);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 #include <sys/stat.h>
 
@@ -62,12 +63,27 @@ bool begins(std::string_view text, std::string_view beginning) {
                                                        [](char x, char y) { return lower(x) == lower(y); });
 }
 
+/// Of files whose extension other programs use too: whether their beginning is that of a scenario, or of a ROS map.
+bool looks_right(const fs::path& path) {
+  const std::string extension = file_extension(path.filename().string());
+  const bool json = extension == ".json", yaml = extension == ".yaml" || extension == ".yml";
+  if (!json && !yaml) return true;
+  constexpr std::size_t kBeginning = 64 << 10;
+  std::ifstream file(path, std::ios::binary);
+  std::string text(kBeginning, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  const auto has = [&text](const char* word) { return text.find(word) != std::string::npos; };
+  return json ? has("\"replan\"") : has("image") && has("resolution");
+}
+
 /// The entry with what the system tells of it; links are followed. False if it is gone.
 bool look_up(const fs::path& path, FileEntry& entry) {
   struct stat info {};
   if (::stat(path.c_str(), &info) != 0 && ::lstat(path.c_str(), &info) != 0) return false;
   const bool folder = S_ISDIR(info.st_mode);
   entry.kind = folder ? FileKind::folder : kind_of(entry.name);
+  if (!folder && S_ISREG(info.st_mode) && !looks_right(path)) entry.kind = FileKind::other;
   entry.size = folder ? 0 : static_cast<std::uint64_t>(info.st_size);
   entry.modified = static_cast<std::int64_t>(info.st_mtime);
   return true;

@@ -6,6 +6,7 @@
 #include "core/base/file.hpp"
 #include "ui/documents/documents.hpp"
 #include "ui/documents/files.hpp"
+#include "ui/documents/questions.hpp"
 #include "ui/shell/format.hpp"
 
 namespace replan::ui {
@@ -139,24 +140,8 @@ void Documents::look_at_disk(const Session& session) {
   looked_at_disk_ = Clock::now();
   const std::optional<std::string> changed = watch_.changed();
   if (!changed) return;
-  const bool map = *changed != session.file();
-  std::string words = map ? "The map of " + document_name(session) : "It";
-  words += " was written by another program since it was opened here.";
-  const std::size_t edits = session.unsaved_edits();
-  if (edits > 0)
-    words += " Your " + count_text(static_cast<std::int64_t>(edits), "unsaved edit is", "unsaved edits are") +
-             " lost by reading it again.";
-  const Question::Choice reload{"Reload", DialogDecision::Kind::reload},
-      keep{"Keep mine", DialogDecision::Kind::keep_mine};
-  Question question{.title = file_name(*changed) + " has changed on disk",
-                    .words = words,
-                    .primary = reload,
-                    .quiet = keep};
-  if (edits > 0) {
-    question.primary = {"Save as…", DialogDecision::Kind::save_elsewhere};
-    question.danger = reload;
-  }
-  window_.dialogs.ask(std::move(question));
+  window_.dialogs.ask(changed_question(file_name(*changed), document_name(session),
+                                       *changed != session.file(), session.unsaved_edits()));
 }
 
 }  // namespace replan::ui

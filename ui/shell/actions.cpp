@@ -38,8 +38,8 @@ Action make_tab(ActionId id, const char* name, std::string_view tab, void (*effe
   const TabKind& kind = tab_kinds()[tab_number(tab)];
   return {.id = id,
           .name = name,
-          .menu = Menu::view,
-          .group = 4,
+          .menu = Menu::tabs,
+          .group = 0,
           .label = kind.label,
           .icon = kind.icon,
           .chord = kind.chord,
@@ -202,11 +202,12 @@ bool ActionContext::has_own_settings() const {
 }
 
 bool ActionContext::records(bool window) const {
-  return panels.recording.on && panels.recording.window == window;
+  return panels.recording.on && panels.recording.made < 0 && panels.recording.window == window;
 }
 
 bool ActionContext::may_record(bool window) const {
-  return !panels.recording.finishing && (!panels.recording.on || records(window));
+  return !panels.recording.finishing && panels.recording.made < 0 &&
+         (!panels.recording.on || records(window));
 }
 
 std::vector<ActionId> pressed_actions(const ImGuiIO& io) {

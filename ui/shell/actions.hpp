@@ -32,8 +32,6 @@ enum class ActionId : std::uint16_t {
   count
 };
 
-enum class Menu : std::uint8_t { file, edit, world, planner, run, debug, view, record, help, overlays };
-
 /// What actions read and change. Effects on the session are queued; they happen after drawing.
 struct ActionContext {
   const Session& session;

@@ -1,6 +1,7 @@
 #include "ui/shell/command_palette.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
 #include "core/base/file.hpp"
@@ -36,6 +37,12 @@ const char* menu_name(Menu menu) {
     case Menu::debug:
       return "Debug";
     case Menu::view:
+    case Menu::move:
+    case Menu::panes:
+    case Menu::pin:
+    case Menu::tabs:
+    case Menu::colours:
+    case Menu::size:
       return "View";
     case Menu::record:
       return "Record";
@@ -51,10 +58,13 @@ void add_actions(Frame& frame, std::vector<PaletteEntry>& entries) {
   const ActionContext context = context_of(frame);
   for (const Action& each : actions()) {
     if (each.rules.unlisted) continue;
-    const bool overlay = each.menu == Menu::overlays;
+    const bool overlay = each.menu == Menu::overlays, tab = each.menu == Menu::tabs;
     const bool enabled = each.available(context);
     entries.push_back({.id = each.name,
-                       .label = overlay ? "Overlay: " + each.label : each.label,
+                       .label = (overlay ? "Overlay: "
+                                 : tab   ? "Tab: "
+                                         : "") +
+                                each.label,
                        .place = menu_name(each.menu),
                        .keys = each.keys,
                        .teach = each.teach,
@@ -81,21 +91,6 @@ void add_planners(Frame& frame, std::vector<PaletteEntry>& entries) {
                          f.commands.emplace_back(ChoosePlanner{f.session.lead(), id});
                        }});
   }
-}
-
-void add_tabs(std::vector<PaletteEntry>& entries) {
-  for (const TabKind& kind : tab_kinds())
-    entries.push_back({.id = std::string("tab ") + kind.name,
-                       .label = std::string("Tab: ") + kind.name,
-                       .place = "Side panel",
-                       .keys = {},
-                       .teach = {},
-                       .icon = icon::columns,
-                       .reason = {},
-                       .effect = [id = kind.id](Frame& f) {
-                         f.view.tab = id;
-                         f.view.panels = true;
-                       }});
 }
 
 PaletteEntry opens(const char* kind, Wish wish, const std::string& title, const std::string& path,
@@ -152,13 +147,27 @@ void draw_label(const Look& look, ImVec2 at, std::string_view label, std::span<c
   }
 }
 
+/// Few letters are found almost everywhere if each may stand anywhere: of a short text each has to begin a word or to
+/// stand beside another.
+bool is_scattered(std::string_view label, std::span<const std::size_t> letters) {
+  constexpr std::size_t kShort = 5;
+  if (letters.size() >= kShort) return false;
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    const std::size_t at = letters[i];
+    const bool begins = at == 0 || std::isalnum(static_cast<unsigned char>(label[at - 1])) == 0;
+    const bool beside =
+        (i > 0 && letters[i - 1] + 1 == at) || (i + 1 < letters.size() && letters[i + 1] == at + 1);
+    if (!begins && !beside && letters.size() > 1) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<PaletteEntry> palette_entries(Frame& frame, const WorldLibrary* library) {
   std::vector<PaletteEntry> entries;
   add_actions(frame, entries);
   add_planners(frame, entries);
-  add_tabs(entries);
   for (const std::string& path : frame.panels.recent)
     entries.push_back(opens("Open recent: ", Wish::recent, file_name(path), path, icon::file));
   if (library != nullptr)
@@ -174,7 +183,7 @@ std::vector<PaletteHit> palette_hits(std::span<const PaletteEntry> entries, std:
   std::vector<PaletteHit> hits;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     auto match = fuzzy_match(typed, entries[i].label);
-    if (!match) continue;
+    if (!match || is_scattered(entries[i].label, match->letters)) continue;
     const auto last = std::find(used.begin(), used.end(), entries[i].id);
     if (last != used.end()) match->score += kUsedBonus - kUsedStep * static_cast<int>(last - used.begin());
     hits.push_back({i, std::move(*match)});

@@ -7,7 +7,7 @@ namespace {
 
 constexpr const char* kPopup = "dialog";
 /// What is read faster than this is not announced.
-constexpr auto kAMoment = std::chrono::milliseconds(150);
+constexpr double kAMoment = 0.15;  // seconds
 
 /// Of the design.
 float width_of(DialogKind kind) {
@@ -74,7 +74,7 @@ void Dialogs::show_about(std::vector<AboutLine> lines) {
 
 void Dialogs::wait_for(std::string name) {
   name_ = std::move(name);
-  since_ = std::chrono::steady_clock::now();
+  since_ = -1;
   begin(DialogKind::opening);  // the dialog that led here stays behind it
 }
 
@@ -110,8 +110,9 @@ DialogDecision Dialogs::draw(const Look& look) {
   closed_file_.reset();
   closed_worlds_.reset();
   if (kind_ == DialogKind::none) return {};
+  if (since_ < 0) since_ = ImGui::GetTime();
   // Before its moment has passed a dialog that only waits keeps the hands off the world, unseen.
-  const bool unseen = kind_ == DialogKind::opening && std::chrono::steady_clock::now() - since_ < kAMoment;
+  const bool unseen = kind_ == DialogKind::opening && ImGui::GetTime() - since_ < kAMoment;
   if (!ImGui::IsPopupOpen(kPopup)) ImGui::OpenPopup(kPopup);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float width = std::min(look.px(width_of(kind_)), screen.x - look.px(32));
@@ -172,7 +173,7 @@ DialogDecision Dialogs::file_dialog(const Look& look, float height) {
     decision.kind = file_decision_ != DialogDecision::Kind::none ? file_decision_
                     : file_->saving()                            ? DialogDecision::Kind::save
                                                                  : DialogDecision::Kind::open;
-  decision.fps = static_cast<int>(fps_);
+  decision.film = film_.choice();
   decision.map = trace_map_;
   return decision;
 }

@@ -1,7 +1,6 @@
 // The window's dialogs: one at a time, over everything else.
 #pragma once
 
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include "core/session/autosave.hpp"
 #include "ui/shell/dialogs/file_dialog.hpp"
+#include "ui/shell/dialogs/film_form.hpp"
 #include "ui/shell/dialogs/world_picker.hpp"
 #include "ui/shell/frame.hpp"
 
@@ -50,7 +50,7 @@ struct DialogDecision {
   MapReading reading = {};  ///< for open
   int width = 0;            ///< for new_world
   int height = 0;
-  int fps = 0;            ///< for capture of a film
+  FilmChoice film = {};   ///< for capture of a film
   std::size_t index = 0;  ///< for recover and forget: which of those on offer
   bool map = false;       ///< for export_trace: its map too
 };
@@ -86,8 +86,13 @@ class Dialogs {
   void choose_world(WorldLibrary& library);
   void offer(std::vector<AutosaveNote> notes);
   void show_about(std::vector<AboutLine> lines);
-  /// Asks where a film or picture goes; `spec` says where to begin.
-  void ask_capture(bool film, bool window, FileDialogSpec spec, const WorkPlace& place);
+  // Each asks where it goes; `spec` says where to begin.
+  void ask_picture(bool window, FileDialogSpec spec, const WorkPlace& place);
+  /// And what it shows of the session, which has to outlive the dialog; `area` is what there is to be filmed.
+  /// choose_part() proposes what it is of.
+  void choose_part(FilmPart part) { film_.choose(part); }
+  void ask_film(const Session& session, bool window, const PixelArea& area, FileDialogSpec spec,
+                const WorkPlace& place);
   /// Asks where a trace goes.
   void ask_trace(const TraceFacts& facts, FileDialogSpec spec, const WorkPlace& place);
   /// Tells that a file is being read, once that takes longer than a moment.
@@ -128,12 +133,12 @@ class Dialogs {
   Question question_;
   std::vector<AutosaveNote> notes_;
   std::vector<AboutLine> about_;
-  std::string name_;  // of what is being opened
-  std::chrono::steady_clock::time_point since_;
+  std::string name_;   // of what is being opened
+  double since_ = -1;  // when it was first drawn, in ImGui's seconds; below 0: not yet
   std::string folder_;
   double width_ = 48, height_ = 32;  // of the new world
   DialogDecision::Kind file_decision_ = DialogDecision::Kind::none;
-  double fps_ = 30;  // of the film
+  FilmForm film_;
   TraceFacts trace_facts_;
   bool trace_map_ = true;     // what was chosen last
   float page_height_ = 2000;  // of the keys, as drawn last

@@ -44,6 +44,10 @@ const Result<PlannerPage>& page_of(PanelState& panels, std::string_view planner)
   return panels.pages.emplace(std::string(planner), read_page(planner)).first->second;
 }
 
+PixelArea whole_window() {
+  return {{0, 0}, ImGui::GetIO().DisplaySize};
+}
+
 std::optional<ReplanSpan> last_replan(const Run& run) {
   const std::size_t cursor = run.timeline().cursor();
   const auto milestones = run.milestones();

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,7 @@ enum class Wish : std::uint8_t {
   picture_window,
   export_trace,
   stop_export,
+  stop_film,
   go_to_pasted,  ///< PanelState::pasted
   generate,
   resize,
@@ -48,6 +50,26 @@ enum class Wish : std::uint8_t {
   save_figures,
   lesson,  ///< PanelState::wished
   about
+};
+
+/// The menus of the bar, and their submenus.
+enum class Menu : std::uint8_t {
+  file,
+  edit,
+  world,
+  planner,
+  run,
+  debug,
+  view,
+  move,
+  panes,
+  pin,
+  tabs,
+  size,
+  colours,
+  overlays,
+  record,
+  help
 };
 
 /// A thing that the program is made of, and its version.
@@ -99,6 +121,7 @@ struct PanelState {
   std::optional<std::vector<Lesson>> lessons;  ///< once they were asked for
   std::vector<const char*> performed;          ///< actions of this frame, by their names
   std::vector<AboutLine> about;                ///< told by the owner of the pixels
+  std::optional<Menu> open_menu;               ///< to be opened, without the mouse
   bool caption = false;              ///< what the world is about is told over the canvas, if it says so
   std::vector<std::string> notices;  ///< for the Log: what the platform had to say (missing fonts)
 };
@@ -124,6 +147,9 @@ struct Frame {
   /// The pane that it is about: a pinned cell is that of the leading one, any other of the one under the cursor.
   [[nodiscard]] std::size_t cell_pane() const;
 };
+
+/// All of the window's pixels.
+PixelArea whole_window();
 
 /// A fixed part of the window: no decoration, own ground and padding.
 void area(const char* id, ImVec2 pos, ImVec2 size, ImU32 ground, ImVec2 padding,

@@ -1,4 +1,7 @@
 // The menu bar: menus from the table of actions, the planner list, and the name of the file.
+#include <array>
+#include <utility>
+
 #include <imgui_internal.h>
 
 #include "core/base/file.hpp"
@@ -40,28 +43,56 @@ void planner_items(Frame& frame) {
   ImGui::Separator();
 }
 
+struct Submenu {
+  Menu menu, of;
+  const char *name, *icon;
+};
+constexpr std::array kSubmenus = {Submenu{Menu::debug, Menu::run, "Debug", icon::bug},
+                                  Submenu{Menu::overlays, Menu::view, "Overlays", icon::eye},
+                                  Submenu{Menu::tabs, Menu::view, "Tabs", icon::list},
+                                  Submenu{Menu::panes, Menu::view, "Panes", icon::columns},
+                                  Submenu{Menu::move, Menu::view, "Move the view", icon::hand},
+                                  Submenu{Menu::pin, Menu::view, "Pinned cell", icon::pin},
+                                  Submenu{Menu::colours, Menu::view, "Colours of fields", icon::adjust},
+                                  Submenu{Menu::size, Menu::view, "Size of everything", icon::expand}};
+
+/// The menu that a submenu stands in; itself for one of the bar.
+Menu menu_of(Menu menu) {
+  for (const Submenu& each : kSubmenus)
+    if (each.menu == menu) return each.of;
+  return menu;
+}
+
+/// What would make a menu taller than a small window stands in menus beside it.
+void submenus(Frame& frame, Menu of) {
+  bool first = true;
+  for (const Submenu& each : kSubmenus) {
+    if (each.of != of) continue;
+    if (std::exchange(first, false)) ImGui::Separator();
+    if (frame.panels.open_menu == each.menu) {
+      ImGui::OpenPopup(each.name);
+      frame.panels.open_menu.reset();
+    }
+    if (!ImGui::BeginMenuEx(each.name, each.icon)) continue;
+    menu_items(frame, each.menu);
+    ImGui::EndMenu();
+  }
+}
+
 void menu(Frame& frame, const char* name, Menu which) {
   ImGui::PushStyleColor(ImGuiCol_Text, frame.look.theme.dim);
+  if (std::optional<Menu>& wanted = frame.panels.open_menu;
+      wanted && (wanted == which || menu_of(*wanted) == which)) {
+    ImGui::OpenPopup(name);
+    if (wanted == which) wanted.reset();
+  }
   const bool open = ImGui::BeginMenu(name);
   ImGui::PopStyleColor();
   if (!open) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(frame.look.px.s, frame.look.px(7)));
   if (which == Menu::planner) planner_items(frame);
   menu_items(frame, which);
-  if (which == Menu::run) {
-    ImGui::Separator();
-    if (ImGui::BeginMenuEx("Debug", icon::bug)) {
-      menu_items(frame, Menu::debug);
-      ImGui::EndMenu();
-    }
-  }
-  if (which == Menu::view) {
-    ImGui::Separator();
-    if (ImGui::BeginMenuEx("Overlays", icon::eye)) {
-      menu_items(frame, Menu::overlays);
-      ImGui::EndMenu();
-    }
-  }
+  submenus(frame, which);
   ImGui::PopStyleVar();
   ImGui::EndMenu();
 }
@@ -104,12 +135,12 @@ void file_name_at_right(Frame& frame) {
   const ImRect bar = ImGui::GetCurrentWindow()->MenuBarRect();
   const float right = search_box_at_right(frame, bar) - look.px.l;
   const float room = right - ImGui::GetCursorScreenPos().x - look.px.l - text_width(look.fonts.ui, state);
-  const std::string name = elide(look.fonts.ui, shown, room);
+  const float width = std::min(text_width(look.fonts.ui, shown), room);
   const float y = bar.Min.y + (look.px.menu - look.fonts.ui->FontSize) * 0.5f;
   const float state_x = right - text_width(look.fonts.ui, state);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (room < look.px(40)) return;
-  draw_text(list, look.fonts.ui, {state_x - text_width(look.fonts.ui, name), y}, look.theme.text, name);
+  draw_line(look, list, look.fonts.ui, {state_x - width, y}, look.theme.text, shown, room);
   draw_text(list, look.fonts.ui, {state_x, y}, look.theme.dim, state);
 }
 

@@ -26,7 +26,7 @@ std::string film_time(double seconds) {
 
 void draw_recording(Frame& frame) {
   const RecordingState& recording = frame.panels.recording;
-  if (!recording.busy()) return;
+  if (!recording.busy() || recording.made >= 0) return;  // the status bar tells of one that is being made
   const Look& look = frame.look;
   const std::string words = recording.on ? film_time(recording.seconds) : "finishing the film…";
   const ImVec2 origin = ImGui::GetCursorScreenPos();

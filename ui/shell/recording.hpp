@@ -8,14 +8,16 @@
 
 #include <imgui.h>
 
+#include "ui/shell/film_choice.hpp"
+
 namespace replan::ui {
 
 /// What shall be taken, and into which file.
 struct CaptureRequest {
-  enum class Kind : std::uint8_t { film, stop, picture } kind = Kind::film;
+  enum class Kind : std::uint8_t { film, stop, give_up, picture } kind = Kind::film;
   bool window = false;  ///< the whole window rather than the canvas
   std::string path;     ///< as a user's path is: absolute, or from the folder where the program was started
-  int fps = 30;
+  FilmChoice film = {};
 };
 
 /// How a film that is being recorded stands; kept by the owner of the pixels for the panels to show.
@@ -24,8 +26,10 @@ struct RecordingState {
   bool finishing = false;  ///< all are taken, and the file is being completed
   bool window = false;
   double seconds = 0;  ///< length of the film so far
+  double made =
+      -1;  ///< of a film of a part of the run: how much of it is made, 0 to 1; below 0: none is being made
 
-  [[nodiscard]] bool busy() const { return on || finishing; }
+  [[nodiscard]] bool busy() const { return on || finishing || made >= 0; }
 };
 
 /// The area of the canvas in the last frame, in pixels from the upper left.

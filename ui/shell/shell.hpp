@@ -47,6 +47,8 @@ class Shell {
   std::optional<CaptureRequest> take_capture() { return std::exchange(capture_, std::nullopt); }
   /// Does what the action does, in the next frame; nothing if it is not available then.
   void perform_next(ActionId id) { next_actions_.push_back(id); }
+  /// Shows the dialog or menu of that name (gallery.hpp), for a picture; false if there is none.
+  bool show_dialog(std::string_view name, const Session& session);
   /// At the very first start: the first lesson, unless the user is asked something.
   void welcome();
   /// A sentence over the canvas for a while.
@@ -79,7 +81,7 @@ class Shell {
   void take_wish(Session& session, Wish wish);
   void open_lesson(Session& session, const std::string& id);
   void follow_lesson(const Session& session);
-  void ask_for_capture(bool film, bool window);
+  void ask_for_capture(const Session& session, bool film, bool window);
   void ask_for_trace(const Session& session);
   void export_trace(const Session& session, const DialogDecision& decision);
   void go_to_pasted(Session& session);

@@ -234,6 +234,15 @@ void copying(Frame& frame, Line& line) {
           [&] { work = {}; });
 }
 
+/// While a film of a part of the run is made: how far it is, and the way to stop it.
+void filming(Frame& frame, Line& line) {
+  const double made = frame.panels.recording.made;
+  if (made < 0) return;
+  frame.panels.animated = true;
+  at_work(frame.look, line, "Making the film… " + fixed(made * 100, 0) + " %", "stop film",
+          {"Stop", "", "Gives the film up; no file is left."}, [&] { frame.wish = Wish::stop_film; });
+}
+
 /// Beside how large a cell is: smaller, larger, the whole world.
 void zoom_buttons(Frame& frame, Line& line) {
   const Look& look = frame.look;
@@ -274,6 +283,7 @@ void draw_status_bar(Frame& frame) {
   checks(frame, line);
   exporting(frame, line);
   copying(frame, line);
+  filming(frame, line);
   const Decision* decision = run.decision_at(run.timeline().cursor());
   if (decision != nullptr && decision->state == MissionState::arrived)
     line.pair("travelled", fixed(decision->figures.travelled, 1), term_hint("travelled"));

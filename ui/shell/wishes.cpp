@@ -1,5 +1,6 @@
 // What the shell does with what actions wish for and what its dialogs come to.
 #include "ui/documents/files.hpp"
+#include "ui/shell/gallery.hpp"
 #include "ui/shell/shell.hpp"
 
 namespace replan::ui {
@@ -23,20 +24,27 @@ void Shell::take_wish(Session& session, Wish wish) {
       return dialogs_.show(DialogKind::keys);
     case Wish::record_canvas:
     case Wish::record_window:
-      return ask_for_capture(true, wish == Wish::record_window);
+      return ask_for_capture(session, true, wish == Wish::record_window);
     case Wish::picture_canvas:
     case Wish::picture_window:
-      return ask_for_capture(false, wish == Wish::picture_window);
+      return ask_for_capture(session, false, wish == Wish::picture_window);
     case Wish::export_trace:
       return ask_for_trace(session);
     case Wish::stop_export:
       export_.cancel();
       return tell("The trace was not written", false);
+    case Wish::stop_film:
+      capture_ = CaptureRequest{.kind = CaptureRequest::Kind::give_up, .path = {}};
+      return;
     case Wish::go_to_pasted:
       return documents_.after_saving(session, [this](Session& its) { go_to_pasted(its); });
     default:
       return documents_.take_wish(session, wish);
   }
+}
+
+bool Shell::show_dialog(std::string_view name, const Session& session) {
+  return show_from_gallery(name, {session, dialogs_, world_dialogs_, documents_, view_, panels_});
 }
 
 void Shell::open_lesson(Session& session, const std::string& id) {
@@ -62,14 +70,18 @@ void Shell::welcome() {
 }
 
 /// A film that is being recorded ends; anything else is asked for by its name.
-void Shell::ask_for_capture(bool film, bool window) {
-  asked_ = {film ? CaptureRequest::Kind::film : CaptureRequest::Kind::picture, window, {}, 0};
+void Shell::ask_for_capture(const Session& session, bool film, bool window) {
+  asked_ = {film ? CaptureRequest::Kind::film : CaptureRequest::Kind::picture, window, {}, {}};
   if (film && panels_.recording.on) {
-    capture_ = {CaptureRequest::Kind::stop, window, {}, 0};
+    capture_ = {CaptureRequest::Kind::stop, window, {}, {}};
     return;
   }
-  dialogs_.ask_capture(film, window, documents_.place_for(capture_name(film ? ".gif" : ".png")),
-                       documents_.work());
+  FileDialogSpec spec = documents_.place_for(capture_name(film ? ".gif" : ".png"));
+  if (film)
+    dialogs_.ask_film(session, window, window ? whole_window() : panels_.canvas, std::move(spec),
+                      documents_.work());
+  else
+    dialogs_.ask_picture(window, std::move(spec), documents_.work());
 }
 
 void Shell::take_decision(Session& session, const DialogDecision& decision) {
@@ -77,7 +89,7 @@ void Shell::take_decision(Session& session, const DialogDecision& decision) {
     case DialogDecision::Kind::capture:
       capture_ = asked_;
       capture_->path = decision.path;
-      capture_->fps = decision.fps;
+      capture_->film = decision.film;
       return message_.clear();  // or it would be in the picture
     case DialogDecision::Kind::export_trace:
       return export_trace(session, decision);

@@ -85,8 +85,7 @@ std::vector<ValueRow> rows_of(const Theme& theme, const CellView& view) {
     add_rows(rows, view, type);
   if (state.order(view.node) != 0) {
     rows.push_back({"expanded", std::to_string(state.times_expanded(view.node)) + "×", EventKind::visit});
-    rows.push_back(
-        {"last expansion", "no. " + grouped(std::int64_t{state.order(view.node)}), EventKind::visit});
+    rows.push_back({"last exp.", "no. " + grouped(std::int64_t{state.order(view.node)}), EventKind::visit});
   }
   return rows;
 }
@@ -242,7 +241,7 @@ void CellTab::draw_cell(Frame& frame, Cell cell) {
 TabKind cell_tab() {
   return {
       .name = "Cell",
-      .label = "Cell: why these values",
+      .label = "Cell",
       .icon = icon::crosshairs,
       .chord = fn(3),
       .teach =

@@ -13,6 +13,7 @@ namespace {
 
 /// Why there is nothing to add up; empty if there is.
 const char* special_case(const CellView& view, const std::vector<Offer>& all) {
+  if (view.run.timeline().cursor() == 0) return "The search has not begun: no cell has a value yet.";
   if (view.node == view.state.node(view.lookahead ? Scalar::goal : Scalar::start))
     return view.lookahead ? "This is the goal: its rhs is 0, by definition."
                           : "This is the start: its g is 0.";

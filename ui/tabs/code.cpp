@@ -67,16 +67,39 @@ void draw_section(const Look& look, const PageSection& section) {
   section_rule(look);
 }
 
+/// Of the block's lines, which no other block's have: " (lines 101 to 119)".
+std::string numbers_of(const PseudoBlock& block) {
+  int first = 0, last = 0;
+  for (const PseudoLine& line : block.lines) {
+    if (line.number == 0) continue;
+    if (first == 0) first = line.number;
+    last = line.number;
+  }
+  return first == 0 ? "" : " (lines " + std::to_string(first) + " to " + std::to_string(last) + ")";
+}
+
 /// All of the code, behind what there is to say of its numbers; `scrolled` as in draw_pseudo_code().
 void draw_code(Frame& frame, const PlannerPage& page, int& scrolled) {
   if (const PageSection* about = page.section("Pseudo-code"))
     for (const std::string& each : about->paragraphs)
       marked_paragraph(frame.look, frame.look.theme.dim, each);
   for (const PseudoBlock& block : page.code) {
-    section_title(frame.look, block.title);
+    section_title(frame.look, block.title + numbers_of(block));
     draw_pseudo_code(frame, block, 0, &scrolled);
     section_rule(frame.look);
   }
+}
+
+/// Where the page goes on beyond its edge the lines there fade, in place of being cut in two.
+void fade_edges(const Look& look) {
+  const ImRect seen = ImGui::GetCurrentWindow()->InnerClipRect;
+  const float high = look.px(24);
+  const ImU32 ground = look.theme.panel, none = with_alpha(ground, 0);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (ImGui::GetScrollY() > 0)
+    list.AddRectFilledMultiColor(seen.Min, {seen.Max.x, seen.Min.y + high}, ground, ground, none, none);
+  if (ImGui::GetScrollY() < ImGui::GetScrollMaxY())
+    list.AddRectFilledMultiColor({seen.Min.x, seen.Max.y - high}, seen.Max, none, none, ground, ground);
 }
 
 class CodeTab final : public SideTab {
@@ -87,6 +110,7 @@ class CodeTab final : public SideTab {
  private:
   int scrolled_ = 0;     // the line that the page was scrolled to
   bool to_top_ = false;  // the page is to be shown from its beginning
+  std::string planner_;  // whose page it was
 };
 
 }  // namespace
@@ -121,7 +145,9 @@ void draw_pseudo_code(Frame& frame, const PseudoBlock& block, int around, int* s
 
 void CodeTab::draw(Frame& frame) {
   const Look& look = frame.look;
-  const Result<PlannerPage>& page = page_of(frame.panels, frame.run().choice().id);
+  const std::string& planner = frame.run().choice().id;
+  if (std::exchange(planner_, planner) != planner) to_top_ = true;
+  const Result<PlannerPage>& page = page_of(frame.panels, planner);
   if (!page) {
     empty_state(look, icon::book, "This planner's page is missing", page.error());
     return;
@@ -141,6 +167,7 @@ void CodeTab::draw(Frame& frame) {
   draw_code(frame, *page, scrolled_);
   for (const PageSection& section : page->sections)
     if (&section != idea && section.title != "Pseudo-code") draw_section(look, section);
+  fade_edges(look);
   ImGui::EndChild();
 }
 
@@ -151,7 +178,7 @@ void show_page(ViewState& view, PanelState& panels) {
 
 TabKind code_tab() {
   return {.name = "Code",
-          .label = "Idea, pseudo-code and limits",
+          .label = "Code",
           .icon = icon::code,
           .chord = fn(5),
           .teach =

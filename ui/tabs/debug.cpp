@@ -181,7 +181,7 @@ void watch_row(Frame& frame, std::size_t index) {
       problem.empty() ? quantity_text(session.watches().value(session.lead(), index)) : "not on this world";
   const float value_x = right - look.px(28) - text_width(look.fonts.mono_bold, value);
   ImGui::PushID(static_cast<int>(index));
-  text(look.fonts.mono, look.theme.dim, elide(look.fonts.mono, expression, value_x - origin.x - look.px.s));
+  text_line(look, look.fonts.mono, look.theme.dim, expression, value_x - origin.x - look.px.s);
   hint(look, {expression.c_str(), "", as_sentence(problem).c_str()});
   draw_text(*ImGui::GetWindowDrawList(), look.fonts.mono_bold, {value_x, origin.y}, look.theme.text, value);
   ImGui::SetCursorScreenPos({right - look.px(24), origin.y - look.px(5)});
@@ -236,7 +236,7 @@ FindDifference DebugTab::find_difference(const Session& session) const {
 
 TabKind debug_tab() {
   return {.name = "Debug",
-          .label = "Breakpoints, watches and checks",
+          .label = "Debug",
           .icon = icon::bug,
           .chord = fn(7),
           .teach = "Where to stop, what to follow, and what the planners are held to.",

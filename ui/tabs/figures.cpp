@@ -54,9 +54,10 @@ void draw_names(const Look& look, const FiguresLayout& layout, const FiguresTabl
   float before = layout.left + layout.name;
   for (std::size_t i = 0; i < table.names.size(); ++i) {
     const float right = layout.right(look, i);
-    const std::string name = elide(look.fonts.ui, table.names[i], right - before - look.px.s);
-    draw_text(*ImGui::GetWindowDrawList(), look.fonts.ui, {right - text_width(look.fonts.ui, name), origin.y},
-              look.theme.dim, name);
+    const float room = right - before - look.px.s;
+    const float width = std::min(text_width(look.fonts.ui, table.names[i]), room);
+    draw_line(look, *ImGui::GetWindowDrawList(), look.fonts.ui, {right - width, origin.y}, look.theme.dim,
+              table.names[i], room);
     before = right;
   }
   ImGui::Dummy({layout.width, look.px.row});
@@ -89,8 +90,8 @@ void draw_row(const Look& look, const FiguresLayout& layout, const FigureRow& ro
   const std::string name =
       std::string(row.info->label) + (row.info->unit.empty() ? "" : "  " + std::string(row.info->unit));
   const float y = origin.y + (line - look.fonts.mono->FontSize) * 0.5f;
-  draw_text(list, look.fonts.ui, {origin.x, y}, look.theme.dim,
-            stacked ? name : elide(look.fonts.ui, name, layout.name));
+  draw_line(look, list, look.fonts.ui, {origin.x, y}, look.theme.dim, name,
+            stacked ? layout.width : layout.name);
   const float values = stacked ? y + line * 0.75f : y;
   for (std::size_t i = 0; i < layout.panes; ++i) {
     draw_value(look, layout.right(look, i), values, shown(row, i, standing[i]), standing[i] && row.best(i));
@@ -211,7 +212,7 @@ void FiguresTab::draw(Frame& frame) {
 
 TabKind figures_tab() {
   return {.name = "Figures",
-          .label = "Figures of the panes",
+          .label = "Figures",
           .icon = icon::bar_chart,
           .chord = fn(6),
           .teach =

@@ -28,11 +28,11 @@ bool edit_row(const Look& look, int number, std::string_view label, bool made, b
   const std::string count = number == 0 ? "" : std::to_string(number);
   draw_text(list, look.fonts.mono, {origin.x + look.px(32) - text_width(look.fonts.mono, count), y},
             look.theme.faint, count);
-  draw_text(list, look.fonts.ui, {origin.x + indent, y},
+  draw_line(look, list, look.fonts.ui, {origin.x + indent, y},
             current ? look.theme.text
             : made  ? look.theme.dim
                     : look.theme.faint,
-            elide(look.fonts.ui, label, size.x - indent - look.px.xs));
+            label, size.x - indent - look.px.xs);
   return clicked;
 }
 

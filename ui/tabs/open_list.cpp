@@ -41,13 +41,32 @@ std::string widest_cell(const Run& run) {
   return cell_text({run.lattice().width() - 1, run.lattice().height() - 1});
 }
 
-/// Columns as wide as what stands in them: ranks and cells first, then the state in words, then decimals give
-/// way.
-OpenListLayout open_list_layout(const Look& look, const Run& run, const OpenOrder& order) {
+/// The costs of a row, in the order of their columns.
+std::vector<Cost> costs_of(const Run& run, const OpenEntry& entry) {
+  const SearchState& state = run.timeline().state();
+  std::vector<Cost> costs = {entry.k1, entry.k2, state.g(entry.node)};
+  if (run.info().values.lookahead()) costs.push_back(state.rhs(entry.node));
+  return costs;
+}
+
+/// The most letters that each column of costs shows in these rows.
+std::vector<std::size_t> widest_costs(const Run& run, const OpenOrder& order, RowsInSight rows,
+                                      int decimals) {
+  std::vector<std::size_t> widest(run.info().values.lookahead() ? 4 : 3, 3);
+  for (std::size_t rank = rows.first; rank < rows.last; ++rank) {
+    const std::vector<Cost> costs = costs_of(run, order[rank]);
+    for (std::size_t i = 0; i < costs.size(); ++i)
+      widest[i] = std::max(widest[i], cost_text(costs[i], decimals).size());
+  }
+  return widest;
+}
+
+/// Columns as wide as the widest that stands in them in sight: where there is no room for all the state in words gives
+/// way, which g and rhs side by side tell too, then decimals.
+OpenListLayout open_list_layout(const Look& look, const Run& run, const OpenOrder& order, RowsInSight rows) {
   const bool lookahead = run.info().values.lookahead();
   const float digit = text_width(look.fonts.mono, "0"), padding = look.px(12);
   const float room = ImGui::GetContentRegionAvail().x;
-  const Cost middle = order[order.size() / 2].k1;
   const auto chars = [digit, padding](std::size_t count) {
     return digit * static_cast<float>(count) + padding;
   };
@@ -55,19 +74,18 @@ OpenListLayout open_list_layout(const Look& look, const Run& run, const OpenOrde
   layout.lookahead = layout.state = lookahead;
   const float rank = chars(grouped(order.size()).size()), cell = chars(widest_cell(run).size()),
               state = chars(5);
-  const std::size_t costs = lookahead ? 4 : 3;
-  const auto cost = [&] {
-    return chars(std::max<std::size_t>(cost_text(middle, layout.decimals).size(), 3));
-  };
+  std::vector<std::size_t> costs = widest_costs(run, order, rows, layout.decimals);
   const auto whole = [&] {
-    return rank + cell + static_cast<float>(costs) * cost() + (layout.state ? state : 0.0f);
+    float width = rank + cell + (layout.state ? state : 0.0f);
+    for (const std::size_t each : costs) width += chars(each);
+    return width;
   };
-  if (whole() > room) layout.decimals = 1;
   if (whole() > room) layout.state = false;
-  if (whole() > room) layout.decimals = 0;
+  while (whole() > room && layout.decimals > 0) costs = widest_costs(run, order, rows, --layout.decimals);
   layout.columns = {{"#", rank}, {"cell", cell}};
-  for (const char* name : lookahead ? std::array{"k1", "k2", "g", "rhs"} : std::array{"f", "h", "g", ""})
-    if (name[0] != '\0') layout.columns.push_back({name, cost()});
+  constexpr std::array kLookahead = {"k1", "k2", "g", "rhs"}, kOther = {"f", "h", "g", ""};
+  for (std::size_t i = 0; i < costs.size(); ++i)
+    layout.columns.push_back({(lookahead ? kLookahead : kOther)[i], chars(costs[i])});
   if (layout.state) layout.columns.push_back({"state", state});
   return layout;
 }
@@ -139,7 +157,10 @@ void OpenListTab::draw_open_list(Frame& frame) {
   const bool late = order_.position() != run.timeline().cursor();
   paragraph(look.fonts.ui, look.theme.dim,
             late ? count + " at event " + grouped(order_.position()) : count + "; the first is taken next");
-  const OpenListLayout layout = open_list_layout(look, run, order_);
+  const auto first = std::min(static_cast<std::size_t>(order_rows_.first), order_.size() - 1);
+  const auto rows = static_cast<std::size_t>(ImGui::GetContentRegionAvail().y / look.px.row) + 2;
+  const OpenListLayout layout =
+      open_list_layout(look, run, order_, {first, std::min(first + rows, order_.size())});
   table_head(look, layout.columns);
   const RowsInSight sight = begin_rows(look, "open list", order_.size(), 0, order_rows_);
   for (std::size_t rank = sight.first; rank < sight.last; ++rank) open_row(frame, rank, order_[rank], layout);
@@ -184,7 +205,7 @@ void OpenListTab::draw_touched(Frame& frame) {
 }
 
 void OpenListTab::draw(Frame& frame) {
-  static constexpr std::array<const char*, 2> kParts = {"Open list U", "Last repair"};
+  static constexpr std::array<const char*, 2> kParts = {"Open list", "Last repair"};
   int part = repair_ ? 1 : 0;
   if (segments(frame.look, "part", kParts, part)) repair_ = part == 1;
   ImGui::Dummy({0, frame.look.px.xs});

@@ -24,9 +24,9 @@ bool labelled_control(const Look& look, const char* label, const Hint& what, boo
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const float right = std::min(look.px(190), width * 0.6f);
-  const std::string shown = elide(look.fonts.ui, label, width - right - look.px.s);
   ImGui::SetCursorScreenPos({origin.x, origin.y + (look.px.control - look.fonts.ui->FontSize) * 0.5f});
-  text(look.fonts.ui, changed_from_default ? look.theme.text : look.theme.dim, shown);
+  text_line(look, look.fonts.ui, changed_from_default ? look.theme.text : look.theme.dim, label,
+            width - right - look.px.s);
   hint(look, what);
   ImGui::SetCursorScreenPos({origin.x + width - right, origin.y});
   ImGui::PushID(label);
@@ -52,7 +52,7 @@ void choose_planner(Frame& frame) {
        {"Planner", "", "The planner of the leading pane. Another one plans the same world from scratch."});
   const PlannerInfo& info = frame.run().info();
   paragraph(look.fonts.ui, look.theme.dim, info.summary);
-  const bool page = button(look, "Idea and limits", ButtonKind::quiet, icon::book);
+  const bool page = button(look, "Code of this planner", ButtonKind::quiet, icon::book);
   hint(look, action(ActionId::show_code).hint());
   if (page) perform(frame, ActionId::show_code);
 }
@@ -315,7 +315,7 @@ void PlannerTab::draw(Frame& frame) {
 
 TabKind planner_tab() {
   return {.name = "Planner",
-          .label = "Planner and settings",
+          .label = "Planner",
           .icon = icon::sliders,
           .chord = fn(2),
           .teach = "Which planner runs in which pane, and its settings.",

@@ -65,7 +65,7 @@ void show_glossary(ViewState& view, PanelState& panels) {
 
 TabKind words_tab() {
   return {.name = "Words",
-          .label = "Words of the field",
+          .label = "Words",
           .icon = icon::book,
           .chord = fn(9),
           .teach =

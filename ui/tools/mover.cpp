@@ -196,7 +196,7 @@ void MoverTool::draw_options(Frame& frame) {
   movement(frame, next_.speed, next_.at_end);
   const std::string side = std::to_string(frame.view.brush);
   paragraph(look.fonts.ui, look.theme.dim,
-            way_.empty() ? "Click the corners of its way. It is " + side + " x " + side +
+            way_.empty() ? "Click the corners of its way. It is " + side + " × " + side +
                                " cells large, as the brush is."
                          : "Click on. A double click, Enter or the right button finishes the way.");
 }

@@ -52,7 +52,7 @@ std::unique_ptr<Drag> SelectTool::press(ToolContext&) {
 void SelectTool::draw_options(Frame& frame) {
   const Look& look = frame.look;
   const CellRect& region = *frame.view.editing.region;
-  section_title(look, std::to_string(region.high.x - region.low.x + 1) + " x " +
+  section_title(look, std::to_string(region.high.x - region.low.x + 1) + " × " +
                           std::to_string(region.high.y - region.low.y + 1) + " cells");
   const auto entry = [&](ActionId id, bool last) {
     const Action& each = action(id);

@@ -154,6 +154,10 @@ bool tabs(const Look& look, const char* id, std::span<const Tab> all, int& curre
     const ImU32 colour = i == current || area.hovered ? look.theme.text : look.theme.dim;
     draw_text(list, look.fonts.ui, {at.x + gap, at.y + look.px(14)}, colour, name);
     if (i == current) list.AddRectFilled({area.min.x, area.max.y - look.px(2)}, area.max, look.theme.accent);
+    // Between two that are not chosen: the ground and the line of the chosen one part it from its neighbours.
+    if (at.x > origin.x + look.px(8))
+      list.AddRectFilled({area.min.x, area.min.y + look.px(13)},
+                         {area.min.x + look.px.hair, area.max.y - look.px(11)}, look.theme.line);
     at.x = area.max.x;
   }
   ImGui::SetCursorScreenPos({origin.x, bottom});

@@ -22,6 +22,17 @@ unsigned code_point(const char* text) {
   return code;
 }
 
+/// Where another tooltip stands already, at its end.
+void tooltip_of_words(const Look& look, std::string_view words) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(10), look.px.s));
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(look.px(300));
+  text(look.fonts.ui, look.theme.text, words);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
 }  // namespace
 
 float text_width(const ImFont* font, std::string_view text) {
@@ -47,6 +58,16 @@ void draw_text(ImDrawList& list, const ImFont* font, ImVec2 pos, ImU32 colour, s
   list.AddText(font, font->FontSize, snapped, colour, text.data(), text.data() + text.size());
 }
 
+void draw_line(const Look& look, ImDrawList& list, const ImFont* font, ImVec2 pos, ImU32 colour,
+               std::string_view text, float room) {
+  const std::string shown = elide(font, text, room);
+  draw_text(list, font, pos, colour, shown);
+  if (shown.size() == text.size() && shown == text) return;
+  const ImVec2 end(pos.x + std::max(room, 0.0f), pos.y + font->FontSize);
+  if (!ImGui::IsWindowHovered() || !ImGui::IsMouseHoveringRect(pos, end)) return;
+  tooltip_of_words(look, text);
+}
+
 void draw_text_centred(ImDrawList& list, const ImFont* font, ImVec2 min, ImVec2 max, ImU32 colour,
                        std::string_view text) {
   const float x = (min.x + max.x - text_width(font, text)) * 0.5f;
@@ -68,6 +89,12 @@ void text(const ImFont* font, ImU32 colour, std::string_view text) {
   ImGui::TextUnformatted(begin, begin + text.size());
   ImGui::PopStyleColor();
   ImGui::PopFont();
+}
+
+void text_line(const Look& look, const ImFont* font, ImU32 colour, std::string_view words, float room) {
+  const ImVec2 pos = ImGui::GetCursorScreenPos();
+  ImGui::Dummy({std::min(text_width(font, words), std::max(room, 1.0f)), font->FontSize});
+  draw_line(look, *ImGui::GetWindowDrawList(), font, pos, colour, words, room);
 }
 
 void paragraph(const ImFont* font, ImU32 colour, std::string_view text_to_wrap) {

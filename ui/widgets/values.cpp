@@ -18,11 +18,11 @@ ImU32 colour_or(ImU32 colour, ImU32 otherwise) {
 }
 
 /// Draws a text between two x, at the left or the right, shortened if it does not fit.
-void draw_between(ImDrawList& list, const ImFont* font, float left, float right, float y, Align align,
-                  ImU32 colour, std::string_view text) {
+void draw_between(const Look& look, ImDrawList& list, const ImFont* font, float left, float right, float y,
+                  Align align, ImU32 colour, std::string_view text) {
   const float width = text_width(font, text);
   if (width > right - left) {
-    draw_text(list, font, {left, y}, colour, elide(font, text, right - left));
+    draw_line(look, list, font, {left, y}, colour, text, right - left);
   } else {
     draw_text(list, font, {align == Align::left ? left : right - width, y}, colour, text);
   }
@@ -48,6 +48,18 @@ void for_columns(const Look& look, std::span<const Column> columns, float left, 
 
 }  // namespace
 
+namespace {
+
+/// Where the values of a column begin, from its left: behind its widest key, in the first half of the column.
+float values_at(const Look& look, std::span<const KeyValue> pairs, int column, int columns, float width) {
+  float widest = 0;
+  for (auto i = static_cast<std::size_t>(column); i < pairs.size(); i += static_cast<std::size_t>(columns))
+    widest = std::max(widest, text_width(look.fonts.mono, pairs[i].key));
+  return std::min(std::ceil(widest) + look.px.m, width * 0.5f);
+}
+
+}  // namespace
+
 int key_values(const Look& look, std::span<const KeyValue> pairs, int columns, Align align, bool live) {
   const float row = look.px(22);
   const float width = ImGui::GetContentRegionAvail().x / static_cast<float>(std::max(columns, 1));
@@ -60,16 +72,16 @@ int key_values(const Look& look, std::span<const KeyValue> pairs, int columns, A
     const auto column = static_cast<float>(static_cast<int>(i) % columns);
     const auto line = static_cast<float>(static_cast<int>(i) / columns);
     const float left = origin.x + column * width, top = origin.y + line * row;
-    const float middle = left + width * 0.5f;
+    const float middle = left + values_at(look, pairs, static_cast<int>(i) % columns, columns, width);
     const float right = left + width - look.px.xs;
     const float y = top + (row - look.fonts.mono->FontSize) * 0.5f;
     const bool inside = mouse.x >= left && mouse.x < left + width && mouse.y >= top && mouse.y < top + row;
     if (inside && ImGui::IsItemHovered()) hovered = static_cast<int>(i);
     if (live && hovered == static_cast<int>(i))
       list.AddRectFilled({left - look.px.xs, top}, {right, top + row}, look.theme.hover, look.px(4));
-    draw_between(list, look.fonts.mono, left, middle - look.px.xs, y, Align::left, look.theme.dim,
+    draw_between(look, list, look.fonts.mono, left, middle - look.px.xs, y, Align::left, look.theme.dim,
                  pairs[i].key);
-    draw_between(list, figures(look, pairs[i].strong), middle, right, y, align,
+    draw_between(look, list, figures(look, pairs[i].strong), middle, right, y, align,
                  colour_or(pairs[i].colour, look.theme.text), pairs[i].value);
   }
   return hovered;
@@ -82,7 +94,8 @@ int table_header(const Look& look, std::span<const Column> columns) {
   const float y = origin.y + (look.px.row - look.fonts.mono->FontSize) * 0.5f;
   int at = -1;
   for_columns(look, columns, origin.x, width, [&](std::size_t i, float left, float right) {
-    draw_between(list, look.fonts.mono, left, right, y, columns[i].align, look.theme.faint, columns[i].name);
+    draw_between(look, list, look.fonts.mono, left, right, y, columns[i].align, look.theme.faint,
+                 columns[i].name);
     if (ImGui::GetIO().MousePos.x >= left && ImGui::GetIO().MousePos.x < right) at = static_cast<int>(i);
   });
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
@@ -109,7 +122,7 @@ bool table_row(const Look& look, int id, std::span<const Column> columns, std::s
   const float y = origin.y + (look.px.row - look.fonts.mono->FontSize) * 0.5f;
   for_columns(look, columns.first(std::min(columns.size(), cells.size())), origin.x, width,
               [&](std::size_t i, float left, float right) {
-                draw_between(list, figures(look, cells[i].strong), left, right, y, columns[i].align,
+                draw_between(look, list, figures(look, cells[i].strong), left, right, y, columns[i].align,
                              colour_or(cells[i].colour, look.theme.text), cells[i].text);
               });
   return clicked;
@@ -143,8 +156,8 @@ bool code_line(const Look& look, const CodeLine& line) {
   std::array<char, 16> digits{};
   const char* end = std::to_chars(digits.data(), digits.data() + digits.size(), line.number).ptr;
   const std::string_view number(digits.data(), static_cast<std::size_t>(end - digits.data()));
-  draw_between(list, look.fonts.mono, origin.x, origin.x + look.px(24), y, Align::right, look.theme.faint,
-               number);
+  draw_between(look, list, look.fonts.mono, origin.x, origin.x + look.px(24), y, Align::right,
+               look.theme.faint, number);
   draw_text(list, look.fonts.mono, {origin.x + look.px(38), y},
             line.current ? look.theme.text : look.theme.dim, line.text);
   return pressed && in_gutter;

@@ -21,6 +21,9 @@ namespace replan::ui {
 [[nodiscard]] std::string elide(const ImFont* font, std::string_view text, float width);
 /// Draws at a place; `pos` is the top left of the line.
 void draw_text(ImDrawList& list, const ImFont* font, ImVec2 pos, ImU32 colour, std::string_view text);
+/// Draws the text in that room; if it is shortened a tooltip has all of it.
+void draw_line(const Look& look, ImDrawList& list, const ImFont* font, ImVec2 pos, ImU32 colour,
+               std::string_view text, float room);
 /// Draws centred in a rectangle by the line's height and the text's width.
 void draw_text_centred(ImDrawList& list, const ImFont* font, ImVec2 min, ImVec2 max, ImU32 colour,
                        std::string_view text);
@@ -29,6 +32,8 @@ void draw_icon(ImDrawList& list, const ImFont* font, ImVec2 centre, ImU32 colour
 
 /// One line of text as an item.
 void text(const ImFont* font, ImU32 colour, std::string_view text);
+/// The same in that room, as draw_line().
+void text_line(const Look& look, const ImFont* font, ImU32 colour, std::string_view text, float room);
 /// Text over several lines, wrapped at the content's right edge.
 void paragraph(const ImFont* font, ImU32 colour, std::string_view text);
 /// The same of a text with the marks of core/base/markdown.hpp, at most `widest` wide; 0: as wide as there is room.

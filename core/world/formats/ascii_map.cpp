@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/file.hpp"
+#include "core/base/words.hpp"
 #include "core/world/formats/number_cells.hpp"
 #include "core/world/formats/text_cells.hpp"
 #include "core/world/formats/text_lines.hpp"
@@ -78,7 +79,7 @@ class AsciiParser {
   Result<void> end_row() {
     if (y_ == 0) width_ = x_;
     if (x_ != width_)
-      return wrong("the row has " + std::to_string(x_) + " cells, the rows before it have " +
+      return wrong("the row has " + counted(x_, "cell") + ", the rows before it have " +
                    std::to_string(width_) + ": make them equally long" +
                    (layout_.parting == Parting::nothing ? " (blanks at the end count as free cells)" : ""));
     x_ = 0;

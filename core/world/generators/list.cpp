@@ -15,8 +15,8 @@ constexpr std::string_view kPrefix = "generator:";
 constexpr double kLongestSide = static_cast<double>(kMaxCells), kMaxSeed = 0x1p53;
 constexpr double kLongestRoom = 8190;
 
-Parameter loops(double initial, std::string_view help) {
-  return {.key = "loops", .label = "Loops", .initial = initial, .help = help};
+Parameter loops(std::string_view label, double initial, std::string_view help) {
+  return {.key = "loops", .label = label, .initial = initial, .help = help};
 }
 Parameter side(std::string_view key, std::string_view label, double initial, std::string_view help) {
   return {.key = key,
@@ -69,12 +69,13 @@ std::vector<GeneratorInfo> make_list() {
        make_rectangles},
       {"maze",
        "Maze",
-       "Winding corridors, one way between any two places unless it is braided.",
+       "Winding corridors, one way between any two places as long as no dead ends are opened and no walls "
+       "taken out.",
        {side("corridor", "Corridor", 1, "How wide the corridors are."),
         {.key = "braid",
-         .label = "Braid",
+         .label = "Dead ends opened",
          .help = "The fraction of the dead ends that are opened: 0 for a perfect maze, 1 for none left."},
-        loops(0, "The fraction of the inner walls that are taken out.")},
+        loops("Walls taken out", 0, "The fraction of the inner walls that are taken out.")},
        make_maze},
       {"rooms",
        "Rooms",
@@ -82,7 +83,8 @@ std::vector<GeneratorInfo> make_list() {
        {side("min_side", "Shortest side", 6, "The shortest side of a room."),
         side("max_side", "Longest side", 14, "The longest side of a room; the last of a row may be longer."),
         side("door", "Door", 2, "How wide the doors are, at most the shortest side of a room."),
-        loops(0.3, "The fraction of the walls with a door beyond those needed to reach every room.")},
+        loops("Doors beyond those needed", 0.3,
+              "The fraction of the walls with a door beyond those needed to reach every room.")},
        make_rooms},
       {"caves",
        "Caves",

@@ -1,31 +1,28 @@
 // Where a film or a picture of the window goes.
 #include "ui/shell/dialogs.hpp"
-#include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 
-void Dialogs::ask_capture(bool film, bool window, FileDialogSpec spec, const WorkPlace& place) {
-  spec.title = film ? "Record a film" : "Save a picture";
-  spec.action = film ? "Record" : "Save";
-  if (film) {
-    spec.filters = {{"Film (.gif)", {".gif"}},
-                    {"Film (.webp)", {".webp"}},
-                    {"Film (.mp4)", {".mp4"}},
-                    {"Numbered pictures in a folder", {"/"}}};
-    spec.options_height = 52;
-    spec.options = [this](const Look& look, const std::string&) {
-      slider(
-          look,
-          {.label = "Frames per second", .min = 10, .max = 50, .initial = 30, .unit = "", .decimals = 0},
-          fps_,
-          {"Frames per second", "",
-           "More are smoother and make a larger file. While it records, time goes by frame by frame: none is "
-           "dropped."});
-    };
-  } else {
-    spec.filters = {{"Picture as on the screen (.png)", {".png"}}};
-    if (!window) spec.filters.push_back({"Drawing of the canvas (.svg)", {".svg"}});
-  }
+void Dialogs::ask_film(const Session& session, bool window, const PixelArea& area, FileDialogSpec spec,
+                       const WorkPlace& place) {
+  film_.begin(session, window, area);
+  spec.title = window ? "Record a film of the window" : "Record a film of the canvas";
+  spec.action = "Record";
+  spec.filters = {{"Film (.gif)", {".gif"}},
+                  {"Film (.webp)", {".webp"}},
+                  {"Film (.mp4)", {".mp4"}},
+                  {"Numbered pictures in a folder", {"/"}}};
+  spec.options_height = FilmForm::kHeight;
+  spec.options = [this](const Look& look, const std::string&) { film_.draw(look); };
+  spec.aside = [this](const Look& look, const std::string& name) { film_.draw_facts(look, name); };
+  choose_file(std::move(spec), place, DialogDecision::Kind::capture);
+}
+
+void Dialogs::ask_picture(bool window, FileDialogSpec spec, const WorkPlace& place) {
+  spec.title = window ? "Save a picture of the window" : "Save a picture of the canvas";
+  spec.action = "Save";
+  spec.filters = {{"Picture as on the screen (.png)", {".png"}}};
+  if (!window) spec.filters.push_back({"Drawing of the canvas (.svg)", {".svg"}});
   choose_file(std::move(spec), place, DialogDecision::Kind::capture);
 }
 

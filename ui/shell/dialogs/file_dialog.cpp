@@ -53,7 +53,10 @@ FileDialog::FileDialog(ImGuiRenderer& renderer, const WorkPlace& place, FileDial
   set_kind(kind);
   if (spec_.saving) set_text(name);
   came_from_ = name;
-  go(folder ? path : is_folder(file_folder(path)) ? file_folder(path) : here);
+  go(spec_.fixed                    ? spec_.fixed->path
+     : folder                       ? path
+     : is_folder(file_folder(path)) ? file_folder(path)
+                                    : here);
 }
 
 void FileDialog::go(const std::string& folder) {
@@ -71,6 +74,8 @@ void FileDialog::go_up() {
 }
 
 void FileDialog::read() {
+  if (spec_.fixed)
+    return reader_.start([entries = spec_.fixed->entries](const std::stop_token&) { return entries; });
   reader_.start([folder = shown_](const std::stop_token&) { return read_folder(folder); });
 }
 

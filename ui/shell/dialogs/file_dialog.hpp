@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,13 @@ struct Place {
   std::string path;
 };
 
+/// A folder that is not looked for on the disk: pictures of the dialog are the same on every machine.
+struct FixedFolder {
+  std::string path;  ///< as it is shown
+  std::vector<FileEntry> entries;
+  std::string files;  ///< the folder where previews find those files
+};
+
 struct FileDialogSpec {
   bool saving = false;
   std::string title;                ///< "Open"
@@ -31,6 +39,9 @@ struct FileDialogSpec {
   /// What else there is to choose, drawn above the buttons for the name as it stands, and how high that is in the design.
   std::function<void(const Look& look, const std::string& name)> options = {};
   float options_height = 0;
+  /// What stands at the right in place of a look at the chosen file; when saving without it, nothing does.
+  std::function<void(const Look& look, const std::string& name)> aside = {};
+  std::optional<FixedFolder> fixed = {};  ///< in place of the disk
 };
 
 struct FileChoice {

@@ -66,7 +66,7 @@ FileChoice FileDialog::draw(const Look& look, float height) {
   }
   if (mode_ == Mode::browse) take_keys();
   // Before anything is drawn: a picture that is on show must not be given back.
-  preview_.show(shown_, list_.selected());
+  preview_.show(spec_.fixed ? spec_.fixed->files : shown_, list_.selected());
   const float top = ImGui::GetCursorPosY();
   draw_head(look);
   draw_crumbs(look);
@@ -75,7 +75,8 @@ FileChoice FileDialog::draw(const Look& look, float height) {
   const float foot = look.px.control + look.px(44) + (spec_.options ? look.px(spec_.options_height) : 0);
   const float body = std::max(height - (ImGui::GetCursorPosY() - top) - foot, look.px(120));
   const float whole = ImGui::GetContentRegionAvail().x;
-  const bool roomy = whole > look.px(760);
+  const bool told = !spec_.saving || spec_.losses || spec_.aside;
+  const bool roomy = told && whole > look.px(760);
   const float preview = roomy ? look.px(kPreview) : 0, places = whole > look.px(520) ? look.px(kPlaces) : 0;
   const float gap = look.px.m;
   if (places > 0) {
@@ -88,7 +89,9 @@ FileChoice FileDialog::draw(const Look& look, float height) {
   if (roomy) {
     ImGui::SameLine(0, gap);
     pane(look, "preview", {preview, body}, look.theme.raised, {look.px.m, look.px.m}, [&] {
-      if (spec_.saving && spec_.losses)
+      if (spec_.aside)
+        spec_.aside(look, text_);
+      else if (spec_.saving)
         draw_losses(look);
       else
         preview_.draw(look);
@@ -137,9 +140,8 @@ void FileDialog::draw_crumbs(const Look& look) {
   for (std::size_t i = std::min(first, all.size() - 1); i < all.size(); ++i) {
     ImGui::SameLine(0, 0);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const std::string name =
-        elide(look.fonts.ui, all[i].name, std::max(right - at.x - look.px(24), look.px(40)));
-    const float long_ = text_width(look.fonts.ui, name);
+    const float most = std::max(right - at.x - look.px(24), look.px(40));
+    const float long_ = std::min(text_width(look.fonts.ui, all[i].name), most);
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::InvisibleButton("crumb", {long_ + look.px(22), look.px(24)})) target = all[i].path;
     ImGui::PopID();
@@ -147,7 +149,7 @@ void FileDialog::draw_crumbs(const Look& look) {
     const bool last = i + 1 == all.size();
     const ImU32 colour = last || ImGui::IsItemHovered() ? look.theme.text : look.theme.dim;
     const float y = at.y + (look.px(24) - look.fonts.ui->FontSize) * 0.5f;
-    draw_text(list, look.fonts.ui, {at.x + look.px(4), y}, colour, name);
+    draw_line(look, list, look.fonts.ui, {at.x + look.px(4), y}, colour, all[i].name, most);
     if (!last)
       draw_icon(list, look.fonts.ui, {at.x + long_ + look.px(13), at.y + look.px(12)}, look.theme.faint,
                 icon::angle_right);
@@ -202,8 +204,9 @@ void FileDialog::draw_places(const Look& look) {
                          look.px.radius);
     draw_icon(list, look.fonts.ui, {min.x + look.px(16), min.y + size.y * 0.5f},
               here ? look.theme.accent : look.theme.dim, place.icon);
-    draw_text(list, look.fonts.ui, {min.x + look.px(32), min.y + (size.y - look.fonts.ui->FontSize) * 0.5f},
-              look.theme.text, elide(look.fonts.ui, place.label, size.x - look.px(38)));
+    draw_line(look, list, look.fonts.ui,
+              {min.x + look.px(32), min.y + (size.y - look.fonts.ui->FontSize) * 0.5f}, look.theme.text,
+              place.label, size.x - look.px(38));
     hint(look, {"", "", place.path.c_str()});
   }
   ImGui::PopStyleVar();
@@ -285,8 +288,8 @@ void FileDialog::draw_row(const Look& look, std::size_t index) {
               bytes = date - look.px(kSizeColumn);
   draw_icon(list, look.fonts.ui, {min.x + look.px(16), middle}, folder ? look.theme.accent : look.theme.dim,
             icon_of(entry.kind));
-  draw_text(list, look.fonts.ui, {min.x + look.px(30), line}, look.theme.text,
-            elide(look.fonts.ui, entry.name, bytes - min.x - look.px(34)));
+  draw_line(look, list, look.fonts.ui, {min.x + look.px(30), line}, look.theme.text, entry.name,
+            bytes - min.x - look.px(34));
   const auto figure = [&](float to, const std::string& words) {
     draw_text(list, look.fonts.mono, {to - text_width(look.fonts.mono, words), line}, look.theme.dim, words);
   };
@@ -349,8 +352,7 @@ void FileDialog::draw_foot(const Look& look) {
   if (error_.empty())
     ImGui::Dummy({0, look.fonts.ui->FontSize});
   else
-    text(look.fonts.ui, look.theme.bad, elide(look.fonts.ui, error_, ImGui::GetContentRegionAvail().x));
-  hint(look, {"", "", error_.c_str()});
+    text_line(look, look.fonts.ui, look.theme.bad, error_, ImGui::GetContentRegionAvail().x);
   if (mode_ != Mode::browse) {
     draw_question(look);
     return;

@@ -22,15 +22,20 @@ struct Section {
   std::vector<Line> lines;
 };
 
-constexpr std::array<std::pair<Menu, const char*>, 9> kMenus = {{{Menu::run, "Run"},
-                                                                 {Menu::debug, "Debug"},
-                                                                 {Menu::view, "View"},
-                                                                 {Menu::file, "File"},
-                                                                 {Menu::edit, "Edit and tools"},
-                                                                 {Menu::world, "World"},
-                                                                 {Menu::record, "Record"},
-                                                                 {Menu::help, "Help"},
-                                                                 {Menu::overlays, "Overlays"}}};
+constexpr std::array<std::pair<Menu, const char*>, 14> kMenus = {{{Menu::run, "Run"},
+                                                                  {Menu::debug, "Debug"},
+                                                                  {Menu::view, "View"},
+                                                                  {Menu::move, "Move the view"},
+                                                                  {Menu::tabs, "Tabs"},
+                                                                  {Menu::panes, "Panes"},
+                                                                  {Menu::pin, "Pinned cell"},
+                                                                  {Menu::size, "Size of everything"},
+                                                                  {Menu::file, "File"},
+                                                                  {Menu::edit, "Edit and tools"},
+                                                                  {Menu::world, "World"},
+                                                                  {Menu::record, "Record"},
+                                                                  {Menu::help, "Help"},
+                                                                  {Menu::overlays, "Overlays"}}};
 
 std::vector<Section> sections() {
   std::vector<Section> all;
@@ -45,9 +50,9 @@ std::vector<Section> sections() {
                   {"Middle drag", "Pan; Space and drag too"},
                   {"Hover", "Show a cell's values"},
                   {"Click", "Use the tool; Select pins"},
-                  {"Right", "Menu of the cell"},
+                  {"Right click", "Menu of the cell"},
                   {"Right drag", "Erase, with a tool that draws"},
-                  {"Shift+Right", "Menu of the cell, with any tool"},
+                  {"Shift+Right click", "Menu of the cell, with any tool"},
                   {"Drag", "Start, goal and robot move"},
                   {"Title", "Make the pane lead, choose its planner"},
                   {"Card", "Click for the last repair"},
@@ -69,12 +74,38 @@ float title_height(const Look& look) {
   return look.px(30);
 }
 
-void draw_line(const Look& look, ImVec2 at, const Line& line, float width) {
+/// The parts of a line of words, one below the other where they do not stand beside its keys.
+std::vector<std::string_view> rows_of(const Look& look, const Line& line, float width) {
+  const float room = width - text_width(look.fonts.small, line.keys) - look.px(18);
+  std::vector<std::string_view> rows;
+  for (std::string_view rest = line.words; !rest.empty();) {
+    const char* cut = look.fonts.ui->CalcWordWrapPositionA(1.0f, rest.data(), rest.data() + rest.size(),
+                                                           std::max(room, 1.0f));
+    const auto length = std::max<std::size_t>(static_cast<std::size_t>(cut - rest.data()), 1);
+    rows.push_back(rest.substr(0, length));
+    rest.remove_prefix(std::min(rest.find_first_not_of(' ', length), rest.size()));
+  }
+  return rows;
+}
+
+/// Returns how high it is.
+float draw_line(const Look& look, ImVec2 at, const Line& line, float width) {
   const float keys = text_width(look.fonts.small, line.keys) + look.px(14);
   ImGui::SetCursorScreenPos({at.x + width - keys, at.y});
   key_chip(look, line.keys.c_str());
-  draw_text(*ImGui::GetWindowDrawList(), look.fonts.ui, {at.x, at.y + look.px(1)}, look.theme.text,
-            elide(look.fonts.ui, line.words, width - keys - look.px.xs));
+  float y = at.y;
+  for (const std::string_view row : rows_of(look, line, width)) {
+    draw_text(*ImGui::GetWindowDrawList(), look.fonts.ui, {at.x, y + look.px(1)}, look.theme.text, row);
+    y += line_height(look);
+  }
+  return y - at.y;
+}
+
+float section_height(const Look& look, const Section& section, float width) {
+  float height = title_height(look);
+  for (const Line& line : section.lines)
+    height += line_height(look) * static_cast<float>(rows_of(look, line, width).size());
+  return height;
 }
 
 /// How many columns of that height the sections fill, each whole and in their order.
@@ -108,12 +139,11 @@ float column_height(std::span<const float> heights, std::size_t columns) {
 /// All lines in columns of about equal height, no section torn apart.
 void draw_sections(const Look& look, std::size_t columns) {
   const std::vector<Section> all = sections();
-  const float gap = look.px(28), line = line_height(look), title = title_height(look);
+  const float gap = look.px(28), title = title_height(look);
   const float whole = ImGui::GetContentRegionAvail().x;
   const float width = (whole - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
   std::vector<float> heights;
-  for (const Section& section : all)
-    heights.push_back(title + line * static_cast<float>(section.lines.size()));
+  for (const Section& section : all) heights.push_back(section_height(look, section, width));
   const float height = column_height(heights, columns);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   ImVec2 at = origin;
@@ -121,10 +151,7 @@ void draw_sections(const Look& look, std::size_t columns) {
     if (at.y > origin.y && at.y + heights[i] > origin.y + height + 1) at = {at.x + width + gap, origin.y};
     draw_text(*ImGui::GetWindowDrawList(), look.fonts.title, at, look.theme.dim, all[i].title);
     float y = at.y + title - look.px.s;
-    for (const Line& each : all[i].lines) {
-      draw_line(look, {at.x, y}, each, width);
-      y += line;
-    }
+    for (const Line& each : all[i].lines) y += draw_line(look, {at.x, y}, each, width);
     at.y += heights[i];
   }
   ImGui::SetCursorScreenPos(origin);

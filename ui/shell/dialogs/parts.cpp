@@ -38,4 +38,10 @@ Answer confirm(const Look& look, const char* yes, const char* no) {
   return answer;
 }
 
+void fact(const Look& look, const char* name, const std::string& value) {
+  text(look.fonts.ui, look.theme.dim, name);
+  ImGui::SameLine(look.px(84));
+  text_line(look, look.fonts.mono, look.theme.text, value, ImGui::GetContentRegionAvail().x);
+}
+
 }  // namespace replan::ui

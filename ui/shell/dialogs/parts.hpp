@@ -1,6 +1,7 @@
 // What the dialogs are made of: heading, the row of buttons, and the keys that answer them.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "ui/look.hpp"
@@ -21,5 +22,8 @@ float button_width(const Look& look, const char* label);
 enum class Answer : std::uint8_t { none, yes, no };
 /// "Cancel" and the primary button at the lower right; Escape and Enter are the same.
 Answer confirm(const Look& look, const char* yes, const char* no = "Cancel");
+
+/// A fact of what is told of at the right of the file dialog: its name, and its value in the face of numbers.
+void fact(const Look& look, const char* name, const std::string& value);
 
 }  // namespace replan::ui

@@ -5,6 +5,7 @@
 #include "core/world/json_reader.hpp"
 #include "core/world/map_file.hpp"
 #include "ui/icons.hpp"
+#include "ui/shell/dialogs/parts.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -21,12 +22,6 @@ std::string joined(const std::vector<std::string>& words) {
   std::string line;
   for (const std::string& word : words) line += (line.empty() ? "" : ", ") + word;
   return line;
-}
-
-void fact(const Look& look, const char* key, const std::string& value) {
-  text(look.fonts.ui, look.theme.dim, key);
-  ImGui::SameLine(look.px(84));
-  text(look.fonts.mono, look.theme.text, elide(look.fonts.mono, value, ImGui::GetContentRegionAvail().x));
 }
 
 }  // namespace
@@ -65,7 +60,7 @@ void PreviewPane::draw(const Look& look) {
     list.AddRectFilled(min, {min.x + size.x, min.y + size.y}, look.theme.background, look.px.radius);
     if (job_.busy() && preview_.width == 0)
       draw_text_centred(list, look.fonts.ui, min, {min.x + size.x, min.y + size.y}, look.theme.faint,
-                        "Looking…");
+                        "Reading…");
     const float inset = look.px(8);
     picture_.draw(look, list, {min.x + inset, min.y + inset},
                   {min.x + size.x - inset, min.y + size.y - inset});
@@ -78,7 +73,7 @@ void PreviewPane::draw(const Look& look) {
 
 void PreviewPane::draw_facts(const Look& look) {
   const std::string& title = preview_.name.empty() ? entry_.name : preview_.name;
-  text(look.fonts.title, look.theme.text, elide(look.fonts.title, title, ImGui::GetContentRegionAvail().x));
+  text_line(look, look.fonts.title, look.theme.text, title, ImGui::GetContentRegionAvail().x);
   if (!preview_.error.empty()) paragraph(look.fonts.ui, look.theme.bad, as_sentence(preview_.error));
   for (const std::string& note : preview_.notes) paragraph(look.fonts.ui, look.theme.dim, as_sentence(note));
   if (!preview_.caption.empty()) paragraph(look.fonts.ui, look.theme.dim, preview_.caption);

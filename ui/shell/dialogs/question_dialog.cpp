@@ -46,10 +46,10 @@ DialogDecision Dialogs::recover_dialog(const Look& look) {
                              : note.name.empty() ? "untitled"
                                                  : note.name;
     ImGui::BeginGroup();
-    text(look.fonts.title, look.theme.text, elide(look.fonts.title, name, room));
+    text_line(look, look.fonts.title, look.theme.text, name, room);
     const std::string edits = count_text(static_cast<std::int64_t>(note.edits), "edit", "edits");
-    text(look.fonts.ui, look.theme.dim,
-         elide(look.fonts.ui, "edited " + date_text(note.edited_at) + " · " + edits + " not saved", room));
+    text_line(look, look.fonts.ui, look.theme.dim,
+              "edited " + date_text(note.edited_at) + " · " + edits + " not saved", room);
     ImGui::EndGroup();
     hint(look, {"", "", note.file.empty() ? "It was in no file yet." : note.file.c_str()});
     const float end = ImGui::GetCursorPosY();
@@ -71,8 +71,7 @@ DialogDecision Dialogs::recover_dialog(const Look& look) {
 }
 
 DialogDecision Dialogs::opening_dialog(const Look& look) {
-  const auto waited = std::chrono::steady_clock::now() - since_;
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(waited).count();
+  const int seconds = static_cast<int>(ImGui::GetTime() - since_);
   heading(look, "Opening " + name_);
   progress(look, -1, seconds < 2 ? "Reading…" : "Reading… " + std::to_string(seconds) + " s");
   ImGui::Dummy({0, look.px.xs});

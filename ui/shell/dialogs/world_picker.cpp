@@ -14,8 +14,8 @@
 namespace replan::ui {
 namespace {
 
-constexpr float kCardWidth = 248, kPicture = 140, kCardHeight = 250;
-constexpr int kCaptionLines = 3;
+constexpr float kCardWidth = 300, kPicture = 140, kCardHeight = 284;
+constexpr int kCaptionLines = 5;
 
 /// At most so many lines, the last one with "…" if there is more.
 void draw_wrapped(const Look& look, ImDrawList& list, ImVec2 pos, float width, std::string_view words) {
@@ -89,8 +89,7 @@ FileChoice WorldPicker::draw(const Look& look, float height) {
   draw_cards(look);
   ImGui::EndChild();
   if (!error_.empty()) {
-    text(look.fonts.ui, look.theme.bad,
-         elide(look.fonts.ui, error_, ImGui::GetContentRegionAvail().x * 0.7f));
+    text_line(look, look.fonts.ui, look.theme.bad, error_, ImGui::GetContentRegionAvail().x * 0.7f);
     ImGui::SameLine();
   }
   const std::vector<std::size_t> found = library_.found(text_);
@@ -109,7 +108,7 @@ void WorldPicker::draw_cards(const Look& look) {
   if (found.empty()) {
     const bool none = text_.empty();
     empty_state(look, icon::map,
-                library_.busy() ? "Looking for worlds…"
+                library_.busy() ? "Reading the worlds…"
                 : none          ? "No worlds"
                                 : "No world like that",
                 none ? "They are looked for in " + library_.folder() + "."
@@ -158,14 +157,13 @@ void WorldPicker::draw_card(const Look& look, const LibraryWorld& world, ImVec2 
     view->draw(look, list, {upper.x + look.px(4), upper.y + look.px(4)},
                {lower.x - look.px(4), lower.y - look.px(4)});
   else
-    draw_text_centred(list, look.fonts.ui, upper, lower, look.theme.faint, "Looking…");
+    draw_text_centred(list, look.fonts.ui, upper, lower, look.theme.faint, "Reading…");
   const float left = min.x + look.px(12), room = size.x - look.px(24);
   float y = lower.y + look.px(8);
-  draw_text(list, look.fonts.title, {left, y}, look.theme.text, elide(look.fonts.title, world.title(), room));
+  draw_line(look, list, look.fonts.title, {left, y}, look.theme.text, world.title(), room);
   y += look.px(18);
   if (world.looked_at)
-    draw_text(list, look.fonts.small, {left, y}, look.theme.faint,
-              elide(look.fonts.small, facts_of(world.preview), room));
+    draw_line(look, list, look.fonts.small, {left, y}, look.theme.faint, facts_of(world.preview), room);
   draw_wrapped(look, list, {left, y + look.px(16)}, room, world.preview.caption);
 }
 

@@ -1,0 +1,44 @@
+#include "ui/documents/questions.hpp"
+
+#include "ui/shell/format.hpp"
+
+namespace replan::ui {
+
+Question unsaved_question(const std::string& name, std::size_t edits, const std::string& since) {
+  std::string words = name + " has " + count_text(static_cast<std::int64_t>(edits), "edit", "edits");
+  if (!since.empty()) words += " since " + since;
+  words += edits == 1 ? " that is in no file yet. If you do not save it, it is lost."
+                      : " that are in no file yet. If you do not save them, they are lost.";
+  return {.title = "Save the changes?",
+          .words = words,
+          .primary = {"Save", DialogDecision::Kind::save_first},
+          .danger = Question::Choice{"Discard", DialogDecision::Kind::discard}};
+}
+
+Question changed_question(const std::string& file, const std::string& document, bool map, std::size_t edits) {
+  std::string words = map ? "The map of " + document : "It";
+  words += " was written by another program since it was opened here.";
+  if (edits > 0)
+    words += " Your " + count_text(static_cast<std::int64_t>(edits), "unsaved edit is", "unsaved edits are") +
+             " lost by reading it again.";
+  const Question::Choice reload{"Reload", DialogDecision::Kind::reload},
+      keep{"Keep mine", DialogDecision::Kind::keep_mine};
+  Question question{.title = file + " has changed on disk", .words = words, .primary = reload, .quiet = keep};
+  if (edits > 0) {
+    question.primary = {"Save as…", DialogDecision::Kind::save_elsewhere};
+    question.danger = reload;
+  }
+  return question;
+}
+
+Question overwrite_question(const std::string& file) {
+  return {
+      .title = "Write over the other version?",
+      .words = file +
+               " was written by another program since it was opened here. Saving puts your version in its "
+               "place.",
+      .primary = {"Save as…", DialogDecision::Kind::save_elsewhere},
+      .danger = Question::Choice{"Overwrite", DialogDecision::Kind::overwrite}};
+}
+
+}  // namespace replan::ui
