@@ -19,7 +19,7 @@ constexpr Theme kDark = {
     .accent = rgb(0x4cc2ff), .on_accent = rgb(0x10131a),
     .start = rgb(0x3ddc97), .goal = rgb(0xff5c8a), .robot = rgb(0xffc94d),
     .surprise = rgb(0xff8a3d), .mover = rgb(0xb79cff), .warning = rgb(0xffb454), .bad = rgb(0xff7676), .good = rgb(0x3ddc97),
-    .obstacle = rgb(0x4c5563), .free = rgb(0x10131a),
+    .obstacle = rgb(0x465468), .free = rgb(0x10131a),
     .surround = rgb(0x1f252e), .unseen = rgb(0x85755c), .rhs = rgb(0xc5f06b), .path = rgb(0xffffff),
     .grid = rgb(0xffffff, 13), .arrow = rgb(0xffffff, 115), .outline = rgb(0x10131a),
     .selected = rgb(0x243746), .hover = rgb(0x2a313d), .series = rgb(0x253f51), .shade = rgb(0x0b0d10, 150),
