@@ -18,6 +18,7 @@ bool escape_pressed() {
   if (!ImGui::IsKeyPressed(key::kEscape, false)) return false;
   if (open_lists() == 0) return true;
   ImGui::ClosePopupToLevel(ImGui::GetCurrentContext()->BeginPopupStack.Size, true);
+  ImGui::GetIO().KeysDownDuration[key::kEscape] = ImGui::GetIO().DeltaTime;  // no longer just pressed
   return false;
 }
 
