@@ -4,6 +4,7 @@
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 
 #include "core/base/file.hpp"
 #include "core/world/map_file.hpp"
@@ -175,6 +176,30 @@ TEST_F(DialogsTest, UnsavedEditsAreAskedAboutOnceAnotherWorldIsChosen) {
   press(key::kEnter);  // save, and go on
   EXPECT_EQ(session_->scenario().name, "Second");
   EXPECT_NE(*read_file(path_), before);
+}
+
+TEST_F(DialogsTest, AChoiceInTheFileDialogOpensByAClickAndEscapeClosesItAlone) {
+  press('S', true, true);
+  const auto lists = [this] {
+    int open = 0;
+    offscreen_->frame([&] {
+      shell_->draw(offscreen_->stage().look(), *session_, 0);
+      open = ImGui::GetCurrentContext()->OpenPopupStack.Size;
+    });
+    return open;
+  };
+  ASSERT_EQ(lists(), 1) << "the dialog itself";
+  ImVec2 at;
+  offscreen_->frame([&] {
+    shell_->draw(offscreen_->stage().look(), *session_, 0);
+    const ImGuiWindow& dialog = *ImGui::GetCurrentContext()->OpenPopupStack[0].Window;
+    at = {dialog.Pos.x + 60, dialog.Pos.y + dialog.Size.y - 34};
+  });
+  click(at);
+  frames(4);
+  EXPECT_EQ(lists(), 2);
+  press(key::kEscape);
+  EXPECT_EQ(lists(), 1) << "the dialog stays";
 }
 
 TEST_F(DialogsTest, AFileThatChangedOnDiskIsReadAgainOrNotWrittenOverUnasked) {

@@ -11,7 +11,7 @@ namespace {
 constexpr const char* kWorld =
     R"({"replan": 1, "name": "Hall", "map": {"rows": ["..........", "..........", ".........."]},
     "start": [0, 1], "goal": [9, 1], "planners": [{"id": "dstar-lite"}],
-    "surprises": [{"when": {"robot_step": 3}, "add": [{"cells": [[5, 1]]}]}]})";
+    "surprises": [{"at": {"near": [3, 1], "within": 1}, "add": {"rectangles": [[5, 1, 1, 1]]}}]})";
 
 class FilmMakerTest : public ui::ShellTest {
  protected:

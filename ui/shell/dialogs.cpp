@@ -1,6 +1,9 @@
 #include "ui/shell/dialogs.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "ui/shell/dialogs/parts.hpp"
 
 namespace replan::ui {
 namespace {
@@ -129,6 +132,8 @@ DialogDecision Dialogs::draw(const Look& look) {
   DialogDecision decision;
   if (shown) {
     decision = content(look);
+    const int lists = open_lists();
+    unsettled_ = std::exchange(lists_, lists) != lists ? 3 : std::max(unsettled_ - 1, 0);
     fresh_ = false;
     if (decision.kind != DialogDecision::Kind::none && !may_fail(decision.kind)) close();
     if (kind_ == DialogKind::none) ImGui::CloseCurrentPopup();

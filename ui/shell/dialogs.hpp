@@ -103,7 +103,7 @@ class Dialogs {
   bool complain(const std::string& sentence);
   [[nodiscard]] bool open() const { return kind_ != DialogKind::none; }
   /// Whether something moves in the open dialog.
-  [[nodiscard]] bool animated() const { return kind_ == DialogKind::opening; }
+  [[nodiscard]] bool animated() const { return kind_ == DialogKind::opening || unsettled_ > 0; }
   /// Where the last file dialog stood; empty if there was none.
   [[nodiscard]] const std::string& folder() const { return folder_; }
   /// What stands in the open dialog besides the program's own words, for the fonts.
@@ -127,6 +127,8 @@ class Dialogs {
 
   ImGuiRenderer& renderer_;
   DialogKind kind_ = DialogKind::none;
+  int lists_ = 0;                                   // that were open over the dialog in the last frame
+  int unsettled_ = 0;                               // frames that a list needs to show, without any input
   bool fresh_ = false;                              // to be opened by this draw
   std::unique_ptr<FileDialog> file_, closed_file_;  // a closed one holds textures that are still to be drawn
   std::unique_ptr<WorldPicker> worlds_, closed_worlds_;

@@ -219,8 +219,9 @@ bool combo(const Look& look, const char* id, std::span<const char* const> items,
   if (width <= 0) width = text_width(look.fonts.ui, shown_item) + look.px(40);
   ImGui::SetNextItemWidth(width);
   const int before = current;
+  const std::string preview = elide(look.fonts.ui, shown_item, width - look.px(34));
   const bool open =
-      ImGui::BeginCombo(id, shown_item, ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLarge);
+      ImGui::BeginCombo(id, preview.c_str(), ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLarge);
   if (open) {
     for (int i = 0; i < static_cast<int>(items.size()); ++i) {
       if (ImGui::Selectable(items[static_cast<std::size_t>(i)], i == current)) current = i;

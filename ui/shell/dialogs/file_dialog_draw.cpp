@@ -64,7 +64,7 @@ FileChoice FileDialog::draw(const Look& look, float height) {
     list_.take(*found ? std::move(found->value()) : std::vector<FileEntry>());
     scroll_ = list_.select(std::exchange(came_from_, {}));
   }
-  if (mode_ == Mode::browse) take_keys();
+  if (mode_ == Mode::browse && open_lists() == 0) take_keys();
   // Before anything is drawn: a picture that is on show must not be given back.
   preview_.show(spec_.fixed ? spec_.fixed->files : shown_, list_.selected());
   const float top = ImGui::GetCursorPosY();
@@ -169,8 +169,8 @@ void FileDialog::draw_field(const Look& look) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                       ImVec2(look.px(10), (look.px.control - look.fonts.ui->FontSize) * 0.5f));
   ImGui::SetNextItemWidth(-1);
-  // The field has the keyboard whatever is clicked, so that typing always means it.
-  if (!ImGui::IsAnyItemActive() && mode_ != Mode::replace) ImGui::SetKeyboardFocusHere();
+  // The field has the keyboard whatever is clicked, so that typing always means it. To take it would close a list.
+  if (!ImGui::IsAnyItemActive() && mode_ != Mode::replace && open_lists() == 0) ImGui::SetKeyboardFocusHere();
   const bool proposed = spec_.saving && replaces_;
   ImGui::InputTextWithHint("##path", placeholder, &text_, proposed ? ImGuiInputTextFlags_AutoSelectAll : 0);
   if (look.focus != nullptr) look.focus->leave_tab_to_it();

@@ -25,7 +25,7 @@ struct Speed {
   FilmSpeed speed;
   const char* words;
 };
-constexpr std::array kSpeeds = {Speed{{}, "a search in 2 s, then a move per frame"},
+constexpr std::array kSpeeds = {Speed{{}, "automatic"},
                                 Speed{{FilmSpeed::Kind::expansion, 0}, "an expansion per frame"},
                                 Speed{{FilmSpeed::Kind::move, 0}, "a robot move per frame"},
                                 Speed{{FilmSpeed::Kind::moves_per_second, 2}, "2 robot moves per second"},
@@ -110,8 +110,12 @@ void FilmForm::draw(const Look& look) {
     at(rate + gap + rest + gap);
     std::vector<std::string> speeds;
     for (const Speed& each : kSpeeds) speeds.emplace_back(each.words);
-    column(look, "Speed", {"Speed", "", "How much of the run goes by from frame to frame."}, speeds, speed_,
-           rest);
+    column(
+        look, "Speed",
+        {"Speed", "",
+         "How much of the run goes by from frame to frame. Automatic: a search in about two seconds, then a "
+         "robot move per frame."},
+        speeds, speed_, rest);
   }
   ImGui::SetCursorScreenPos({origin.x, origin.y + look.px.control + look.px(34)});
 }

@@ -2,17 +2,29 @@
 
 #include <algorithm>
 
+#include <imgui_internal.h>
+
 #include "ui/keys.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 
+int open_lists() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  return std::max(context.OpenPopupStack.Size - context.BeginPopupStack.Size, 0);
+}
+
 bool escape_pressed() {
-  return ImGui::IsKeyPressed(key::kEscape, false);
+  if (!ImGui::IsKeyPressed(key::kEscape, false)) return false;
+  if (open_lists() == 0) return true;
+  ImGui::ClosePopupToLevel(ImGui::GetCurrentContext()->BeginPopupStack.Size, true);
+  ImGui::GetIO().KeysDownDuration[key::kEscape] = ImGui::GetIO().DeltaTime;  // no longer just pressed
+  return false;
 }
 
 bool enter_pressed() {
-  return ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false);
+  return open_lists() == 0 &&
+         (ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false));
 }
 
 void heading(const Look& look, std::string_view words) {

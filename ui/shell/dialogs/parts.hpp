@@ -8,6 +8,9 @@
 
 namespace replan::ui {
 
+/// How many lists of choices are open over the dialog: keys are for those.
+int open_lists();
+/// Escape, for the dialog: while a list is open over it that is closed, and this is false.
 bool escape_pressed();
 bool enter_pressed();
 
