@@ -110,7 +110,6 @@ Cover Cover::within(const PixelBox& box) const {
 
 PixelBox Cover::best_beside(const PixelBox& size, const PixelBox& about, const PixelBox& room, double gap,
                             double reach, double farther) const {
-  constexpr int kPlaces = 20;  // that are tried along each side
   const PixelBox around{about.left - reach - size.width(), about.top - reach - size.height(),
                         about.right + reach + size.width(), about.bottom + reach + size.height()};
   const PixelBox kept{about.left - gap, about.top - gap, about.right + gap, about.bottom + gap};
@@ -122,12 +121,15 @@ PixelBox Cover::best_beside(const PixelBox& size, const PixelBox& about, const P
   const auto cost = [&](const PixelBox& box) {
     return near.hidden(box) + kWords * box.common(kept) + farther * box.apart(kept);
   };
+  // Narrow gaps between numbers shall be met, but not at any cost.
+  const auto places = [](double range) { return std::clamp(static_cast<int>(range / 4), 16, 64); };
+  const int rows = places(around.height()), columns = places(around.width());
   PixelBox best = moved(about.left, kept.top - size.height());
   double least = cost(best);
-  for (int row = 0; row <= kPlaces; ++row)
-    for (int column = 0; column <= kPlaces; ++column) {
-      const PixelBox box = moved(around.left + (about.right + reach - around.left) * column / kPlaces,
-                                 around.top + (about.bottom + reach - around.top) * row / kPlaces);
+  for (int row = 0; row <= rows; ++row)
+    for (int column = 0; column <= columns; ++column) {
+      const PixelBox box = moved(around.left + (about.right + reach - around.left) * column / columns,
+                                 around.top + (about.bottom + reach - around.top) * row / rows);
       if (const double its = cost(box); its < least) {
         least = its;
         best = box;

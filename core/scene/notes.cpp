@@ -32,7 +32,8 @@ class NotePlacer {
     const PixelBox size = size_of(note);
     const PixelBox box =
         search ? place(note, size, cell) : size.moved_to(cell.left, cell.top - size.height());
-    if (box.apart(cell) > (cell.right - cell.left) * 0.6) lead(note, box, cell);
+    const bool strayed = note.inside && box.common(cell) <= 0;
+    if (strayed || box.apart(cell) > cell.width() * 0.6) lead(note, box, cell);
     draw(note, box);
     cover_.add(box, Cover::kWords);
   }
@@ -85,7 +86,9 @@ class NotePlacer {
       return std::pair{std::clamp(x, to.left, to.right), std::clamp(y, to.top, to.bottom)};
     };
     const auto [x0, y0] = nearest(box, (cell.left + cell.right) / 2, (cell.top + cell.bottom) / 2);
-    const auto [x1, y1] = nearest(cell, x0, y0);
+    const double inset = cell.width() / 8;
+    const auto [x1, y1] =
+        nearest({cell.left + inset, cell.top + inset, cell.right - inset, cell.bottom - inset}, x0, y0);
     context_.add(Line{world(x0, y0), world(x1, y1), faded(note.colour, 0.7), context_.pixels(1)});
   }
 

@@ -24,7 +24,7 @@ ImVec2 best_place(const Look& look, const Scene& scene, Cell cell, ImVec2 size, 
                       height - static_cast<double>(Legend::height(look))};
   const PixelBox box{0, 0, static_cast<double>(size.x), static_cast<double>(size.y)};
   const double reach = open ? std::max(width, height) : px(96), farther = px(open ? 0.5f : 2);
-  const PixelBox best = Cover(scene).best_beside(box, Cover::cell(scene, cell), room, px(8), reach, farther);
+  const PixelBox best = Cover(scene).best_beside(box, Cover::cell(scene, cell), room, px(4), reach, farther);
   return {min.x + std::round(static_cast<float>(best.left)),
           min.y + std::round(static_cast<float>(best.top))};
 }
