@@ -142,6 +142,7 @@ void Legend::draw(const Look& look, const Scene& leading, FieldColours map, std:
   const bool wide = legend_size(look, field, {}).x > room - look.px(46);
   if (const std::size_t colon = field.label.find(':'); wide && colon != std::string_view::npos)
     field.label = field.label.substr(0, colon);
+  if (legend_size(look, field, {}).x > room - look.px(46)) field.length /= 2;
   const std::vector<LegendEntry> entries = entries_in_sight(look, signs);
   auto rows = in_rows(look, field, entries, room);
   if (rows.size() > 1) rows = in_rows(look, field, entries, room - look.px(46));

@@ -142,7 +142,7 @@ struct Pen {
     write(look.fonts.ui, ground ? look.theme.dim : entry.colour, entry.label);
   }
   void gradient(const LegendField& field) {
-    const float width = look.px(120);
+    const float width = look.px(field.length);
     if (list != nullptr) {
       draw_gradient(*list, {x, top + look.px(5)}, {x + width, top + look.px(12)}, *field.map);
       if (field.mark >= 0) mark_value(x + width * std::min(field.mark, 1.0f));

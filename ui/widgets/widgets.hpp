@@ -258,7 +258,8 @@ struct LegendField {
   const Colormap* map = nullptr;
   std::string_view min;
   std::string_view max;
-  float mark = -1;  ///< where a value is marked, 0 to 1; below 0: nowhere
+  float mark = -1;     ///< where a value is marked, 0 to 1; below 0: nowhere
+  float length = 120;  ///< of the gradient, in pixels of the design
 };
 ImVec2 legend_size(const Look& look, const LegendField& field, std::span<const LegendEntry> entries);
 /// `boxes` takes where the field, if it has a map, and the entries stand.
