@@ -78,9 +78,7 @@ void add_cell_lines(SceneContext& context, Colour colour) {
 }
 
 double words_width(const SceneContext& context, std::string_view words) {
-  // Of UTF-8, each byte that begins a character.
-  const auto count = std::count_if(words.begin(), words.end(), [](char c) { return (c & 0xC0) != 0x80; });
-  return context.world(kDigitWidth * static_cast<double>(count));
+  return context.world(label_width(words));
 }
 
 }  // namespace replan

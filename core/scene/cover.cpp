@@ -19,9 +19,7 @@ struct Screen {
 };
 
 PixelBox box_of(const Screen& screen, const Label& label) {
-  const auto count =
-      std::count_if(label.text.begin(), label.text.end(), [](char c) { return (c & 0xC0) != 0x80; });
-  const double width = kDigitWidth * static_cast<double>(count) * screen.scene.scale,
+  const double width = label_width(label.text) * screen.scene.scale,
                height = kDigitHeight * screen.scene.scale;
   double x = screen.x(label.at.x), y = screen.y(label.at.y);
   const bool right = label.anchor == Anchor::upper_right || label.anchor == Anchor::lower_right;

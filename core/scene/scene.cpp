@@ -1,5 +1,6 @@
 #include "core/scene/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/scene/numbers.hpp"
@@ -45,6 +46,12 @@ Camera resolve(const Camera& camera, int columns, int rows, Viewport viewport) {
   resolved.x = snap(resolved.x, viewport.width);
   resolved.y = snap(resolved.y, viewport.height);
   return resolved;
+}
+
+double label_width(std::string_view words) {
+  // Of UTF-8, each byte that begins a character.
+  return kDigitWidth * static_cast<double>(std::count_if(words.begin(), words.end(),
+                                                         [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 SceneMemory::SceneMemory() : parts_(std::make_unique<Parts>()) {}

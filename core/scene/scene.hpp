@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -81,6 +82,8 @@ struct Label {
 };
 /// Design pixels of a character of a label, and of the part of a line that digits fill.
 inline constexpr double kDigitWidth = 6.1, kDigitHeight = 10;
+/// How many of them the words of a label are wide.
+double label_width(std::string_view words);
 using Shape = std::variant<Line, Arrow, Outline, Polyline, Ring, Disc, Label>;
 
 /// Range of a field's values: what the ends of its colour map stand for.

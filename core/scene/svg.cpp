@@ -181,9 +181,7 @@ class Writer {
   }
   /// The ground of a label whose digits begin `top` below its anchor.
   void plate(const Label& label, double top, double size) {
-    const auto count =
-        std::count_if(label.text.begin(), label.text.end(), [](char c) { return (c & 0xC0) != 0x80; });
-    const double width = 0.61 * size * static_cast<double>(count);
+    const double width = label_width(label.text) * scene_.scale;
     const bool right = label.anchor == Anchor::upper_right || label.anchor == Anchor::lower_right;
     const double left = x(label.at) - (label.anchor == Anchor::middle ? width / 2 : right ? width : 0);
     rectangle(left - 1, y(label.at) + top - 1, width + 2, 0.7 * size + 2, paint("fill", label.ground));
