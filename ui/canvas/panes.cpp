@@ -40,6 +40,7 @@ void Panes::draw(const Look& look, const Session& session, std::size_t most, Vie
   const PaneGrid grid(look, count, min, max);
   shown_ = std::clamp(session.lead(), first, first + count - 1);
   std::uint32_t signs = 0;
+  bool alike = true;  // the field means the same in all panes
   // In a window the leading pane comes first; where a picture takes long, the others' may be one frame late.
   const Deadline deadline(kScenesMs);
   for (std::size_t i = 0; i < count; ++i) {
@@ -49,9 +50,11 @@ void Panes::draw(const Look& look, const Session& session, std::size_t most, Vie
                       count > 1 ? 0 : legend, may_wait);
     grid.draw_parting(at);
     signs |= canvas(pane).scene().signs;
+    alike = alike && canvas(pane).scene().field_words == scene().field_words;
   }
   area_ = {grid.min(shown_ - first), grid.max(shown_ - first)};
-  if (state.legend) legend_.draw(look, scene(), state.colours, signs, min, foot);
+  const std::string_view of = alike ? std::string_view() : session.runs()[shown_]->info().name;
+  if (state.legend) legend_.draw(look, scene(), of, state.colours, signs, min, foot);
 }
 
 }  // namespace replan::ui

@@ -79,7 +79,7 @@ void lockstep(Frame& frame) {
                                           ActionId::lockstep_race};
   ImGui::SameLine(0, look.px.s);
   int mode = static_cast<int>(frame.session.lockstep());
-  if (combo(look, "##lockstep", kModes, mode, look.px(120)))
+  if (combo(look, "##lockstep", kModes, mode, look.px(132)))
     perform(frame, kActions[static_cast<std::size_t>(mode)]);
   const Action& now = action(kActions[static_cast<std::size_t>(mode)]);
   hint(look, {"Lockstep of the panes", "", now.teach.c_str()});
