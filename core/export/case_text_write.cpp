@@ -201,7 +201,7 @@ const char* consistency(const Source& from, NodeId node) {
   if (from.state.known_blocked(node)) return "obstacle";
   if (!from.lookahead) return from.state.queued(node) ? "open" : g.is_infinite() ? "unseen" : "settled";
   if (g == rhs) return g.is_infinite() ? "unseen" : "consistent";
-  return g > rhs ? "over" : "under";
+  return g > rhs ? "g > rhs" : "g < rhs";
 }
 
 /// In U by which key, or not.

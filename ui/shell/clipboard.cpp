@@ -20,7 +20,7 @@ MapRegion as_region(const CellRect& rect) {
 }
 
 std::string size_text(int width, int height) {
-  return std::to_string(width) + " x " + std::to_string(height) + " cells";
+  return std::to_string(width) + " × " + std::to_string(height) + " cells";
 }
 
 /// Every cell of a map as changes, with its upper left cell at a place; what falls outside the world or would block a

@@ -27,7 +27,7 @@ std::pair<const char*, ImU32> consistency(const Theme& theme, const CellView& vi
   if (g.is_infinite() && rhs.is_infinite())
     return {view.state.order(view.node) == 0 ? "not seen" : "no value", theme.dim};
   if (g == rhs) return {"consistent", theme.text};
-  return g > rhs ? std::pair{"over", theme.accent} : std::pair{"under", theme.warning};
+  return g > rhs ? std::pair{"g > rhs", theme.accent} : std::pair{"g < rhs", theme.warning};
 }
 
 /// Its place in the open list, counted; empty where that would take long.

@@ -26,7 +26,7 @@ StateWord state_word(const Theme& theme, const Run& run, NodeId node) {
   const Cost g = state.g(node), rhs = state.rhs(node);
   if (!run.info().values.lookahead()) return {"open", theme.accent};
   if (g == rhs) return {"even", theme.dim};  // in the middle of a step
-  return g > rhs ? StateWord{"over", theme.accent} : StateWord{"under", theme.warning};
+  return g > rhs ? StateWord{"g > rhs", theme.accent} : StateWord{"g < rhs", theme.warning};
 }
 
 /// What a row shows: as much as there is room for, whatever the size of the world and of the list.
@@ -34,7 +34,7 @@ struct OpenListLayout {
   std::vector<Column> columns = {};
   int decimals = 2;
   bool lookahead = true;
-  bool state = true;  ///< over or under in words; g and rhs side by side tell it too
+  bool state = true;  ///< which of both is less, in words; g and rhs side by side tell it too
 };
 
 std::string widest_cell(const Run& run) {

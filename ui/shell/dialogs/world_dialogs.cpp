@@ -208,8 +208,8 @@ void WorldDialogs::resize(const Look& look, const Session& session, std::vector<
   };
   const bool ends = lost(scenario.start) || lost(scenario.goal);
   text(look.fonts.ui, ends ? look.theme.warning : look.theme.dim,
-       std::to_string(scenario.map.width) + " x " + std::to_string(scenario.map.height) + " → " +
-           std::to_string(size_.width) + " x " + std::to_string(size_.height) + " cells" +
+       std::to_string(scenario.map.width) + " × " + std::to_string(scenario.map.height) + " → " +
+           std::to_string(size_.width) + " × " + std::to_string(size_.height) + " cells" +
            (ends ? "; start or goal move to the nearest cell inside" : ""));
   const Answer answer = confirm(look, "Resize");
   if (answer == Answer::yes) commands.emplace_back(ResizeWorld{size_});
