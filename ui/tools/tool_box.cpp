@@ -42,6 +42,10 @@ void choose_tool(ViewState& view, std::string_view id) {
   tools.chosen().choose(view);
 }
 
+void put_tool_away(ViewState& view) {
+  choose_tool(view, tool_kinds().front().id);
+}
+
 bool let_go(ViewState& view) {
   Editing& editing = view.editing;
   if (Tool& tool = view.tools.chosen(); tool.holds()) return tool.drop(), true;
