@@ -43,7 +43,8 @@ void choose_tool(ViewState& view, std::string_view id) {
 }
 
 void put_tool_away(ViewState& view) {
-  choose_tool(view, tool_kinds().front().id);
+  for (const ToolKind& kind : tool_kinds())
+    if (kind.at_first) choose_tool(view, kind.id);
 }
 
 bool let_go(ViewState& view) {
