@@ -203,6 +203,24 @@ TEST(ShippedLessons, ArePlayedToTheirEndByTheirDeeds) {
   }
 }
 
+TEST(ShippedLessons, AWallThatIsInNobodysWayIsNoRepair) {
+  Result<Lesson> lesson = read_lesson("first-steps");
+  ASSERT_TRUE(lesson.ok()) << lesson.error();
+  LessonPlayer player(std::move(lesson.value()));
+  Session session(player.lesson().scenario);
+  session.settle();
+  while (player.step().given != std::vector<std::string>{"PaintCells"}) {
+    ASSERT_TRUE(do_step(player, session)) << player.step().title;
+    ASSERT_FALSE(player.at_last());
+    player.go_on();
+  }
+  ASSERT_TRUE(session.apply(PaintCells{{{{7, 0}, true}}}).ok());
+  player.note("PaintCells");
+  session.settle();
+  EXPECT_FALSE(player.look(session)) << "a corner was painted";
+  EXPECT_TRUE(do_step(player, session));
+}
+
 /// Where a lesson says how often a key is pressed, that is how often it has to be.
 TEST(ShippedLessons, TakeThePressesThatTheyAskFor) {
   const std::pair<std::string_view, int> kCounts[] = {{"Press → once", 1},

@@ -85,7 +85,7 @@ void LessonCard::enter_step(Frame& frame) {
   frame.panels.animated = true;  // the canvas has been drawn without that
   frame.view.view.pinned = player_->step().cell;
   frame.panels.why_open = false;
-  choose_tool(frame.view, "select");
+  put_tool_away(frame.view);
 }
 
 void LessonCard::draw_head(Frame& frame) {

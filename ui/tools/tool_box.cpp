@@ -42,6 +42,11 @@ void choose_tool(ViewState& view, std::string_view id) {
   tools.chosen().choose(view);
 }
 
+void put_tool_away(ViewState& view) {
+  for (const ToolKind& kind : tool_kinds())
+    if (kind.at_first) choose_tool(view, kind.id);
+}
+
 bool let_go(ViewState& view) {
   Editing& editing = view.editing;
   if (Tool& tool = view.tools.chosen(); tool.holds()) return tool.drop(), true;

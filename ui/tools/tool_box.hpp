@@ -31,6 +31,8 @@ class ToolBox {
 
 /// Takes the tool in hand and puts the other one away; nothing if there is none of that name.
 void choose_tool(ViewState& view, std::string_view id);
+/// Puts away the tool in hand: in its place comes that of the beginning, which changes nothing.
+void put_tool_away(ViewState& view);
 /// Lets go of what is selected or half drawn, the latest first. False if there was nothing.
 bool let_go(ViewState& view);
 [[nodiscard]] bool holds_something(const ViewState& view);
