@@ -97,8 +97,8 @@ class Session {
   /// Takes over what the background did and plays on by `seconds`. True if something to be seen changed.
   bool update(double seconds);
   /// How long a command may wait for the background before the rest of it is left to update(): as long as it takes,
-  /// unless a window says otherwise. Where somebody is so impatient, large worlds are edited in the background too, and the laws of
-  /// those above Checks::kCellsAtMost are not checked.
+  /// unless a window says otherwise. Where somebody is so impatient, large worlds are edited in the background too, and
+  /// the laws of those above Checks::kCellsAtMost are not checked.
   void set_patience(std::chrono::milliseconds patience) {
     patience_ = patience;
     checks_.most_cells_ = Checks::kCellsAtMost;

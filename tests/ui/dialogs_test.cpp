@@ -44,6 +44,36 @@ TEST_F(DialogsTest, OpenFiltersByWhatIsTypedAndTakesEnter) {
   EXPECT_EQ(session_->scenario().map.width, 4);
 }
 
+/// How high the open dialog is.
+float height_of_popup() {
+  const auto& popups = ImGui::GetCurrentContext()->OpenPopupStack;
+  return popups.empty() || popups.back().Window == nullptr ? 0 : popups.back().Window->Size.y;
+}
+
+TEST_F(DialogsTest, WaitingForALargeFileTakesNoMoreRoomThanItsWords) {
+  float waiting = 0, after_list = 0;
+  const auto wait = [this](Dialogs& dialogs) {
+    for (int i = 0; i < 12; ++i)
+      offscreen_->frame([&] { static_cast<void>(dialogs.draw(offscreen_->stage().look())); });
+    float height = 0;
+    offscreen_->frame([&] {
+      static_cast<void>(dialogs.draw(offscreen_->stage().look()));
+      height = height_of_popup();
+    });
+    return height;
+  };
+  Dialogs dialogs(offscreen_->stage().renderer());
+  dialogs.wait_for("large.map");
+  waiting = wait(dialogs);
+  dialogs.close();
+  dialogs.show(DialogKind::keys);
+  EXPECT_GT(wait(dialogs), waiting * 2);
+  dialogs.wait_for("large.map");
+  after_list = wait(dialogs);
+  EXPECT_GT(waiting, 0);
+  EXPECT_EQ(after_list, waiting);
+}
+
 TEST_F(DialogsTest, OpenWalksThroughFolders) {
   std::filesystem::create_directory(folder_.file("sub"));
   const std::string inside = folder_.with("sub/inside.json", world("Inside"));

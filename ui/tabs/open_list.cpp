@@ -147,10 +147,12 @@ void OpenListTab::draw_open_list(Frame& frame) {
   follow(frame);
   const Run& run = frame.run();
   if (order_.size() == 0) {
+    const bool searching = run.busy() && run.decisions().empty();
     empty_state(look, icon::list, "The open list is empty",
-                run.timeline().cursor() == 0 ? "Press " + action(ActionId::step_forward).keys +
-                                                   " for the first expansion; cells that wait show here."
-                                             : "No cell waits: there is nothing left to expand.");
+                searching ? "The planner is still setting up its search; cells that wait show here."
+                : run.timeline().cursor() == 0 ? "Press " + action(ActionId::step_forward).keys +
+                                                     " for the first expansion; cells that wait show here."
+                                               : "No cell waits: there is nothing left to expand.");
     return;
   }
   const std::string count = count_text(static_cast<std::int64_t>(order_.size()), "cell waits", "cells wait");
