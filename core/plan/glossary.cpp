@@ -62,6 +62,9 @@ constexpr GlossaryTerm kTerms[] = {
      "Consistent if g equals rhs, over(consistent) if g is larger, under(consistent) if g is smaller. Only "
      "cells "
      "that are not consistent wait in the open list."},
+    {"inconsistent", "Inconsistent",
+     "g and rhs differ, so there is work to do at the cell: it waits in U, the open list. With g > rhs it is "
+     "overconsistent, with g < rhs underconsistent."},
     {"consistent", "Consistent", "g = rhs: the cell agrees with its neighbours and needs no work."},
     {"overconsistent", "Overconsistent",
      "g > rhs: a cheaper way has been found than the one settled. When the cell is expanded, g is lowered to "

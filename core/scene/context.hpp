@@ -39,8 +39,8 @@ struct SceneContext {
   int slice = std::clamp(view.slice, 0, lattice.depth() - 1);  ///< the layer that is shown
   // Cells of it in sight, the upper ends excluded.
   int left = 0, top = 0, right = 0, bottom = 0;
-  std::vector<Note> notes = {};        ///< for build_notes()
-  std::optional<Cell> written = {};    ///< the cell that is tinted as just written
+  std::vector<Note> notes = {};          ///< for build_notes()
+  std::optional<Cell> written = {};      ///< the cell that is tinted as just written
   static constexpr double kTint = 0.25;  ///< how much it is
 
   [[nodiscard]] bool has(Overlay overlay) const { return view.overlays.has(overlay); }

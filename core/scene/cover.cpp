@@ -57,18 +57,6 @@ double length_within(const PixelBox& box, double x0, double y0, double x1, doubl
 
 }  // namespace
 
-double PixelBox::common(const PixelBox& other) const {
-  const double across = std::min(right, other.right) - std::max(left, other.left),
-               down = std::min(bottom, other.bottom) - std::max(top, other.top);
-  return across > 0 && down > 0 ? across * down : 0;
-}
-
-double PixelBox::apart(const PixelBox& other) const {
-  const double across = std::max({0.0, left - other.right, other.left - right}),
-               down = std::max({0.0, top - other.bottom, other.top - bottom});
-  return std::hypot(across, down);
-}
-
 Cover::Cover(const Scene& scene) : world_(world(scene)) {
   const Screen screen{scene};
   for (const Shape& shape : scene.shapes) {

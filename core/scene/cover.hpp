@@ -3,21 +3,10 @@
 
 #include <vector>
 
+#include "core/scene/pixel_box.hpp"
 #include "core/scene/scene.hpp"
 
 namespace replan {
-
-/// A rectangle of a view, in its pixels.
-struct PixelBox {
-  double left = 0, top = 0, right = 0, bottom = 0;
-  [[nodiscard]] double width() const { return right - left; }
-  [[nodiscard]] double height() const { return bottom - top; }
-  [[nodiscard]] PixelBox moved_to(double x, double y) const { return {x, y, x + width(), y + height()}; }
-  /// The area that two have in common.
-  [[nodiscard]] double common(const PixelBox& other) const;
-  /// How far two lie apart; 0 if they meet.
-  [[nodiscard]] double apart(const PixelBox& other) const;
-};
 
 class Cover {
  public:

@@ -22,6 +22,7 @@ class NotePlacer {
  public:
   NotePlacer(SceneContext& context, Viewport viewport)
       : context_(context), scale_(context.view.scale), cover_(context.scene) {
+    if (context.view.taken) cover_.add(*context.view.taken, 2 * Cover::kWords);
     const double margin = 4 * scale_;
     room_ = {margin, viewport.above + margin, viewport.width - margin,
              viewport.height - viewport.below - margin};

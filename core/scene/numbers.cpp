@@ -12,7 +12,7 @@ namespace {
 
 /// From so many design pixels a cell on, the numbers of cells that wait can be read, those of all cells, and four in the
 /// corners.
-constexpr double kWaitingFrom = 26, kAllFrom = 44, kFourFrom = 72;
+constexpr double kWaitingFrom = 26, kAllFrom = kNumbersFrom, kFourFrom = 72;
 /// Design pixels between a cell's edge and its numbers: the corners of the open list are there.
 constexpr double kInset = 6;
 
@@ -50,7 +50,8 @@ class CellNumbers final : public CellMark {
 
   void add(Cell cell, NodeId node) override {
     const bool waiting = waits(context_, node);
-    if (context_.state.known_blocked(node) && !waiting) return;
+    // An obstacle has numbers where the search has settled it before.
+    if (context_.state.known_blocked(node) && !waiting && !taken_back(node)) return;
     const NumbersShown shown = layout_.of(waiting);
     if (shown == NumbersShown::none) return;
     ground_ = ground_of(cell, waiting);
@@ -62,6 +63,10 @@ class CellNumbers final : public CellMark {
   }
 
  private:
+  /// Whether the search has made a value infinite again that it had settled: ∞ is what is to be seen.
+  [[nodiscard]] bool taken_back(NodeId node) const {
+    return lookahead_ && context_.state.order(node) != 0 && context_.state.g(node).is_infinite();
+  }
   /// The cell's colour in the raster, with what marks lay over it.
   [[nodiscard]] Colour ground_of(Cell cell, bool waiting) const {
     const Raster& raster = context_.scene.raster;
@@ -83,7 +88,7 @@ class CellNumbers final : public CellMark {
   void add_lines(Cell cell, NodeId node) {
     const SearchState& state = context_.state;
     const Cost g = state.g(node), rhs = state.rhs(node);
-    if (g.is_infinite() && (!lookahead_ || rhs.is_infinite())) return;
+    if (g.is_infinite() && (!lookahead_ || rhs.is_infinite()) && !taken_back(node)) return;
     const double room = side_ - kInset, x = cell.x + 0.5, y = cell.y + 0.5;
     show(lookahead_ ? NumbersShown::two : NumbersShown::one);
     const bool alone = !lookahead_ && layout_.close;
@@ -98,10 +103,9 @@ class CellNumbers final : public CellMark {
     const Colour strong = context_.palette.text, soft = context_.palette.dim;
     const Cost g = state.g(node), rhs = state.rhs(node);
     show(NumbersShown::four);
-    if (!g.is_infinite() || !rhs.is_infinite())
-      write(kNumberG, {x0, y0}, Anchor::upper_left, strong, g, room);
-    if (lookahead_ && (!g.is_infinite() || !rhs.is_infinite()))
-      write(kNumberRhs, {x1, y0}, Anchor::upper_right, rhs_colour_, rhs, room);
+    const bool known = !g.is_infinite() || !rhs.is_infinite() || taken_back(node);
+    if (known) write(kNumberG, {x0, y0}, Anchor::upper_left, strong, g, room);
+    if (lookahead_ && known) write(kNumberRhs, {x1, y0}, Anchor::upper_right, rhs_colour_, rhs, room);
     if (state.queued(node)) {
       write(kNumberKey, {x0, y1}, Anchor::lower_left, soft, state.k1(node), room);
       write(kNumberKey, {x1, y1}, Anchor::lower_right, soft, second_key(context_, node), room);

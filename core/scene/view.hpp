@@ -9,6 +9,7 @@
 
 #include "core/base/cell.hpp"
 #include "core/base/result.hpp"
+#include "core/scene/pixel_box.hpp"
 
 namespace replan {
 
@@ -36,6 +37,7 @@ struct OverlayInfo {
   std::string_view help;             ///< a sentence that teaches
   char key = 0;                      ///< switches it in the window; 0: none
   bool at_first = false;             ///< whether the window shows it until it is switched
+  double readable_from = 0;          ///< design pixels a cell from which on all of it shows; 0: always
   Overlay overlay = Overlay::count;  ///< as listed
   std::string_view id = {};          ///< likewise; as in `--overlay` and scenario files
   [[nodiscard]] bool is_field() const { return static_cast<int>(overlay) < kFieldOverlays; }
@@ -64,6 +66,8 @@ class OverlaySet {
 Result<OverlaySet> parse_overlays(std::span<const std::string> ids);
 /// What the window shows at first.
 OverlaySet default_overlays();
+/// Switches on what marks the cells that the last repair touched.
+void show_last_repair(OverlaySet& overlays);
 
 /// Which part of the world a view shows. Zero zoom: fit the whole world.
 struct Camera {
@@ -89,7 +93,8 @@ struct View {
   // By their numbers in the scenario.
   std::optional<std::size_t> selected_mover;
   std::optional<std::size_t> selected_surprise;
-  double scale = 1;  ///< device pixels per design pixel
+  std::optional<PixelBox> taken;  ///< by something that stands over the view: words keep clear of it
+  double scale = 1;               ///< device pixels per design pixel
 };
 
 }  // namespace replan

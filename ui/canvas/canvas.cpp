@@ -38,6 +38,7 @@ struct Canvas::Parts {
     Camera camera;
     std::optional<Cell> hovered, pinned;
     std::optional<std::size_t> mover, surprise;
+    std::optional<PixelBox> taken;
     double scale = 0;
     Viewport viewport;
     ImU32 free = 0;
@@ -129,19 +130,10 @@ void Canvas::Parts::prepare(const Look& look, const Session& session, const Run&
   View view = state.view;
   view.selected_mover = state.editing.mover;
   view.selected_surprise = state.editing.surprise;
-  const SceneKey now{session.revision(),
-                     run.log_id(),
-                     view.overlays,
-                     view.range,
-                     view.camera,
-                     view.hovered,
-                     view.pinned,
-                     view.selected_mover,
-                     view.selected_surprise,
-                     view.scale,
-                     viewport,
-                     look.theme.free,
-                     state.colours};
+  const SceneKey now{
+      session.revision(), run.log_id(),        view.overlays,          view.range, view.camera, view.hovered,
+      view.pinned,        view.selected_mover, view.selected_surprise, view.taken, view.scale,  viewport,
+      look.theme.free,    state.colours};
   behind = key != now && may_wait;
   if (key == now || behind) return;
   scene = build_scene(run, view, viewport, scene_palette(look.theme, state.colours), memory);

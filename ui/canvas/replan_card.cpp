@@ -40,7 +40,9 @@ std::vector<Row> rows_of(const ReplanReport& report) {
   const auto fresh = [&](const std::string& value) { return report.fresh ? value : std::string("…"); };
   std::vector<Row> rows = {{"cells touched", grouped(report.repair.touched),
                             fresh(report.fresh ? grouped(report.fresh->touched) : "")}};
-  if (report.times)
+  // What takes less than a tenth of a millisecond is a matter of chance.
+  const double longest = std::max(report.repair.ms.value_or(0), report.fresh ? report.fresh->ms : 0);
+  if (report.times && longest >= 0.1)
     rows.push_back({"milliseconds", report.repair.ms ? milliseconds(*report.repair.ms) : "…",
                     fresh(report.fresh ? milliseconds(report.fresh->ms) : "")});
   if (!compares(report))

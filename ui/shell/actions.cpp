@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/icons.hpp"
+#include "ui/shell/format.hpp"
 #include "ui/shell/lesson_card.hpp"
 #include "ui/shell/panels.hpp"
 #include "ui/tabs/code.hpp"
@@ -188,7 +189,13 @@ void ActionContext::move_pin(int dx, int dy) {
 }
 
 void ActionContext::toggle_overlay(Overlay overlay) {
-  view.view.overlays.set(overlay, !view.view.overlays.has(overlay));
+  const bool on = !view.view.overlays.has(overlay);
+  view.view.overlays.set(overlay, on);
+  const OverlayInfo& info = overlays()[static_cast<std::size_t>(overlay)];
+  if (!on || panels.zoom / view.view.scale >= info.readable_from) return;
+  panels.said = "Zoom in to see all of them: they show in cells of " + fixed(info.readable_from, 0) +
+                " pixels and more.";
+  panels.said_bad = false;
 }
 
 bool ActionContext::is_busy() const {

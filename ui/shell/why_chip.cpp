@@ -24,7 +24,15 @@ ImVec2 best_place(const Look& look, const Scene& scene, Cell cell, ImVec2 size, 
                       height - static_cast<double>(Legend::height(look))};
   const PixelBox box{0, 0, static_cast<double>(size.x), static_cast<double>(size.y)};
   const double reach = open ? std::max(width, height) : px(96), farther = px(open ? 0.5f : 2);
-  const PixelBox best = Cover(scene).best_beside(box, Cover::cell(scene, cell), room, px(4), reach, farther);
+  Cover cover(scene);
+  const PixelBox about = Cover::cell(scene, cell);
+  // The answer is about the neighbours as much as about the cell.
+  if (open) {
+    const double side = about.width();
+    cover.add({about.left - side, about.top - side, about.right + side, about.bottom + side},
+              4 * Cover::kWords);
+  }
+  const PixelBox best = cover.best_beside(box, about, room, px(4), reach, farther);
   return {min.x + std::round(static_cast<float>(best.left)),
           min.y + std::round(static_cast<float>(best.top))};
 }
@@ -65,13 +73,16 @@ void draw_why_chip(Frame& frame, const Scene& scene, ImVec2 min, ImVec2 max) {
   const auto& before = frame.panels.why.key;
   if (before && (before->cell != pinned || before->log_id != frame.run().log_id()))
     frame.panels.why_open = false;
+  frame.view.view.taken.reset();
   if (!pinned || !frame.session.scenario().map.contains(*pinned)) return;
   const Look& look = frame.look;
   const bool open = frame.panels.why_open;
   const float line = look.fonts.title->FontSize + look.px.s;
   const ImVec2 size = open ? ImVec2(look.px(kAnswerWidth), frame.panels.why_height)
                            : ImVec2(text_width(look.fonts.title, "Why?") + 2 * look.px.s, line);
-  ImGui::SetNextWindowPos(place(frame, scene, *pinned, size, min, max));
+  const ImVec2 at = place(frame, scene, *pinned, size, min, max);
+  frame.view.view.taken = PixelBox{at.x - min.x, at.y - min.y, at.x - min.x + size.x, at.y - min.y + size.y};
+  ImGui::SetNextWindowPos(at);
   ImGui::SetNextWindowSize(open ? ImVec2(size.x, 0) : size);
   ImGui::SetNextWindowBgAlpha(0.96f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,

@@ -84,7 +84,11 @@ void draw_code(Frame& frame, const PlannerPage& page, int& scrolled) {
     for (const std::string& each : about->paragraphs)
       marked_paragraph(frame.look, frame.look.theme.dim, each);
   for (const PseudoBlock& block : page.code) {
-    section_title(frame.look, block.title + numbers_of(block));
+    const std::string numbers = numbers_of(block);
+    const bool fits =
+        text_width(frame.look.fonts.section, block.title + numbers) <= ImGui::GetContentRegionAvail().x;
+    section_title(frame.look, fits ? block.title + numbers : block.title);
+    if (!fits) section_title(frame.look, numbers);
     draw_pseudo_code(frame, block, 0, &scrolled);
     section_rule(frame.look);
   }

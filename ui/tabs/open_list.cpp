@@ -219,6 +219,7 @@ void OpenListTab::draw(Frame& frame) {
 
 void show_touched(ViewState& view, PanelState& panels) {
   show_tab(view, panels, "open_list");
+  show_last_repair(view.view.overlays);
   panels.tabs.get<OpenListTab>().show_repair();
 }
 

@@ -17,7 +17,8 @@ void draw_number_lines(SceneContext& context) {
 OverlayKind overlay_numbers() {
   return {.info = {.label = "numbers",
                    .help = "g, rhs, key and dist inside the cells, from a readable zoom on.",
-                   .key = '7'},
+                   .key = '7',
+                   .readable_from = kNumbersFrom},
           .layer = Layer::lines,
           .draw = draw_number_lines};
 }

@@ -25,6 +25,10 @@ void draw_repairs(SceneContext& context) {
 
 }  // namespace
 
+void show_last_repair(OverlaySet& overlays) {
+  overlays.set(Overlay::repair, true);
+}
+
 OverlayKind overlay_repair() {
   return {.info = {.label = "last repair",
                    .help = "The cells that the last replans touched; older ones fade.",
