@@ -252,10 +252,13 @@ void Program::carry_out(const ui::CaptureRequest& request) {
 }
 
 Result<void> Program::make_film(const ui::CaptureRequest& request) {
-  return maker_.begin(request,
-                      {filmed_view(shell_->view()), shell_->panels().panes, area(request.window),
-                       static_cast<double>(window_->stage().look().px.scale)},
-                      session_);
+  const ui::PixelArea shown = area(request.window);
+  // Words and lines are as large, beside the world, as they are on the screen.
+  const double larger =
+      request.film.width > 0 ? request.film.width / static_cast<double>(shown.max.x - shown.min.x) : 1;
+  const double scale =
+      std::max(0.5, static_cast<double>(window_->stage().look().px.scale) * std::min(larger, 1.0));
+  return maker_.begin(request, {filmed_view(shell_->view()), shell_->panels().panes, shown, scale}, session_);
 }
 
 void Program::take_picture(const ui::CaptureRequest& request) {

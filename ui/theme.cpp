@@ -31,7 +31,7 @@ constexpr Theme kLight = {
     .background = rgb(0xeceff3), .panel = rgb(0xffffff), .raised = rgb(0xf4f6f9), .line = rgb(0xd9dee6),
     .text = rgb(0x1b2430), .dim = rgb(0x4d5a6b), .faint = rgb(0x5a6677),
     .accent = rgb(0x006bb0), .on_accent = rgb(0xffffff),
-    .start = rgb(0x12855a), .goal = rgb(0xd6336c), .robot = rgb(0xb87100),
+    .start = rgb(0x12855a), .goal = rgb(0xd6336c), .robot = rgb(0xa36300),
     .surprise = rgb(0xe8590c), .mover = rgb(0x6f42c1), .warning = rgb(0x8f5600), .bad = rgb(0xbf2626), .good = rgb(0x0f7049),
     .obstacle = rgb(0x3f4a59), .free = rgb(0xffffff),
     .surround = rgb(0xdbe1e9), .unseen = rgb(0xb5aa9a), .rhs = rgb(0x4d7c0f), .path = rgb(0x111827),

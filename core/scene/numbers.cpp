@@ -15,6 +15,8 @@ namespace {
 constexpr double kWaitingFrom = 26, kAllFrom = kNumbersFrom, kFourFrom = 72;
 /// Design pixels between a cell's edge and its numbers: the corners of the open list are there.
 constexpr double kInset = 6;
+/// From here on there is room for larger ones.
+constexpr double kLargeFrom = 92;
 
 /// With a decimal where there is room for it, in design pixels.
 std::string number_text(Cost cost, double room) {
@@ -79,9 +81,18 @@ class CellNumbers final : public CellMark {
     return mix(colour, context_.palette.accent, static_cast<float>(SceneContext::kTint));
   }
 
+  /// The colour if it can be read on the cell's, else whichever of the strongest two can.
+  [[nodiscard]] Colour readable(Colour colour) const {
+    constexpr double kEnough = 4.5;
+    const Palette& palette = context_.palette;
+    if (contrast(colour, ground_) >= kEnough) return colour;
+    return contrast(palette.text, ground_) >= contrast(palette.outline, ground_) ? palette.text
+                                                                                 : palette.outline;
+  }
+
   void write(NumberMask what, Point at, Anchor anchor, Colour colour, Cost cost, double room) {
     context_.scene.written |= what;
-    context_.add(Label{at, anchor, colour, number_text(cost, room), ground_});
+    context_.add(Label{at, anchor, readable(colour), number_text(cost, room), ground_, side_ >= kLargeFrom});
   }
 
   /// g above rhs; g alone where the planner has no rhs.

@@ -53,4 +53,17 @@ inline Colour faded(Colour colour, double opacity) {
   return (colour & 0xFFFFFFu) | static_cast<Colour>(std::lround(alpha)) << 24;
 }
 
+/// The ratio of the luminances of two opaque colours after WCAG 2, 1 to 21: from 4.5 on words can be read by everybody.
+inline double contrast(Colour a, Colour b) {
+  const auto luminance = [](Colour colour) {
+    const auto linear = [colour](unsigned shift) {
+      const double v = static_cast<double>(colour >> shift & 255u) / 255;
+      return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(0) + 0.7152 * linear(8) + 0.0722 * linear(16);
+  };
+  const double x = luminance(a), y = luminance(b);
+  return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
+}
+
 }  // namespace replan

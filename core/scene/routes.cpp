@@ -70,7 +70,7 @@ void add_path(SceneContext& context) {
   if (searching) line.colour = faded(line.colour, 0.4);
   context.scene.show(Sign::path);
   add_through_layers(context, std::move(line));
-  const double dots = context.grown(5, 7);  // in smaller cells they would run together
+  const double dots = context.grown(10, 14);  // in smaller cells they would hide the path
   if (!context.has(Overlay::rp) || !context.run.info().any_angle || dots <= 0) return;
   context.scene.show(Sign::rp);
   const Colour colour = faded(context.palette.accent, searching ? dots / 2 : dots);

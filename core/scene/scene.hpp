@@ -77,8 +77,9 @@ struct Label {
   Point at;  ///< of the anchor
   Anchor anchor;
   Colour colour;
-  std::string text;   ///< UTF-8
-  Colour ground = 0;  ///< laid under the words; 0 alpha: none
+  std::string text;    ///< UTF-8
+  Colour ground = 0;   ///< laid under the words; 0 alpha: none
+  bool large = false;  ///< in the size of the window's own numbers
 };
 /// Design pixels of a character of a label, and of the part of a line that digits fill.
 inline constexpr double kDigitWidth = 6.1, kDigitHeight = 10;

@@ -106,7 +106,7 @@ class Writer {
             "/>\n";
   }
   void operator()(const Label& label) {
-    const double size = 10 * scene_.scale;
+    const double size = (label.large ? 12 : 10) * scene_.scale;
     const bool right = label.anchor == Anchor::upper_right || label.anchor == Anchor::lower_right;
     const bool low = label.anchor == Anchor::lower_left || label.anchor == Anchor::lower_right;
     const bool middle = label.anchor == Anchor::middle;

@@ -113,7 +113,7 @@ class Painter {
   }
 
   void operator()(const Label& label) {
-    ImFont* font = look_.fonts.mono_small;
+    ImFont* font = label.large ? look_.fonts.mono : look_.fonts.mono_small;
     const char* begin = label.text.data();
     const char* end = begin + label.text.size();
     const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, begin, end);

@@ -14,6 +14,10 @@ class LessonCard {
   void begin(Lesson lesson);
   void close() { player_.reset(); }
   [[nodiscard]] bool open() const { return player_.has_value(); }
+  /// Whether the open lesson is about this world, or what was made of it.
+  [[nodiscard]] bool is_about(const Scenario& scenario) const {
+    return player_->lesson().scenario.name == scenario.name;
+  }
   /// The lesson that is open; there must be one.
   [[nodiscard]] const LessonPlayer& player() const { return *player_; }
 

@@ -126,8 +126,7 @@ float right_side(Frame& frame) {
   const Run& run = frame.session.run();
   const Decision* decision = run.decision_at(run.timeline().cursor());
   const std::string moves =
-      "robot " +
-      count_text(static_cast<std::int64_t>(run.timeline().state().scalar(Scalar::moves)), "step", "steps");
+      "step " + grouped(static_cast<std::int64_t>(run.timeline().state().scalar(Scalar::moves)));
   const std::string time = frame.panels.frame_ms > 0 ? fixed(frame.panels.frame_ms, 1) + " ms" : "";
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float right = origin.x + ImGui::GetContentRegionAvail().x;

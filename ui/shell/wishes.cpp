@@ -59,6 +59,7 @@ void Shell::open_lesson(Session& session, const std::string& id) {
 /// Tells the lesson what was given in this frame. Its world is there to be tried out: only what is done to it after the
 /// lesson, or what somebody has saved, is worth keeping.
 void Shell::follow_lesson(const Session& session) {
+  if (lesson_.open() && !lesson_.is_about(session.scenario())) lesson_.close();
   for (const char* name : panels_.performed) lesson_.note(name);
   if (lesson_.open() && session.file().empty()) documents_.disregard_edits(session);
   if (lesson_.look(session)) panels_.animated = true;

@@ -113,7 +113,14 @@ void values(Frame& frame, const CellView& view, int& chosen) {
   const std::vector<ValueRow> rows = rows_of(look.theme, view);
   std::vector<KeyValue> pairs;
   for (const ValueRow& row : rows) pairs.push_back({row.name.c_str(), row.value, row.colour, row.strong});
-  const int at = key_values(look, pairs, 2, Align::left, true);
+  float name = 0, value = 0;
+  for (const KeyValue& pair : pairs) {
+    name = std::max(name, text_width(look.fonts.mono, pair.key));
+    value = std::max(value, text_width(look.fonts.mono, pair.value));
+  }
+  // Places of a large world are long.
+  const bool beside = 2 * (name + value + 2 * look.px.s) <= ImGui::GetContentRegionAvail().x;
+  const int at = key_values(look, pairs, beside ? 2 : 1, Align::left, true);
   if (at >= 0) {
     value_hint(frame, view, rows[static_cast<std::size_t>(at)]);
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {

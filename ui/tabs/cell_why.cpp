@@ -1,4 +1,5 @@
 // Part of the Cell tab: why the cell's rhs (A*: its g) is what it is.
+#include <algorithm>
 #include <vector>
 
 #include "core/debug/offers.hpp"
@@ -24,13 +25,29 @@ const char* special_case(const CellView& view, const std::vector<Offer>& all) {
   return "";
 }
 
+/// Each as wide as the widest that stands in it.
+std::vector<Column> offer_columns(const CellView& view, const std::vector<Offer>& all) {
+  std::size_t at = 9, c = 3, g = 3, dist = 4, sum = 3;
+  for (const Offer& offer : all) {
+    if (offer.sum.is_infinite()) break;
+    at = std::max(at, node_text(view.run, offer.node).size());
+    c = std::max(c, cost_text(offer.step).size());
+    g = std::max(g, cost_text(offer.g).size());
+    dist = std::max(dist, cost_text(offer.dist).size());
+    sum = std::max(sum, cost_text(offer.sum).size());
+  }
+  const auto wide = [](std::size_t letters) { return static_cast<float>(letters + 1); };
+  std::vector<Column> columns = {{"neighbour", wide(at), Align::left}, {"c", wide(c)}, {"g", wide(g)}};
+  if (view.run.info().clearance) columns.push_back({"dist", wide(dist)});
+  columns.push_back({"sum", wide(sum)});
+  return columns;
+}
+
 /// Each neighbour's sum, the least first; a click goes on to the neighbour.
 void offer_table(Frame& frame, const CellView& view, const std::vector<Offer>& all) {
   const Look& look = frame.look;
   const bool with_dist = view.run.info().clearance;
-  std::vector<Column> columns = {{"neighbour", 1.6f, Align::left}, {"c", 1}, {"g", 1.2f}};
-  if (with_dist) columns.push_back({"dist"});
-  columns.push_back({"sum", 1.2f});
+  const std::vector<Column> columns = offer_columns(view, all);
   table_head(look, columns);
   std::size_t shown = 0;
   for (; shown < all.size() && !all[shown].sum.is_infinite(); ++shown) {

@@ -71,7 +71,10 @@ bool slider_track(const Look& look, const SliderSpec& spec, double& value) {
 /// The value with its unit at the right of the label's line; a click or Tab begins typing.
 bool slider_value(const Look& look, const SliderSpec& spec, double& value, float right) {
   const std::string number = shown(spec, value);
-  const std::string unit = spec.unit[0] == '\0' ? "" : std::string(" ") + spec.unit;
+  const std::string_view many = spec.unit;
+  const std::string unit = many.empty()                       ? ""
+                           : many == "cells" && number == "1" ? " cell"
+                                                              : " " + std::string(many);
   const bool typing = ImGui::GetActiveID() == ImGui::GetID("##typed");
   const float digits = text_width(look.fonts.mono, number);
   const float width = typing ? look.px(90) : digits + text_width(look.fonts.mono, unit);
