@@ -59,7 +59,7 @@ constexpr std::array<Rgb, 3> kGreyStops = {{{0, 0, 0}, {0.5f, 0.5f, 0.5f}, {1, 1
 
 constexpr FieldColoursInfo kInfos[] = {
     {FieldColours::viridis, "viridis", "Viridis",
-     "From violet over green to yellow: many steps can be told apart, with all common kinds of sight."},
+     "From violet over green to yellow: many steps can be told apart, also by people who see red and green alike."},
     {FieldColours::cividis, "cividis", "Cividis",
      "From blue to yellow: looks nearly the same to those who tell red from green and those who do not."},
     {FieldColours::grey, "grey", "Grey",

@@ -123,7 +123,7 @@ const Surprise* Session::surprise_of_stroke(std::uint64_t stroke, const Decision
 void Session::note_early_ends(std::int64_t clock) {
   for (const auto& each : runs_) {
     if (!each->over() || each->decisions().back().clock >= clock) continue;
-    notice_ = {"The robot of " + std::string(each->info().name) + " had come to its end at step " +
+    notice_ = {"The robot of " + std::string(each->info().name) + " had ended its drive at step " +
                    std::to_string(each->decisions().back().clock) + ", before this change at step " +
                    std::to_string(clock) + ": its pane shows the world as it was then.",
                false};

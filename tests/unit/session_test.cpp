@@ -82,7 +82,7 @@ TEST(Session, SaysWhoseRobotHadComeToItsEndBeforeAChange) {
   session.settle();
   ASSERT_LT(session.runs()[1]->decisions().back().clock, last_decision(session).clock);
   ASSERT_TRUE(session.apply(PaintCells{block(2, 2, 2, 2), 1}).ok());
-  EXPECT_NE(session.take_notice().words.find("had come to its end at step"), std::string::npos);
+  EXPECT_NE(session.take_notice().words.find("had ended its drive at step"), std::string::npos);
   EXPECT_EQ(session.take_notice().words, "") << "once";
 }
 

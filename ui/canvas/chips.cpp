@@ -14,8 +14,9 @@
 namespace replan::ui {
 namespace {
 
-/// A whole card of which a larger share lies over the world is one line until it is clicked.
-constexpr double kMostHidden = 0.25;
+/// A whole card of which a larger share lies over the world, or under which a larger share of the world lies, is one
+/// line until it is clicked.
+constexpr double kMostHidden = 0.25, kMostOfWorld = 0.06;
 
 /// The settings that tell a pane from another one with the same planner; empty if there is none.
 std::string distinction(const Run& run) {
@@ -56,7 +57,9 @@ const char* why_wrong(const Run& run) {
 
 struct CardPlace {
   ImVec2 at;
-  double hidden = 0;  ///< the share of the card that lies over the world
+  double hidden = 0;    ///< the share of the card that lies over the world
+  double of_world = 0;  ///< the share of the world that lies under it
+  [[nodiscard]] bool roomy() const { return hidden <= kMostHidden && of_world <= kMostOfWorld; }
 };
 
 /// Where a card of that size hides least of the world: at the right, from `top` or from `below` the title, or at the left
@@ -69,17 +72,18 @@ CardPlace card_place(const Look& look, const Scene& scene, const ScreenArea& are
   for (const ImVec2 at : {ImVec2(right, top), ImVec2(right, below), ImVec2(left, below)}) {
     const auto x = static_cast<double>(at.x - area.min.x), y = static_cast<double>(at.y - area.min.y);
     const PixelBox box{x, y, x + static_cast<double>(size.x), y + static_cast<double>(size.y)};
-    if (const double hidden = box.common(world) / (box.width() * box.height()); hidden < best.hidden)
-      best = {at, hidden};
+    const double common = box.common(world);
+    if (const double hidden = common / (box.width() * box.height()); hidden < best.hidden)
+      best = {at, hidden, common / std::max(world.width() * world.height(), 1.0)};
   }
   return best;
 }
 
 /// The fullest line that has room beside the title.
 CardForm line_form(const Look& look, const ReplanReport& report, float room) {
-  for (const CardForm form : {CardForm::line, CardForm::comparison})
+  for (const CardForm form : {CardForm::line, CardForm::comparison, CardForm::touched})
     if (replan_card_size(look, report, form).x <= room) return form;
-  return CardForm::touched;
+  return CardForm::least;
 }
 
 struct CardDrawn {
@@ -97,7 +101,7 @@ CardDrawn draw_card(const Look& look, const Scene& scene, const ReplanReport& re
     return card_place(look, scene, pane, size, size.x <= room ? title.min.y : below, below);
   };
   // A picture has the whole card where that hides little of the world.
-  const bool roomy = place(CardForm::whole).hidden <= kMostHidden;
+  const bool roomy = place(CardForm::whole).roomy();
   const bool whole = report.times ? fold.whole(ImGui::GetTime(), roomy) : roomy;
   const CardForm form = whole ? CardForm::whole : line_form(look, report, room);
   const ImVec2 at = place(form).at, size = replan_card_size(look, report, form);

@@ -53,6 +53,7 @@ std::vector<Row> rows_of(const ReplanReport& report) {
 std::string brief_text(const ReplanReport& report, CardForm form) {
   const std::string touched = grouped(report.repair.touched) + " touched",
                     named = "replan " + grouped(report.repair.number) + " · " + touched;
+  if (form == CardForm::least) return touched;
   if (form == CardForm::touched || !compares(report) || !report.fresh) return named;
   return (form == CardForm::line ? named : touched) + ", " + grouped(report.fresh->touched) + " from scratch";
 }

@@ -51,6 +51,7 @@ enum class CardForm : std::uint8_t {
   line,        ///< the replan, what it touched, and what a plan from scratch does
   comparison,  ///< without the replan's number
   touched,     ///< without the plan from scratch
+  least        ///< and without the replan's number
 };
 
 ImVec2 replan_card_size(const Look& look, const ReplanReport& report, CardForm form);

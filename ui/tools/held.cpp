@@ -1,5 +1,7 @@
 #include "ui/tools/held.hpp"
 
+#include <algorithm>
+
 #include "ui/canvas/cell_pen.hpp"
 #include "ui/canvas/view_state.hpp"
 #include "ui/tools/cells.hpp"
@@ -58,7 +60,10 @@ void draw_ghost(const CellPen& pen, const ViewState& view, Cell at) {
     pen.list().AddLine({middle.x - arm, middle.y - side * arm}, {middle.x + arm, middle.y + side * arm},
                        look.theme.bad, look.px(2.5f));
   const TextRun words{"An obstacle stands here: take a free cell.", look.theme.bad, look.fonts.ui};
-  chip(look, pen.list(), {middle.x + look.px.l, middle.y - look.px.s}, std::span(&words, 1));
+  // Inside the pane, also at its right edge.
+  const float width = text_width(words.font, words.text) + 2 * look.px(10);
+  const float left = std::min(middle.x + look.px.l, pen.list().GetClipRectMax().x - width - look.px.s);
+  chip(look, pen.list(), {left, middle.y + look.px.l}, std::span(&words, 1));
 }
 
 std::unique_ptr<Drag> hold_start() {

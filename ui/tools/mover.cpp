@@ -196,9 +196,9 @@ void MoverTool::draw_options(Frame& frame) {
   movement(frame, next_.speed, next_.at_end);
   const std::string side = std::to_string(frame.view.brush);
   paragraph(look.fonts.ui, look.theme.dim,
-            way_.empty() ? "Click the corners of its way. It is " + side + " × " + side +
-                               " cells large, as the brush is."
-                         : "Click on. A double click, Enter or the right button finishes the way.");
+            way_.empty()
+                ? "Click where its way turns. It is " + side + " × " + side + " cells large, as the brush is."
+                : "Click the next turn. A double click, Enter or the right button ends the way.");
 }
 
 void draw_selected_mover(Frame& frame) {
@@ -237,7 +237,7 @@ ToolKind mover_tool() {
           .icon = icon::truck,
           .chord = plain('M'),
           .teach =
-              "Click the corners of its way; a double click, Enter or the right button finishes it, Esc "
+              "Click where its way turns; a double click, Enter or the right button ends the way, Esc "
               "drops it. "
               "It is as large as the brush. Click a way to select it, drag its corners.",
           .group = ToolGroup::script,

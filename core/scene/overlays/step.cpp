@@ -128,7 +128,7 @@ void draw_step(SceneContext& context) {
 OverlayKind overlay_step() {
   return {
       .info =
-          {.label = "step",
+          {.label = "step in hand",
            .help =
                "What the search has in hand: a ring around the vertex that was taken from the open list, its "
                "neighbours with the sums c + g + dist that are tried, and the value that was just written.",
