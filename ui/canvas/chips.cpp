@@ -195,9 +195,13 @@ ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, const 
   }
   if (const StateMessage message = state_message(run, memory); !message.text.empty()) {
     const TextRun text{message.text, message.bad ? theme.bad : theme.text, look.fonts.ui};
-    const float right = min.x + 2 * margin + text_width(look.fonts.ui, message.text) + look.px(20);
+    const float width = text_width(look.fonts.ui, message.text) + look.px(20);
+    const float right = min.x + 2 * margin + width, after_title = drawn.title.max.x + look.px.s;
     const bool clear = right < card_foot.x || card_foot.y < below;
-    const ImVec2 at(min.x + margin, clear ? below : card_foot.y + look.px.s);
+    // Beside the title it is on nothing, for a fitted world begins below that.
+    const bool beside = after_title + width + margin <= card_foot.x;
+    const ImVec2 at = beside ? ImVec2(after_title, corner.y)
+                             : ImVec2(min.x + margin, clear ? below : card_foot.y + look.px.s);
     const ImVec2 size = chip_message(look, list, at, text, max.x - min.x - 2 * margin);
     drawn.message = {at, {at.x + size.x, at.y + size.y}};
   }

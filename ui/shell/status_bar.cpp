@@ -277,7 +277,8 @@ void draw_status_bar(Frame& frame) {
   if (stroke == StrokeKind::erases_wall) line.word("erasing, since the first cell was an obstacle");
   if (stroke == StrokeKind::erases) line.word("erasing");
   if (stroke == StrokeKind::paints) line.word("painting, since the first cell was free");
-  line.dot(verdict(look.theme, run));
+  // While the first plan is searched for, that is told by how far it is.
+  if (!run.busy() || !run.decisions().empty()) line.dot(verdict(look.theme, run));
   busy(frame, line);
   checks(frame, line);
   exporting(frame, line);
