@@ -103,6 +103,10 @@ void Canvas::fit() {
   parts_->fit = true;
 }
 
+bool Canvas::behind() const {
+  return parts_->behind;
+}
+
 bool Canvas::animating() const {
   return parts_->zooming.active || parts_->plans.busy() || parts_->behind;
 }

@@ -27,6 +27,8 @@ class Canvas {
             ImVec2 max, bool interactive, std::vector<Command>& commands, float below = 0,
             bool may_wait = false);
 
+  /// Whether it was drawn as it was before, or not at all, since it was left to the next frame.
+  [[nodiscard]] bool behind() const;
   /// What was drawn last.
   [[nodiscard]] const Scene& scene() const;
   /// Makes the next draw show the whole world.

@@ -41,10 +41,14 @@ void Panes::draw(const Look& look, const Session& session, std::size_t most, Vie
   shown_ = std::clamp(session.lead(), first, first + count - 1);
   std::uint32_t signs = 0;
   bool alike = true;  // the field means the same in all panes
-  // In a window the leading pane comes first; where a picture takes long, the others' may be one frame late.
+  // Where a picture takes long, others may be a frame late, and then come first; else the leading pane does.
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < count; ++i) order.push_back((shown_ - first + i) % count);
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t at) { return canvas(first + at).behind(); });
   const Deadline deadline(kScenesMs);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t at = (shown_ - first + i) % count, pane = first + at;
+    const std::size_t at = order[i], pane = first + at;
     const bool may_wait = state.live && i > 0 && deadline.passed();
     canvas(pane).draw(look, session, pane, state, grid.min(at), grid.max(at), interactive, commands,
                       count > 1 ? 0 : legend, may_wait);
