@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/palette.hpp"
+
 namespace replan::ui {
 namespace {
 
@@ -40,16 +42,6 @@ constexpr Theme kLight = {
     .field_opacity = 0.62f, .is_dark = false,
 };
 // clang-format on
-
-float linear(ImU32 colour, int shift) {
-  const float v = static_cast<float>((colour >> shift) & 255u) / 255.0f;
-  return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
-}
-
-float luminance(ImU32 colour) {
-  return 0.2126f * linear(colour, IM_COL32_R_SHIFT) + 0.7152f * linear(colour, IM_COL32_G_SHIFT) +
-         0.0722f * linear(colour, IM_COL32_B_SHIFT);
-}
 
 void apply_metrics(ImGuiStyle& style, const Metrics& px) {
   style = ImGuiStyle();
@@ -177,9 +169,7 @@ ImU32 danger_ground(const Theme& theme) {
 }
 
 float contrast(ImU32 a, ImU32 b) {
-  const float la = luminance(a);
-  const float lb = luminance(b);
-  return (std::max(la, lb) + 0.05f) / (std::min(la, lb) + 0.05f);
+  return static_cast<float>(replan::contrast(a, b));
 }
 
 Metrics::Metrics(float display_scale) : scale(display_scale) {
