@@ -27,6 +27,7 @@ void EventStore::append(std::span<const Event> events) {
 
 std::vector<std::vector<Event>> EventStore::truncate(std::size_t size) {
   const std::size_t chunks = (size + mask_) >> shift_;
+  peeked_.clear();
   std::vector<std::vector<Event>> gone;
   for (std::size_t chunk = chunks; chunk < chunks_.size(); ++chunk) {
     if (!holds(chunk)) --dropped_;
@@ -42,6 +43,17 @@ std::vector<std::vector<Event>> EventStore::truncate(std::size_t size) {
   last.events.resize(size & mask_);
   packed_bytes_ -= std::exchange(last.packed, {}).bytes();
   return gone;
+}
+
+std::span<const Event> EventStore::peek(std::size_t from, std::size_t to) {
+  const std::size_t begin = from - from % stretch_events();
+  to = std::min(to, begin + stretch_events());
+  if (const Event* open = find(from); open != nullptr) return {open, to - from};
+  if (peeked_.empty() || peeked_at_ != begin) {
+    chunks_[chunk_of(from)].packed.unpack_stretch((begin & mask_) / PackedEvents::kStretch, peeked_);
+    peeked_at_ = begin;
+  }
+  return std::span(peeked_).subspan(from - begin, to - from);
 }
 
 void EventStore::open(std::size_t chunk) {

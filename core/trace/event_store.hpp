@@ -1,6 +1,7 @@
 // The events of a log in chunks: as they are, packed, or dropped.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -26,6 +27,10 @@ class EventStore {
     const Event* chunk = open_[index >> shift_];
     return chunk != nullptr ? chunk + (index & mask_) : nullptr;
   }
+  /// The events from `from` on that can be read together, at most up to `to` and never beyond a multiple of
+  /// stretch_events(), without opening their chunk, which is held. Valid until the next call or change.
+  [[nodiscard]] std::span<const Event> peek(std::size_t from, std::size_t to);
+  [[nodiscard]] std::size_t stretch_events() const { return std::min(chunk_events(), PackedEvents::kStretch); }
   /// Whether it has the chunk's events, open or packed.
   [[nodiscard]] bool holds(std::size_t chunk) const {
     return open_[chunk] != nullptr || !chunks_[chunk].packed.empty();
@@ -73,6 +78,8 @@ class EventStore {
   std::uint64_t uses_ = 0;
   std::vector<const Event*> open_;  // of each chunk, nullptr = not open: all that find() needs
   std::vector<Chunk> chunks_;
+  std::vector<Event> peeked_;  // the stretch that was read last out of a packed chunk
+  std::size_t peeked_at_ = 0;
 };
 
 }  // namespace replan

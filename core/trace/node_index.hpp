@@ -14,8 +14,8 @@
 namespace replan {
 
 /// A Bloom filter over the nodes of each block of a log: it names every block where a node occurs, and few
-/// others. The filters of 64 blocks lie crosswise, the same bit of all of them in one word, so that two words
-/// answer for 64 blocks. Takes half a byte per event.
+/// others. The filters of 64 blocks lie crosswise, the same bit of all of them in one word, so that three words
+/// answer for 64 blocks. Takes a byte per event.
 class NodeIndex {
  public:
   /// Events of one block.
@@ -28,8 +28,7 @@ class NodeIndex {
     Group& group = *groups_[block / kGroup];
     const std::uint64_t bit = std::uint64_t{1} << block % kGroup;
     const Places places(node);
-    group[places.first] |= bit;
-    group[places.second] |= bit;
+    for (const std::size_t place : places.of) group[place] |= bit;
   }
   /// Forgets all blocks from `block` on.
   void truncate(std::size_t block);
@@ -42,20 +41,20 @@ class NodeIndex {
 
  private:
   static constexpr std::size_t kGroup = 64;
-  static constexpr std::size_t kBits = 16384;  // of one block's filter; 5 % of other nodes' blocks pass
+  static constexpr std::size_t kBits = 32768;  // of one block's filter; about 1 in 200 of other nodes' blocks passes
   using Group = std::array<std::uint64_t, kBits>;
 
-  /// The two bits that stand for a node.
+  /// The three bits that stand for a node.
   struct Places {
     explicit Places(NodeId node) {
       const std::uint64_t hash = mix64(node);
-      first = hash % kBits;
-      second = hash / kBits % kBits;
+      of = {hash % kBits, hash / kBits % kBits, hash / kBits / kBits % kBits};
     }
-    std::size_t first, second;
+    std::array<std::size_t, 3> of;
   };
   [[nodiscard]] std::uint64_t blocks_of(const Places& places, std::size_t group) const {
-    return (*groups_[group])[places.first] & (*groups_[group])[places.second];
+    const Group& words = *groups_[group];
+    return words[places.of[0]] & words[places.of[1]] & words[places.of[2]];
   }
 
   std::vector<std::unique_ptr<Group>> groups_;

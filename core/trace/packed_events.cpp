@@ -1,5 +1,6 @@
 #include "core/trace/packed_events.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 
@@ -90,11 +91,7 @@ std::uint32_t unfolded(std::uint32_t number) {
   return number >> 1 ^ ((number & 1) != 0 ? ~0u : 0u);
 }
 
-}  // namespace
-
-PackedEvents::PackedEvents(std::span<const Event> events) : count_(events.size()) {
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(events.size() * 8);
+void pack_stretch(std::span<const Event> events, std::vector<std::uint8_t>& bytes) {
   Forecast forecast;
   Labels labels;
   for (const Event& event : events) {
@@ -110,14 +107,38 @@ PackedEvents::PackedEvents(std::span<const Event> events) : count_(events.size()
     if (!label.same_delta) put(bytes, event.delta ^ forecast.delta_of_kind(event.kind));
     forecast.learn(event);
   }
+}
+
+}  // namespace
+
+PackedEvents::PackedEvents(std::span<const Event> events) : count_(events.size()) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(events.size() * 8);
+  begins_.reserve((events.size() + kStretch - 1) / kStretch);
+  for (; !events.empty(); events = events.subspan(std::min(kStretch, events.size()))) {
+    begins_.push_back(static_cast<std::uint32_t>(bytes.size()));
+    pack_stretch(events.first(std::min(kStretch, events.size())), bytes);
+  }
   bytes_ = {bytes.begin(), bytes.end()};  // without what was reserved
 }
 
 void PackedEvents::unpack(std::vector<Event>& events) const {
   events.resize(count_);
+  for (std::size_t stretch = 0; stretch < begins_.size(); ++stretch) {
+    const std::span<Event> rest = std::span(events).subspan(stretch * kStretch);
+    unpack_to(stretch, rest.first(std::min(kStretch, rest.size())));
+  }
+}
+
+void PackedEvents::unpack_stretch(std::size_t stretch, std::vector<Event>& events) const {
+  events.resize(std::min(kStretch, count_ - stretch * kStretch));
+  unpack_to(stretch, events);
+}
+
+void PackedEvents::unpack_to(std::size_t stretch, std::span<Event> events) const {
   Forecast forecast;
   Labels labels;
-  const std::uint8_t* at = bytes_.data();
+  const std::uint8_t* at = bytes_.data() + begins_[stretch];
   for (Event& event : events) {
     const std::uint8_t number = *at++;
     Label label;
@@ -134,7 +155,7 @@ void PackedEvents::unpack(std::vector<Event>& events) const {
         label.same_delta ? forecast.delta_of_node(event.node) : get(at) ^ forecast.delta_of_kind(event.kind);
     forecast.learn(event);
   }
-  assert(at == bytes_.data() + bytes_.size());
+  assert(at == bytes_.data() + (stretch + 1 < begins_.size() ? begins_[stretch + 1] : bytes_.size()));
 }
 
 }  // namespace replan

@@ -271,6 +271,37 @@ Timeline::Answer& Timeline::last_answer(NodeId node, KindSet kinds) const {
   return answer;
 }
 
+/// As events(), but what is packed stays so: of a stretch that is asked for one cell hardly anything is wanted again.
+std::span<const Event> Timeline::peek(std::size_t from, std::size_t to) const {
+  if (!events_.holds(events_.chunk_of(from))) static_cast<void>(fetch(from));
+  return events_.peek(from, to);
+}
+
+/// The last event of [from, to) that is about the node and of one of the kinds.
+std::optional<std::size_t> Timeline::last_in(std::size_t from, std::size_t to, NodeId node,
+                                             KindSet kinds) const {
+  while (to > from) {
+    const std::size_t begin = std::max(from, (to - 1) / events_.stretch_events() * events_.stretch_events());
+    const std::span<const Event> stretch = peek(begin, to);
+    for (std::size_t i = stretch.size(); i-- > 0;)
+      if (stretch[i].node == node && kinds.has(stretch[i].kind)) return begin + i;
+    to = begin;
+  }
+  return std::nullopt;
+}
+
+/// The first one.
+std::optional<std::size_t> Timeline::first_in(std::size_t from, std::size_t to, NodeId node,
+                                              KindSet kinds) const {
+  while (from < to) {
+    const std::span<const Event> stretch = peek(from, to);
+    for (std::size_t i = 0; i < stretch.size(); ++i)
+      if (stretch[i].node == node && kinds.has(stretch[i].kind)) return from + i;
+    from += stretch.size();
+  }
+  return std::nullopt;
+}
+
 // A view asks in every frame who wrote a value, while the log grows by millions of events.
 std::optional<std::size_t> Timeline::last_of_node(NodeId node, KindSet kinds, std::size_t before) const {
   before = std::min(before, size());
@@ -281,8 +312,8 @@ std::optional<std::size_t> Timeline::last_of_node(NodeId node, KindSet kinds, st
       const auto block = index_.last_block(node, (end - 1) / NodeIndex::kBlock + 1);
       if (!block) break;
       const std::size_t first = std::max(*block * NodeIndex::kBlock, from);
-      for (std::size_t i = std::min(end, (*block + 1) * NodeIndex::kBlock); i-- > first;)
-        if (const Event e = event(i); e.node == node && kinds.has(e.kind)) return i;
+      if (const auto found = last_in(first, std::min(end, (*block + 1) * NodeIndex::kBlock), node, kinds))
+        return found;
       end = first;
     }
     return std::nullopt;
@@ -297,8 +328,8 @@ std::optional<std::size_t> Timeline::next_of_node(NodeId node, KindSet kinds, st
     const auto block = index_.next_block(node, from / NodeIndex::kBlock);
     if (!block) break;
     const std::size_t end = std::min((*block + 1) * NodeIndex::kBlock, size());
-    for (std::size_t i = std::max(from, *block * NodeIndex::kBlock); i < end; ++i)
-      if (const Event e = event(i); e.node == node && kinds.has(e.kind)) return i;
+    if (const auto found = first_in(std::max(from, *block * NodeIndex::kBlock), end, node, kinds))
+      return found;
     from = end;
   }
   return std::nullopt;

@@ -20,7 +20,7 @@ namespace replan {
 struct Checkpoint;
 
 /// What the log of a run may take: 16 bytes for an event that lies open, which an eighth of the limit is for, and less
-/// than half of that for a packed one; half a byte each for the index; and key frames for at most 7 (but always 64 MiB
+/// than half of that for a packed one; a byte each for the index; and key frames for at most 7 (but always 64 MiB
 /// if there is room for them).
 struct LogLimits {
   /// Bytes of events, index and key frames; the states at the cursor and at the end are not counted. Beyond
@@ -134,6 +134,11 @@ class Timeline {
   /// The held state nearest to a position, and where it stands.
   [[nodiscard]] std::pair<std::size_t, const SearchState*> nearest(std::size_t position) const;
   [[nodiscard]] std::span<const Event> events(std::size_t from, std::size_t to) const;
+  [[nodiscard]] std::optional<std::size_t> last_in(std::size_t from, std::size_t to, NodeId node,
+                                                   KindSet kinds) const;
+  [[nodiscard]] std::optional<std::size_t> first_in(std::size_t from, std::size_t to, NodeId node,
+                                                    KindSet kinds) const;
+  [[nodiscard]] std::span<const Event> peek(std::size_t from, std::size_t to) const;
   void apply(SearchState& state, std::span<const Event> events) const;
   void walk(SearchState& state, std::size_t from, std::size_t to) const;
 

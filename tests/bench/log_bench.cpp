@@ -114,6 +114,30 @@ void timeline_history(benchmark::State& state) {
 }
 BENCHMARK(timeline_history)->Unit(benchmark::kMicrosecond);
 
+/// The same in the log of a real run, the way a window asks: one cell after another, each of its values, and most cells
+/// lie where hardly anything has happened.
+void timeline_history_run(benchmark::State& state, const char* planner, int size, bool estimate) {
+  Run& run = planned(planner, size, estimate);
+  const Timeline& log = run.timeline();
+  const auto nodes = static_cast<std::uint32_t>(run.lattice().node_count());
+  Random random(1);
+  double slowest = 0;
+  for (auto _ : state) {
+    const NodeId node = random.below(nodes);
+    const std::size_t place = log.size() / 2 + static_cast<std::size_t>(random.next() % (log.size() / 2));
+    const double begin = worked();
+    for (const EventKind kind : {EventKind::g, EventKind::rhs, EventKind::queue, EventKind::lp})
+      benchmark::DoNotOptimize(log.last_event(node, {kind}, place));
+    slowest = std::max(slowest, worked() - begin);
+  }
+  state.counters["max_ms"] = slowest;
+  report_memory(state, log);
+}
+BENCHMARK_CAPTURE(timeline_history_run, dld_star_lite_2048, "dld-star-lite", 2048, true)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(timeline_history_run, dstar_lite_2048_all, "dstar-lite", 2048, false)
+    ->Unit(benchmark::kMicrosecond);
+
 /// A plan of a huge world as a window sees it: how long the slowest pump() holds up a frame.
 void run_pump(benchmark::State& state) {
   const auto world = big_world("dstar-lite", static_cast<int>(state.range(0)), true);
