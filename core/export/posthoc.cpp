@@ -127,7 +127,7 @@ std::string cell_id(Cell at) {
 }  // namespace
 
 PosthocSize posthoc_size(const Timeline& log) {
-  constexpr std::size_t kCounted = std::size_t{1} << 20, kSample = 4096;
+  constexpr std::size_t kCounted = std::size_t{1} << 18, kSample = 4096;
   constexpr std::size_t kBytesPerStep = 165;
   constexpr KindSet kSteps{EventKind::queue, EventKind::visit, EventKind::known, EventKind::move,
                            EventKind::plan_end};
@@ -135,10 +135,11 @@ PosthocSize posthoc_size(const Timeline& log) {
   const std::size_t stride = size <= kCounted ? kSample : size / (kCounted / kSample);
   std::size_t seen = 0, steps = 0;
   for (std::size_t from = 0; from < size; from += stride)
-    for (std::size_t i = from; i < std::min(size, from + kSample); ++i, ++seen) {
-      const EventKind kind = log.event(i).kind;
-      steps += kSteps.has(kind);
-      if (kind == EventKind::pop && steps > 0) --steps;  // the removal that follows is no step of its own
+    for (const Event& event : log.peek(from, std::min(size, from + kSample))) {
+      ++seen;
+      steps += kSteps.has(event.kind);
+      if (event.kind == EventKind::pop && steps > 0)
+        --steps;  // the removal that follows is no step of its own
     }
   if (seen > 0)
     steps = static_cast<std::size_t>(static_cast<double>(steps) * static_cast<double>(size) /

@@ -7,15 +7,27 @@ namespace replan {
 
 namespace {
 
-/// Adds to `counts` how many obstacles a row of cells has in each column.
-void add_row(const SearchState& state, EventKind map, NodeId first, std::span<std::uint8_t> counts) {
-  for (std::size_t x = 0; x < counts.size();) {
+/// A number for each column. Wider than the bytes it is added up from, which the compiler then knows lie elsewhere: these
+/// loops over whole worlds are worth being made for many cells at a time.
+using Sums = std::vector<std::uint16_t>;
+
+/// The share of a cell that is obstacle.
+constexpr int kWhole = 255;
+
+/// The share of a block, by the sum of those of its four parts.
+std::uint8_t share_of(int sum) {
+  return static_cast<std::uint8_t>((sum + 3) / 4);
+}
+
+/// Adds what a row of cells has of obstacles to each column.
+void add_cells(const SearchState& state, EventKind map, NodeId first, std::span<std::uint16_t> sums) {
+  for (std::size_t x = 0; x < sums.size();) {
     const NodeId node = first + static_cast<NodeId>(x);
     const std::size_t at = node % SearchState::kPage;
-    const std::size_t count = std::min(counts.size() - x, SearchState::kPage - at);
+    const std::size_t count = std::min(sums.size() - x, SearchState::kPage - at);
     if (const std::uint8_t* page = state.map_page(map, node); page != nullptr)
       for (std::size_t i = 0; i < count; ++i)
-        counts[x + i] = static_cast<std::uint8_t>(counts[x + i] + (page[at + i] != 0 ? 1 : 0));
+        sums[x + i] = static_cast<std::uint16_t>(sums[x + i] + (page[at + i] != 0 ? kWhole : 0));
     x += count;
   }
 }
@@ -25,21 +37,32 @@ void add_row(const SearchState& state, EventKind map, NodeId first, std::span<st
 Coverage::Coverage(const Box& world, int layer, const SearchState& state, EventKind map) {
   allocate(world.width(), world.height());
   if (levels_.empty()) return;
-  Level& first = levels_.front();
-  // One column more, so that the last block has two of them too.
-  std::vector<std::uint8_t> counts(static_cast<std::size_t>(first.columns) * 2);
-  const std::span<std::uint8_t> columns(counts.data(), static_cast<std::size_t>(world.width()));
-  for (int y = 0; y < first.rows; ++y) {
-    std::fill(counts.begin(), counts.end(), std::uint8_t{0});
-    for (int row = 2 * y; row < std::min(2 * y + 2, world.height()); ++row)
-      add_row(state, map, world.node({0, row, layer}), columns);
-    std::uint8_t* shares = &first.at(0, y);
-    for (std::size_t x = 0; x < static_cast<std::size_t>(first.columns); ++x)
-      shares[x] = static_cast<std::uint8_t>(std::min(255, 64 * (counts[2 * x] + counts[2 * x + 1])));
+  const auto width = static_cast<std::size_t>(world.width());
+  fill(levels_.front(), world.height(), [&](int row, std::span<std::uint16_t> sums) {
+    add_cells(state, map, world.node({0, row, layer}), sums.first(width));
+  });
+  for (std::size_t level = 1; level < levels_.size(); ++level) {
+    const Level& below = levels_[level - 1];
+    fill(levels_[level], below.rows, [&](int row, std::span<std::uint16_t> sums) {
+      const std::uint8_t* shares = below.row(row);
+      for (std::size_t x = 0; x < static_cast<std::size_t>(below.columns); ++x)
+        sums[x] = static_cast<std::uint16_t>(sums[x] + shares[x]);
+    });
   }
-  for (std::size_t level = 1; level < levels_.size(); ++level)
-    for (int y = 0; y < levels_[level].rows; ++y)
-      for (int x = 0; x < levels_[level].columns; ++x) gather(level, x, y);
+}
+
+/// All shares of a level, from two rows below at a time; `add` adds one of those to the sums of its columns.
+template <class AddRow>
+void Coverage::fill(Level& level, int rows_below, const AddRow& add) {
+  // One column more where those below are odd, so that the last block has two of them too.
+  Sums sums(static_cast<std::size_t>(level.columns) * 2);
+  for (int y = 0; y < level.rows; ++y) {
+    std::fill(sums.begin(), sums.end(), std::uint16_t{0});
+    for (int row = 2 * y; row < std::min(2 * y + 2, rows_below); ++row) add(row, sums);
+    std::uint8_t* shares = &level.at(0, y);
+    for (std::size_t x = 0; x < static_cast<std::size_t>(level.columns); ++x)
+      shares[x] = share_of(sums[2 * x] + sums[2 * x + 1]);
+  }
 }
 
 void Coverage::allocate(int columns, int rows) {
@@ -59,13 +82,13 @@ void Coverage::gather(std::size_t level, int x, int y) {
   for (int dy = 0; dy < 2; ++dy)
     for (int dx = 0; dx < 2; ++dx)
       if (2 * x + dx < below.columns && 2 * y + dy < below.rows) sum += below.at(2 * x + dx, 2 * y + dy);
-  levels_[level].at(x, y) = static_cast<std::uint8_t>((sum + 3) / 4);
+  levels_[level].at(x, y) = share_of(sum);
 }
 
 void Coverage::change(Cell cell, int blocked) {
   if (levels_.empty()) return;
   int x = cell.x / 2, y = cell.y / 2;
-  levels_[0].at(x, y) = static_cast<std::uint8_t>(std::min(255, blocked * 64));
+  levels_[0].at(x, y) = share_of(blocked * kWhole);
   for (std::size_t level = 1; level < levels_.size(); ++level) gather(level, x /= 2, y /= 2);
 }
 

@@ -37,6 +37,8 @@ class Coverage {
 
  private:
   void allocate(int columns, int rows);
+  template <class AddRow>
+  void fill(Level& level, int rows_below, const AddRow& add);
   void gather(std::size_t level, int x, int y);
 
   std::vector<Level> levels_;

@@ -33,20 +33,22 @@ std::optional<FieldRange> RangeTracker::follow(const FieldReader& reader, const 
   const std::size_t count = (state.node_count() + kStretch - 1) / kStretch;
   const std::size_t from = std::min(position_, position), to = std::max(position_, position);
   // Beyond that many events it is cheaper to look at everything than to find the written ones: an event, which may
-  // have to be unpacked, takes some eight times as long as a cell.
-  const bool afresh = log_id != log_id_ || stretches_.size() != count || to - from > state.node_count() / 8 ||
-                      !log.reversible(from, to);
+  // have to be unpacked, takes some thirty times as long as a cell.
+  const bool afresh = log_id != log_id_ || stretches_.size() != count ||
+                      to - from > state.node_count() / 32 || !log.reversible(from, to);
   if (afresh) {
     stretches_.assign(count, {});
     for (std::size_t stretch = 0; stretch < count; ++stretch) scan(reader, state, stretch);
   } else {
-    std::vector<std::size_t> written;
-    for (std::size_t i = from; i < to; ++i)
-      if (const Event& event = log.event(i); event.kind == reader.kind)
-        written.push_back(event.node / kStretch);
-    std::sort(written.begin(), written.end());
-    written.erase(std::unique(written.begin(), written.end()), written.end());
-    for (const std::size_t stretch : written) scan(reader, state, stretch);
+    std::vector<bool> written(count);
+    for (std::size_t at = from; at < to;) {
+      const std::span<const Event> events = log.peek(at, to);
+      for (const Event& event : events)
+        if (event.kind == reader.kind) written[event.node / kStretch] = true;
+      at += events.size();
+    }
+    for (std::size_t stretch = 0; stretch < count; ++stretch)
+      if (written[stretch]) scan(reader, state, stretch);
   }
   log_id_ = log_id;
   position_ = position;

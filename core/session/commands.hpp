@@ -10,6 +10,7 @@
 #include "core/debug/difference.hpp"
 #include "core/session/lockstep.hpp"
 #include "core/session/stepping.hpp"
+#include "core/world/brush.hpp"
 #include "core/world/scenario.hpp"
 #include "core/world/transform.hpp"
 
@@ -20,6 +21,17 @@ struct PaintCells {
   std::vector<CellChange> cells;
   std::uint64_t stroke = 0;
 };
+/// So many cells that nobody wants them told to the robot one by one: what lies in the world of the spans, or of the
+/// region of alike cells around one, in the map. The robot starts afresh. Start and goal stay free.
+struct PaintSpans {
+  std::vector<CellSpan> spans;
+  bool blocked = true;
+};
+struct FillRegion {
+  Cell from;
+  bool blocked = true;
+};
+/// At most kMostSurprised cells.
 struct DropSurprise {
   std::vector<CellChange> cells;
   std::uint64_t stroke = 0;

@@ -13,13 +13,13 @@ void History::begin(std::size_t scripted, std::size_t unsaved) {
   scripted_ = scripted;
 }
 
-bool History::add(const std::string& label, std::uint64_t stroke, const Scenario& before,
-                  const Scenario& after, std::size_t scripted, RunPositions now) {
+bool History::add(const std::string& label, std::uint64_t stroke, DocumentChange change, std::size_t scripted,
+                  RunPositions now) {
   Edit edit;
   edit.label = label;
   edit.stroke = stroke;
   edit.serial = ++serials_;
-  edit.change = change_between(before, after);
+  edit.change = std::move(change);
   edit.scripted_before = std::exchange(scripted_, scripted);
   edit.scripted_after = scripted;
   edit.left = std::move(now);

@@ -24,11 +24,11 @@ class History {
   /// Begins anew; `unsaved` edits came with the document.
   void begin(std::size_t scripted, std::size_t unsaved);
 
-  /// An edit leads from one scenario to another, the runs standing at `now`, and leaves it with `scripted` surprises
-  /// that are no edits. What was taken back before is forgotten. False if it goes on with a stroke, as part of the
+  /// An edit changes the scenario, the runs standing at `now`, and leaves it with `scripted` surprises that are no
+  /// edits. What was taken back before is forgotten. False if it goes on with a stroke, as part of the
   /// edit before.
-  bool add(const std::string& label, std::uint64_t stroke, const Scenario& before, const Scenario& after,
-           std::size_t scripted, RunPositions now);
+  bool add(const std::string& label, std::uint64_t stroke, DocumentChange change, std::size_t scripted,
+           RunPositions now);
   /// Whether an edit of that stroke would be part of the last one; 0 is no stroke.
   [[nodiscard]] bool goes_on(std::uint64_t stroke) const {
     return stroke != 0 && !done_.empty() && done_.back().stroke == stroke;

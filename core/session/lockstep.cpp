@@ -56,9 +56,8 @@ Walk walk(const Run& run, std::size_t from, std::size_t end, std::int64_t most) 
       walk.position = chunk_end;
       continue;
     }
-    ExpansionCounter counter;
     while (walk.position < chunk_end && walk.expansions < most)
-      walk.expansions += counter.take(run.timeline().event(walk.position++)) ? 1 : 0;
+      walk.expansions += is_expansion(run.timeline().event(walk.position++)) ? 1 : 0;
   }
   return walk;
 }

@@ -61,7 +61,6 @@ void Run::begin_log() {
   curve_.clear();
   earlier_.clear();
   handover_.reset();
-  counter_ = {};
   travel_ = 1;
   log_id_ = next_log_id();
 }
@@ -192,7 +191,7 @@ void Run::note_events(std::span<const Event> events) {
   for (const Event& event : events) {
     const std::size_t bucket = position / kCurveChunk;
     if (bucket >= curve_.size()) curve_.resize(bucket + 1);
-    if (counter_.take(event)) ++curve_[bucket];
+    if (is_expansion(event)) ++curve_[bucket];
     const bool milestone = kMilestones.has(event.kind);
     if (milestone) milestones_.push_back({position, event.kind, event.node, event.delta});
     stops_.add(event, milestone || event.kind == EventKind::pop);

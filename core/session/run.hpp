@@ -161,7 +161,6 @@ class Run {
   double travel_ = 1;
   std::unique_ptr<Reexecution> reexecution_;  // made when it is first needed
   std::optional<Handover> handover_;
-  ExpansionCounter counter_;  // at the end of the log
   std::optional<Rebase> rebase_;
   std::unique_ptr<RunWorker> worker_;
 };

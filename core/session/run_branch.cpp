@@ -161,9 +161,10 @@ void Run::cut(std::size_t count) {
   stops_.truncate(size, size == 0 ? std::uint8_t{0} : timeline_->event(size - 1).line);
   while (!milestones_.empty() && milestones_.back().event >= size) milestones_.pop_back();
   curve_.resize(size / kCurveChunk);
-  counter_ = ExpansionCounter(*timeline_, curve_.size() * kCurveChunk);
-  for (std::size_t i = curve_.size() * kCurveChunk; i < size; ++i) counter_.take(timeline_->event(i));
-  curve_.push_back(static_cast<std::uint32_t>(counter_.count()));
+  std::uint32_t expansions = 0;
+  for (std::size_t i = curve_.size() * kCurveChunk; i < size; ++i)
+    expansions += is_expansion(timeline_->event(i)) ? 1 : 0;
+  curve_.push_back(expansions);
   worker_->go_back(decisions_.back(), timeline_);
   lends_ = true;
 }

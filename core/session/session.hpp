@@ -132,6 +132,8 @@ class Session {
     commit(std::move(label), stroke, std::move(changed), history_.scripted());
   }
   void commit(std::string label, std::uint64_t stroke, Scenario changed, std::size_t scripted);
+  void commit(std::string label, std::uint64_t stroke, Scenario changed, DocumentChange change,
+              std::size_t scripted);
   void relabel(const std::string& label);
   void commit_in_place(std::string label, Scenario changed, std::size_t scripted);
   template <class WorldCommand>

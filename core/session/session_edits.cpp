@@ -21,15 +21,20 @@ void add_cells(std::vector<CellChange>& cells, const std::vector<CellChange>& la
 }  // namespace
 
 void Session::commit(std::string label, std::uint64_t stroke, Scenario changed, std::size_t scripted) {
-  if (history_.add(label, stroke, *scenario_, changed, scripted, positions())) say(std::move(label));
+  DocumentChange change = change_between(*scenario_, changed);
+  commit(std::move(label), stroke, std::move(changed), std::move(change), scripted);
+}
+
+void Session::commit(std::string label, std::uint64_t stroke, Scenario changed, DocumentChange change,
+                     std::size_t scripted) {
+  if (history_.add(label, stroke, std::move(change), scripted, positions())) say(std::move(label));
   replace(std::make_shared<const Scenario>(std::move(changed)));
 }
 
-Result<void> Session::run_command(const PaintCells& command) {
-  return edit_cells(command.cells, true, command.stroke);
-}
-
 Result<void> Session::run_command(const DropSurprise& command) {
+  if (command.cells.size() > kMostSurprised)
+    return Error{"a surprise at once changes at most " + counted(kMostSurprised, "cell") +
+                 ": draw a smaller one, or paint the map instead"};
   return edit_cells(command.cells, false, command.stroke);
 }
 
@@ -102,8 +107,8 @@ std::vector<CellChange> Session::real_changes(const std::vector<CellChange>& cel
   std::vector<CellChange> real;
   for (const CellChange& change : cells)
     if (blocked_then(change.cell) != change.blocked) real.push_back(change);
-  std::sort(real.begin(), real.end(),
-            [](const CellChange& a, const CellChange& b) { return in_node_order(a.cell, b.cell); });
+  const auto before = [](const CellChange& a, const CellChange& b) { return in_node_order(a.cell, b.cell); };
+  if (!std::is_sorted(real.begin(), real.end(), before)) std::sort(real.begin(), real.end(), before);
   return real;
 }
 
@@ -133,9 +138,7 @@ void Session::note_early_ends(std::int64_t clock) {
 
 Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool announced, std::uint64_t stroke,
                                  std::string label) {
-  for (const CellChange& change : cells)
-    if (!scenario_->map.contains(change.cell))
-      return Error{"cell " + cell_text(change.cell, box().solid()) + " lies outside the world"};
+  if (const auto good = check_inside(cells, scenario_->map); !good) return good;
   const Decision* decision = run().decision_for_edit();
   const std::vector<CellChange> real = real_changes(cells, decision);
   if (real.empty()) return {};

@@ -83,7 +83,9 @@ Result<void> Session::run_command(const RemoveSurprise& command) {
 template <class WorldCommand>
 Result<void> Session::edit_world(const WorldCommand& command, std::size_t cells) {
   auto job = [before = scenario_, scripted = scripted(), command](const std::stop_token&) {
-    return edited(tidied(*before, scripted), scripted, command);
+    Result<WorldEdit> edit = edited(tidied(*before, scripted), scripted, command);
+    if (edit) edit->change = change_between(*before, edit->scenario);
+    return edit;
   };
   if (!patience_ || std::max(cells, box().node_count()) <= kLargeWorld) return take_edit(job({}));
   world_edit_.start(std::move(job));
@@ -92,7 +94,7 @@ Result<void> Session::edit_world(const WorldCommand& command, std::size_t cells)
 
 Result<void> Session::take_edit(Result<WorldEdit> edit) {
   if (!edit) return Error{edit.error()};
-  commit(std::move(edit->label), 0, std::move(edit->scenario), edit->scripted);
+  commit(std::move(edit->label), 0, std::move(edit->scenario), std::move(edit->change), edit->scripted);
   for (std::string& note : edit->notes) say(std::move(note));
   return {};
 }
@@ -124,6 +126,19 @@ bool Session::has_to_wait(const Command& command) {
   world_edit_.cancel();
   waiting_.clear();
   return false;
+}
+
+Result<void> Session::run_command(const PaintCells& command) {
+  if (command.cells.size() > kLargeWorld) return edit_world(command);
+  return edit_cells(command.cells, true, command.stroke);
+}
+
+Result<void> Session::run_command(const PaintSpans& command) {
+  return edit_world(command);
+}
+
+Result<void> Session::run_command(const FillRegion& command) {
+  return edit_world(command);
 }
 
 Result<void> Session::run_command(const TurnWorld& command) {

@@ -53,7 +53,46 @@ Result<WorldEdit> with_map(const Scenario& scenario, std::string label, std::str
   return WorldEdit{std::move(label), std::move(changed), 0};
 }
 
+/// Writes cells into a map, but no wall over its start and goal, and counts those that it changes.
+class MapPainter {
+ public:
+  explicit MapPainter(const Scenario& scenario, std::size_t scripted)
+      : edit_{"", scenario, scripted}, keep_{scenario.start, scenario.goal} {}
+
+  void set(Cell cell, bool blocked) {
+    GridMap& map = edit_.scenario.map;
+    if (map.at(cell) == blocked || (blocked && (cell == keep_[0] || cell == keep_[1]))) return;
+    map.set(cell, blocked);
+    ++count_;
+    painted_ = painted_ || blocked;
+  }
+  void set(const CellSpan& span, bool blocked) {
+    const GridMap& map = edit_.scenario.map;
+    if (span.y < 0 || span.y >= map.height) return;
+    for (int x = std::max(0, span.first); x <= std::min(map.width - 1, span.last); ++x)
+      set(Cell{x, span.y}, blocked);
+  }
+  Result<WorldEdit> edit() {
+    if (count_ == 0) return Error{"nothing was drawn: every cell of it is like that already"};
+    edit_.label = (painted_ ? "paint " : "erase ") + counted(count_, "cell");
+    return std::move(edit_);
+  }
+
+ private:
+  WorldEdit edit_;
+  std::array<Cell, 2> keep_;
+  std::size_t count_ = 0;
+  bool painted_ = false;
+};
+
 }  // namespace
+
+Result<void> check_inside(std::span<const CellChange> cells, const GridMap& map) {
+  for (const CellChange& change : cells)
+    if (!map.contains(change.cell))
+      return Error{"cell " + cell_text(change.cell, map.box().solid()) + " lies outside the world"};
+  return {};
+}
 
 Scenario tidied(const Scenario& scenario, std::size_t scripted) {
   Scenario folded = scenario;
@@ -109,6 +148,29 @@ Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const C
   WorldEdit edit{"clear the world", scenario, scripted};
   edit.scenario.map.blocked = SharedBytes(scenario.map.blocked.size());
   return edit;
+}
+
+Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const PaintCells& command) {
+  if (const auto inside = check_inside(command.cells, scenario.map); !inside) return Error{inside.error()};
+  MapPainter painter(scenario, scripted);
+  for (const CellChange& change : command.cells) painter.set(change.cell, change.blocked);
+  return painter.edit();
+}
+
+Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const PaintSpans& command) {
+  MapPainter painter(scenario, scripted);
+  for (const CellSpan& span : command.spans) painter.set(span, command.blocked);
+  return painter.edit();
+}
+
+Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const FillRegion& command) {
+  const GridMap& map = scenario.map;
+  if (!map.contains(command.from)) return Error{"a region to fill begins in the world"};
+  MapPainter painter(scenario, scripted);
+  for (const CellSpan& span : connected_spans(map.width, map.height, command.from,
+                                              [&](Cell cell) { return map.at(cell) != command.blocked; }))
+    painter.set(span, command.blocked);
+  return painter.edit();
 }
 
 Result<WorldEdit> edited(const Scenario& scenario, std::size_t, const ReplaceMap& command) {

@@ -271,7 +271,6 @@ Timeline::Answer& Timeline::last_answer(NodeId node, KindSet kinds) const {
   return answer;
 }
 
-/// As events(), but what is packed stays so: of a stretch that is asked for one cell hardly anything is wanted again.
 std::span<const Event> Timeline::peek(std::size_t from, std::size_t to) const {
   if (!events_.holds(events_.chunk_of(from))) static_cast<void>(fetch(from));
   return events_.peek(from, to);

@@ -76,6 +76,9 @@ class Timeline {
     const Event* held = events_.find(index);
     return held != nullptr ? *held : fetch(index);
   }
+  /// Some of the events from `from` on, at least one and none from `to` on, for a look at a few of them: what is packed
+  /// stays so. Valid until others are read.
+  [[nodiscard]] std::span<const Event> peek(std::size_t from, std::size_t to) const;
   [[nodiscard]] std::size_t cursor() const { return cursor_; }
   /// The state at the cursor.
   [[nodiscard]] const SearchState& state() const { return state_; }
@@ -138,7 +141,6 @@ class Timeline {
                                                    KindSet kinds) const;
   [[nodiscard]] std::optional<std::size_t> first_in(std::size_t from, std::size_t to, NodeId node,
                                                     KindSet kinds) const;
-  [[nodiscard]] std::span<const Event> peek(std::size_t from, std::size_t to) const;
   void apply(SearchState& state, std::span<const Event> events) const;
   void walk(SearchState& state, std::size_t from, std::size_t to) const;
 

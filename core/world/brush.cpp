@@ -35,6 +35,12 @@ std::vector<CellSpan> stroke_spans(const Brush& brush, Cell from, Cell to) {
   return spans;
 }
 
+std::size_t count_cells(std::span<const CellSpan> spans) {
+  std::size_t count = 0;
+  for (const CellSpan& span : spans) count += static_cast<std::size_t>(span.last - span.first) + 1;
+  return count;
+}
+
 std::vector<CellSpan> rectangle_spans(Cell a, Cell b) {
   std::vector<CellSpan> spans;
   for (int y = std::min(a.y, b.y); y <= std::max(a.y, b.y); ++y)

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/cell.hpp"
@@ -32,11 +33,17 @@ std::vector<CellSpan> stroke_spans(const Brush& brush, Cell from, Cell to);
 /// The rows of the rectangle with these two corners.
 std::vector<CellSpan> rectangle_spans(Cell a, Cell b);
 
+/// How many cells spans have that do not overlap.
+std::size_t count_cells(std::span<const CellSpan> spans);
+
 /// The cells that can be reached from `from` by straight steps over cells for which `same(cell)` holds, as
-/// runs that are as long as they can be. Works row by row: the cost is that of the region.
+/// runs that are as long as they can be. Works row by row: the cost is that of the region. If there are more than
+/// `enough`, some of them, but more than that.
 template <class Same>
-std::vector<CellSpan> connected_spans(int width, int height, Cell from, const Same& same) {
+std::vector<CellSpan> connected_spans(int width, int height, Cell from, const Same& same,
+                                      std::size_t enough = SIZE_MAX) {
   std::vector<CellSpan> region;
+  std::size_t count = 0;
   std::vector<std::uint8_t> taken(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   const auto open = [&](int x, int y) {
     return taken[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
@@ -50,10 +57,11 @@ std::vector<CellSpan> connected_spans(int width, int height, Cell from, const Sa
     for (int i = span.first; i <= span.last; ++i)
       taken[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(i)] = 1;
     region.push_back(span);
+    count += static_cast<std::size_t>(span.last - span.first) + 1;
   };
   if (from.x < 0 || from.y < 0 || from.x >= width || from.y >= height || !same(from)) return region;
   take(from.x, from.y);
-  for (std::size_t i = 0; i < region.size(); ++i) {
+  for (std::size_t i = 0; i < region.size() && count <= enough; ++i) {
     const CellSpan span = region[i];
     for (const int y : {span.y - 1, span.y + 1}) {
       if (y < 0 || y >= height) continue;

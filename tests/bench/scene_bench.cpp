@@ -1,6 +1,7 @@
 // What a frame costs in core: building the scene of a huge map, near and far, standing still and playing.
 #include <benchmark/benchmark.h>
 
+#include "core/scene/coverage.hpp"
 #include "core/scene/scene.hpp"
 #include "core/session/session.hpp"
 #include "core/world/generators/generators.hpp"
@@ -45,6 +46,16 @@ Palette some_palette() {
     palette.field[i] = 0xFF000000u | static_cast<Colour>(i) << 8;
   return palette;
 }
+
+/// How much of each block is obstacle, as a new world is first drawn from afar.
+void BM_coverage(benchmark::State& state) {
+  const Run& run = huge().run();
+  for (auto _ : state) {
+    const Coverage coverage(run.lattice(), 0, run.timeline().state(), EventKind::truth);
+    benchmark::DoNotOptimize(coverage.levels());
+  }
+}
+BENCHMARK(BM_coverage)->Unit(benchmark::kMillisecond);
 
 /// All overlays; the argument is the zoom in hundredths of a pixel per cell, 0 = the whole world.
 void BM_scene_standing(benchmark::State& state) {

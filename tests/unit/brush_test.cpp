@@ -93,5 +93,13 @@ TEST(Fill, CoversAnOpenWorldInAsManySpansAsRows) {
   EXPECT_EQ(cells_of(spans).size(), 150000u);
 }
 
+TEST(Fill, GivesUpOnceItHasEnough) {
+  const auto anywhere = [](Cell) { return true; };
+  const std::size_t some = count_cells(connected_spans(500, 300, {250, 150}, anywhere, 5000));
+  EXPECT_GT(some, 5000u);
+  EXPECT_LT(some, 10000u);
+  EXPECT_EQ(count_cells(connected_spans(500, 300, {250, 150}, anywhere, 150000)), 150000u);
+}
+
 }  // namespace
 }  // namespace replan::brush_test

@@ -15,6 +15,12 @@ std::vector<Event> there_and_back(const std::vector<Event>& events) {
   EXPECT_EQ(packed.empty(), events.empty());
   std::vector<Event> back(3);  // with something in it
   packed.unpack(back);
+  std::vector<Event> by_stretches, stretch;
+  for (std::size_t i = 0; i * PackedEvents::kStretch < events.size(); ++i) {
+    packed.unpack_stretch(i, stretch);
+    by_stretches.insert(by_stretches.end(), stretch.begin(), stretch.end());
+  }
+  EXPECT_EQ(by_stretches, back);
   return back;
 }
 
@@ -26,7 +32,7 @@ TEST(PackedEvents, OfNothingAreNothing) {
 TEST(PackedEvents, ComeBackWhateverTheyAre) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Random random(seed);
-    std::vector<Event> events(random.below(3000));
+    std::vector<Event> events(random.below(3 * PackedEvents::kStretch));
     // From a planner of few lines and small numbers to events of all kinds and lines with any bits.
     const std::uint32_t kinds = 1 + random.below(63), lines = 1 + random.below(256),
                         nodes = 1 + random.below(9000);

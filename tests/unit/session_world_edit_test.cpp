@@ -56,6 +56,61 @@ TEST_F(LargeWorldEdit, ComesToTheSameAsInStepWithWhatIsAskedForMeanwhile) {
   EXPECT_EQ(live_.scenario().map, large_world().map);
 }
 
+/// Cell by cell, what a shape makes of the map.
+GridMap with_shape(GridMap map, const std::vector<CellSpan>& spans, bool blocked, std::array<Cell, 2> ends) {
+  for (const CellSpan& span : spans)
+    for (int x = span.first; x <= span.last; ++x)
+      if (!blocked || (Cell{x, span.y} != ends[0] && Cell{x, span.y} != ends[1]))
+        map.set({x, span.y}, blocked);
+  return map;
+}
+
+TEST_F(LargeWorldEdit, DrawsShapesOfVeryManyCellsInTheMap) {
+  const Scenario before = large_world();
+  const auto box = rectangle_spans({0, 0}, {699, 450});
+  both(PaintSpans{box, true});
+  wait();
+  EXPECT_EQ(live_.scenario().map, with_shape(before.map, box, true, {before.start, before.goal}));
+  EXPECT_EQ(live_.scenario().map, patient_.scenario().map);
+  EXPECT_TRUE(live_.undo_text().starts_with("paint ")) << live_.undo_text();
+
+  const Scenario walled = live_.scenario();
+  const auto is_wall = [&](Cell cell) { return walled.map.at(cell); };
+  both(FillRegion{{0, 0}, false});
+  wait();
+  EXPECT_EQ(live_.scenario().map, with_shape(walled.map, connected_spans(700, 500, {0, 0}, is_wall), false,
+                                             {before.start, before.goal}));
+  EXPECT_EQ(live_.scenario().map, patient_.scenario().map);
+  EXPECT_TRUE(live_.undo_text().starts_with("erase ")) << live_.undo_text();
+
+  // What a tool or the clipboard gives cell by cell comes to the same.
+  std::vector<CellChange> cells;
+  for (const CellSpan& span : box)
+    for (int x = span.first; x <= span.last; ++x) cells.push_back({{x, span.y}, true});
+  ASSERT_TRUE(patient_.apply(PaintCells{cells, 3}).ok());
+  ASSERT_TRUE(live_.apply(PaintSpans{box, true}).ok());
+  wait();
+  EXPECT_EQ(live_.scenario().map, patient_.scenario().map);
+  while (live_.history_position() > 0) ASSERT_TRUE(live_.apply(Undo{}).ok());
+  EXPECT_EQ(live_.scenario().map, before.map);
+}
+
+TEST_F(LargeWorldEdit, SaysWhatItCannotDraw) {
+  const auto said = [&](const Command& command) {
+    const auto done = patient_.apply(command);
+    return done.ok() ? std::string("nothing") : done.error();
+  };
+  EXPECT_EQ(said(FillRegion{{700, 0}, true}), "a region to fill begins in the world");
+  EXPECT_EQ(said(PaintSpans{{{-1, 0, 9}, {3, 800, 900}}, true}),
+            "nothing was drawn: every cell of it is like that already");
+  std::vector<CellChange> cells(kMostSurprised + 1, CellChange{{9, 9}, true});
+  EXPECT_EQ(said(DropSurprise{cells}),
+            "a surprise at once changes at most 262144 cells: draw a smaller one, or paint the map instead");
+  cells.back().cell = {0, 500};
+  EXPECT_EQ(said(PaintCells{cells}), "cell (0, 500) lies outside the world");
+  EXPECT_EQ(patient_.history_position(), 0u);
+}
+
 TEST_F(LargeWorldEdit, IsGivenUpByCancelTogetherWithAllThatWaits) {
   ASSERT_TRUE(live_.apply(ClearWorld{}).ok());
   ASSERT_TRUE(live_.apply(SetStart{{0, 0}}).ok());

@@ -287,7 +287,10 @@ TEST(Timeline, HistoriesOfNodesAreThoseOfALinearScanAlsoAfterCuts) {
     std::vector<Event> log = random_log(seed % 2 == 0 ? 400000 : 3000, 10 + seed);
     for (std::size_t i = 0; i < log.size(); ++i)  // a stretch where few nodes occur at all
       if (i / 50000 % 2 == 1 && log[i].kind != EventKind::scalar) log[i].node %= 64;
-    Timeline timeline{SearchState(kNodes)};
+    LogLimits limits;
+    if (seed >= 2) limits.bytes = std::size_t{1} << 20;  // so that most of it lies packed
+    if (seed >= 4) limits.chunk_events = 512;            // in pieces shorter than a block of the index
+    Timeline timeline{SearchState(kNodes), limits};
     timeline.append(log);
     expect_histories(timeline, log, random);
     for (int cut = 0; cut < 4; ++cut) {

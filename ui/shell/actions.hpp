@@ -50,14 +50,16 @@ struct ActionContext {
   // Through the clipboard, as text (ui/shell/clipboard.hpp); what takes longer than a frame goes on in the next ones.
   void copy_world();
   void copy_state();
+  void copy_cells(MapFile world, const MapRegion& region, std::string said);
   void go_on_copying();
+  void go_on_copying_state();
   void copy_figures(FiguresFormat format);
   void copy_region();
   void cut_region();
   void paste();
   void go_on_pasting();
   void put_in_moment(Result<CaseMoment> moment);
-  void put_in_cells(const Result<MapFile>& read);
+  void put_in_cells(PastedText pasted);
   void move_pin(int dx, int dy);
   void toggle_overlay(Overlay overlay);
   // The debugger's; those about a cell take the pinned one, else the one under the cursor.

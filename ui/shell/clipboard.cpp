@@ -24,19 +24,23 @@ std::string size_text(int width, int height) {
 }
 
 /// Every cell of a map as changes, with its upper left cell at a place; what falls outside the world or would block a
-/// cell of `keep_free` is left out.
-std::vector<CellChange> placed(const GridMap& cells, Cell at, const GridMap& world,
-                               std::span<const Cell> keep_free) {
+/// cell that is to be kept free is left out.
+std::vector<CellChange> placed(const GridMap& cells, const PastePlace& place) {
   std::vector<CellChange> changes;
-  for (int y = 0; y < cells.height; ++y)
-    for (int x = 0; x < cells.width; ++x) {
-      const Cell to{at.x + x, at.y + y};
+  const std::vector<Cell>& keep_free = place.keep_free;
+  for (int y = 0; y < std::min(cells.height, place.height - place.at.y); ++y)
+    for (int x = 0; x < std::min(cells.width, place.width - place.at.x); ++x) {
+      const Cell to{place.at.x + x, place.at.y + y};
       const bool blocked = cells.at({x, y});
-      if (!world.contains(to)) continue;
       if (blocked && std::find(keep_free.begin(), keep_free.end(), to) != keep_free.end()) continue;
       changes.push_back({to, blocked});
     }
   return changes;
+}
+
+/// A map with both ends is a world of its own.
+bool is_world(const MapFile& read) {
+  return read.start && read.goal;
 }
 
 /// Where start and goal stand now.
@@ -72,16 +76,29 @@ std::optional<std::string> StateCopy::go_on(const Deadline& deadline) {
   return complete(draft_, hash_.value(), *scenario_text_);
 }
 
-PastedText read_pasted(const std::string& text) {
-  if (is_case_text(text)) return {parse_case_text(text, "the clipboard")};
-  return {std::nullopt, parse_ascii_map(text, "the clipboard")};
+CellsCopy::CellsCopy(MapFile world, const MapRegion& region, std::string said)
+    : text_(place_for(world.map.blocked.size() > kLargeWorld)), said_(std::move(said)) {
+  text_.start(
+      [world = std::move(world), region](const std::stop_token&) { return ascii_text(world, region); });
+}
+
+PastedText read_pasted(const std::string& text, const PastePlace& place) {
+  if (is_case_text(text)) return {.moment = parse_case_text(text, "the clipboard"), .place = place};
+  PastedText pasted{.moment = {}, .cells = parse_ascii_map(text, "the clipboard"), .place = place};
+  if (pasted.cells && !is_world(*pasted.cells)) pasted.changes = placed(pasted.cells->map, place);
+  return pasted;
 }
 
 void ActionContext::copy_world() {
   const Scenario& scenario = session.scenario();
-  const MapFile world{session.world(), scenario.start, scenario.goal};
-  ImGui::SetClipboardText(ascii_text(world).c_str());
-  say(panels, "Copied the world as text: " + size_text(scenario.map.width, scenario.map.height));
+  const int width = scenario.map.width, height = scenario.map.height;
+  copy_cells({session.world(), scenario.start, scenario.goal}, {0, 0, width, height},
+             "Copied the world as text: " + size_text(width, height));
+}
+
+void ActionContext::copy_cells(MapFile world, const MapRegion& region, std::string said) {
+  panels.clipboard.cells = std::make_unique<CellsCopy>(std::move(world), region, std::move(said));
+  go_on_copying();
 }
 
 void ActionContext::copy_state() {
@@ -92,8 +109,18 @@ void ActionContext::copy_state() {
 }
 
 void ActionContext::go_on_copying() {
+  if (panels.clipboard.copy) go_on_copying_state();
+  std::unique_ptr<CellsCopy>& cells = panels.clipboard.cells;
+  if (!cells) return;
+  const std::optional<std::string> text = cells->take();
+  if (!text) return;
+  ImGui::SetClipboardText(text->c_str());
+  say(panels, cells->said());
+  cells.reset();
+}
+
+void ActionContext::go_on_copying_state() {
   std::unique_ptr<StateCopy>& copy = panels.clipboard.copy;
-  if (!copy) return;
   const std::optional<std::string> text = copy->go_on(Deadline(kSliceMs));
   if (!text) return;
   ImGui::SetClipboardText(text->c_str());
@@ -104,9 +131,7 @@ void ActionContext::go_on_copying() {
 
 void ActionContext::copy_region() {
   const MapRegion region = as_region(*view.editing.region);
-  const MapFile world{session.world()};
-  ImGui::SetClipboardText(ascii_text(world, region).c_str());
-  say(panels, "Copied " + size_text(region.width, region.height) + " as text");
+  copy_cells({session.world()}, region, "Copied " + size_text(region.width, region.height) + " as text");
 }
 
 void ActionContext::cut_region() {
@@ -118,9 +143,14 @@ void ActionContext::paste() {
   const char* text = ImGui::GetClipboardText();
   if (text == nullptr || *text == '\0') return say(panels, "The clipboard holds no text", true);
   std::string held = text;
+  const GridMap& map = session.scenario().map;
+  PastePlace place{view.editing.region ? view.editing.region->low
+                                       : view.view.pinned.value_or(view.view.hovered.value_or(Cell{0, 0})),
+                   map.width, map.height, standing(session)};
   panels.clipboard.paste = std::make_unique<Background<PastedText>>(place_for(held.size() > kLongText));
-  panels.clipboard.paste->start(
-      [held = std::move(held)](const std::stop_token&) { return read_pasted(held); });
+  panels.clipboard.paste->start([held = std::move(held), place = std::move(place)](const std::stop_token&) {
+    return read_pasted(held, place);
+  });
   go_on_pasting();
 }
 
@@ -132,7 +162,7 @@ void ActionContext::go_on_pasting() {
   if (read->moment)
     put_in_moment(std::move(*read->moment));
   else
-    put_in_cells(read->cells);
+    put_in_cells(std::move(*read));
 }
 
 void ActionContext::put_in_moment(Result<CaseMoment> moment) {
@@ -143,27 +173,27 @@ void ActionContext::put_in_moment(Result<CaseMoment> moment) {
   wish = Wish::go_to_pasted;
 }
 
-void ActionContext::put_in_cells(const Result<MapFile>& read) {
+void ActionContext::put_in_cells(PastedText pasted) {
+  const Result<MapFile>& read = pasted.cells;
   if (!read) return say(panels, read.error(), true);
   const Scenario& scenario = session.scenario();
   const GridMap& cells = read->map;
   for (const std::string& note : read->found.notes) panels.notices.push_back(note);
   const std::string noted = read->found.notes.empty() ? "" : "; " + read->found.notes.front();
-  if (read->start && read->goal) {
+  if (is_world(*read)) {
     const bool same_frame = cells.width == scenario.map.width && cells.height == scenario.map.height &&
                             read->start == scenario.start && read->goal == scenario.goal;
     // Cell by cell if it can be, so that the plan is repaired.
     if (same_frame && cells.blocked.size() <= kLargeWorld)
-      push(PaintCells{placed(cells, {0, 0}, scenario.map, standing(session)), 0});
+      push(PaintCells{placed(cells, {{0, 0}, cells.width, cells.height, standing(session)}), 0});
     else
       push(ReplaceMap{cells, read->start, read->goal});
     return say(panels, "Pasted a world of " + size_text(cells.width, cells.height) + noted);
   }
-  const Cell at = view.editing.region ? view.editing.region->low
-                                      : view.view.pinned.value_or(view.view.hovered.value_or(Cell{0, 0}));
-  push(PaintCells{placed(cells, at, scenario.map, standing(session)), 0});
-  const Cell end{std::min(at.x + cells.width, scenario.map.width) - 1,
-                 std::min(at.y + cells.height, scenario.map.height) - 1};
+  const Cell at = pasted.place.at;
+  push(PaintCells{std::move(pasted.changes), 0});
+  const Cell end{std::min(at.x + cells.width, pasted.place.width) - 1,
+                 std::min(at.y + cells.height, pasted.place.height) - 1};
   select_with_tool(view, {at, end});
   const bool whole = end.x - at.x + 1 == cells.width && end.y - at.y + 1 == cells.height;
   say(panels, "Pasted " + size_text(cells.width, cells.height) +

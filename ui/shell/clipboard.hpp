@@ -33,18 +33,42 @@ class StateCopy {
   std::optional<std::string> scenario_text_;
 };
 
+/// The text of cells that are being copied, and what to say once it is on the clipboard.
+class CellsCopy {
+ public:
+  CellsCopy(MapFile world, const MapRegion& region, std::string said);
+
+  /// The text, once, when it is complete.
+  std::optional<std::string> take() { return text_.take(); }
+  [[nodiscard]] const std::string& said() const { return said_; }
+
+ private:
+  Background<std::string> text_;
+  std::string said_;
+};
+
+/// Where cells are pasted.
+struct PastePlace {
+  Cell at;
+  int width = 0, height = 0;    ///< of the world
+  std::vector<Cell> keep_free;  ///< cells that no wall is put on
+};
+
 /// What a text on the clipboard was found to be.
 struct PastedText {
   std::optional<Result<CaseMoment>> moment;  ///< else cells
   Result<MapFile> cells = Error{""};
+  PastePlace place;
+  std::vector<CellChange> changes = {};  ///< of the world, if they are no world of their own
 };
-PastedText read_pasted(const std::string& text);
+PastedText read_pasted(const std::string& text, const PastePlace& place);
 
 /// The copying and the reading that go on between frames.
 struct ClipboardWork {
   std::unique_ptr<StateCopy> copy;
+  std::unique_ptr<CellsCopy> cells;
   std::unique_ptr<Background<PastedText>> paste;
-  [[nodiscard]] bool busy() const { return copy || paste; }
+  [[nodiscard]] bool busy() const { return copy || cells || paste; }
 };
 
 }  // namespace replan::ui

@@ -22,6 +22,8 @@ void ActionContext::delete_selected() {
 
 void ActionContext::clear_region() {
   const CellRect& region = *view.editing.region;
+  std::vector<CellSpan> spans = rectangle_spans(region.low, region.high);
+  if (count_cells(spans) > kLargeWorld) return push(PaintSpans{std::move(spans), false});
   std::vector<CellChange> cells;
   for (int y = region.low.y; y <= region.high.y; ++y)
     for (int x = region.low.x; x <= region.high.x; ++x)

@@ -227,8 +227,9 @@ void exporting(Frame& frame, Line& line) {
 void copying(Frame& frame, Line& line) {
   ClipboardWork& work = frame.panels.clipboard;
   if (!work.busy()) return;
-  const std::string words = work.copy ? "Copying the state… " + fixed(work.copy->share() * 100, 0) + " %"
-                                      : "Reading the clipboard…";
+  const std::string words = work.copy    ? "Copying the state… " + fixed(work.copy->share() * 100, 0) + " %"
+                            : work.cells ? "Copying the cells…"
+                                         : "Reading the clipboard…";
   at_work(frame.look, line, words, "stop clipboard", {"Stop", "", "Nothing is copied or pasted."},
           [&] { work = {}; });
 }

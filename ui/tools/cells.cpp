@@ -69,14 +69,15 @@ Brush brush_of(const ViewState& view) {
   return {view.brush, view.editing.round};
 }
 
-std::vector<CellChange> changes(const ToolContext& context, std::span<const CellSpan> spans) {
+std::vector<CellChange> changes(const ToolContext& context, std::span<const CellSpan> spans,
+                                std::size_t enough) {
   const Run& run = context.run;
   const Box& lattice = run.lattice();
   const bool adds = context.press.adds();
   const Cell start = run.scenario().start, goal = goal_cell(run);
   std::vector<CellChange> cells;
   for (const CellSpan& span : spans) {
-    if (span.y < 0 || span.y >= lattice.height()) continue;
+    if (span.y < 0 || span.y >= lattice.height() || cells.size() > enough) continue;
     for (int x = std::max(0, span.first); x <= std::min(lattice.width() - 1, span.last); ++x) {
       const Cell at{x, span.y};
       if (is_wall(run, at) != adds && !(adds && (at == start || at == goal))) cells.push_back({at, adds});
@@ -89,8 +90,15 @@ void paint(ToolContext& context, std::vector<CellChange> cells) {
   if (!cells.empty()) context.commands.emplace_back(PaintCells{std::move(cells), context.press.stroke});
 }
 
+void paint(ToolContext& context, std::vector<CellSpan> spans) {
+  if (count_cells(spans) > kLargeWorld)
+    context.commands.emplace_back(PaintSpans{std::move(spans), context.press.adds()});
+  else
+    paint(context, changes(context, spans));
+}
+
 void ShapeDrag::end(ToolContext& context) {
-  paint(context, changes(context, spans(context)));
+  paint(context, spans(context));
 }
 
 CellPreview ShapeDrag::preview(const Press& press, const ViewState& view) const {

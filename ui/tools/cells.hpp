@@ -21,10 +21,14 @@ Brush brush_of(const ViewState& view);
 
 /// Of the spans the cells that lie in the world and would change by the press. Start and goal keep standing on free
 /// ground while others are painted around them. What is painted over the robot's own cell is there as it would be by a
-/// script: RobotSetup::robot_cell_blocks says what it does.
-std::vector<CellChange> changes(const ToolContext& context, std::span<const CellSpan> spans);
+/// script: RobotSetup::robot_cell_blocks says what it does. If there are more than `enough`, some of them, but more
+/// than that.
+std::vector<CellChange> changes(const ToolContext& context, std::span<const CellSpan> spans,
+                                std::size_t enough = SIZE_MAX);
 /// Queues them as one edit, if there are any.
 void paint(ToolContext& context, std::vector<CellChange> cells);
+/// Queues all that `spans` cover as one edit, however much that is.
+void paint(ToolContext& context, std::vector<CellSpan> spans);
 
 /// A shape between two cells, which is painted when the button is let go.
 class ShapeDrag : public Drag {

@@ -11,8 +11,13 @@ class FillTool final : public DrawingTool {
     const Cell at = context.press.first;
     const bool wall = is_wall(run, at);
     if (context.press.right && !wall) return nullptr;  // nothing to clear
-    paint(context, changes(context, connected_spans(run.lattice().width(), run.lattice().height(), at,
-                                                    [&](Cell cell) { return is_wall(run, cell) == wall; })));
+    const std::vector<CellSpan> region = connected_spans(
+        run.lattice().width(), run.lattice().height(), at,
+        [&](Cell cell) { return is_wall(run, cell) == wall; }, kLargeWorld);
+    if (count_cells(region) > kLargeWorld)
+      context.commands.emplace_back(FillRegion{at, context.press.adds()});
+    else
+      paint(context, changes(context, region));
     return nullptr;
   }
   std::unique_ptr<Drag> press_right(ToolContext& context) override { return press(context); }

@@ -30,7 +30,7 @@ class SurpriseDrag final : public ShapeDrag {
       selected = selected == there ? std::nullopt : there;
       return;
     }
-    std::vector<CellChange> cells = changes(context, spans(context));
+    std::vector<CellChange> cells = changes(context, spans(context), kMostSurprised);
     if (cells.empty()) return;
     if (options_.time == SurpriseTime::now) {
       context.commands.emplace_back(DropSurprise{std::move(cells), press.stroke});

@@ -187,18 +187,24 @@ std::string ascii_text(const MapFile& world, const MapRegion& region) {
   const auto end_of = [](int from, int length, int size) {
     return static_cast<int>(std::min<std::int64_t>(size, std::int64_t{from} + length));
   };
-  const int right = end_of(region.x, region.width, map.width);
-  const int bottom = end_of(region.y, region.height, map.height);
-  std::string text;
-  for (int y = std::max(0, region.y); y < bottom; ++y) {
-    for (int x = std::max(0, region.x); x < right; ++x) {
-      const std::uint8_t cell = map.blocked[map.index({x, y})];
-      const bool start = cell == kFree && world.start == Cell{x, y};
-      const bool goal = cell == kFree && world.goal == Cell{x, y};
-      text += start ? 'S' : goal ? 'G' : ".@?"[cell];
-    }
-    text += '\n';
+  const int left = std::clamp(region.x, 0, map.width), right = end_of(region.x, region.width, map.width);
+  const int top = std::max(0, region.y), bottom = end_of(region.y, region.height, map.height);
+  const auto length = static_cast<std::size_t>(std::max(0, right - left)) + 1;
+  std::string text(length * static_cast<std::size_t>(std::max(0, bottom - top)), '\n');
+  const auto letter = [&](Cell cell) -> char& {
+    return text[static_cast<std::size_t>(cell.y - top) * length + static_cast<std::size_t>(cell.x - left)];
+  };
+  for (int y = top; y < bottom; ++y) {
+    const auto row = map.blocked.begin() + static_cast<std::ptrdiff_t>(map.index({left, y}));
+    std::transform(row, row + std::max(0, right - left), &letter({left, y}),
+                   [](std::uint8_t cell) { return ".@?"[cell]; });
   }
+  const auto mark = [&](const std::optional<Cell>& cell, char sign) {
+    if (!cell || cell->x < left || cell->x >= right || cell->y < top || cell->y >= bottom) return;
+    if (map.blocked[map.index(*cell)] == kFree) letter(*cell) = sign;
+  };
+  mark(world.goal, 'G');
+  mark(world.start, 'S');
   return text;
 }
 
