@@ -24,8 +24,8 @@
 // (core/session/commands.def) or an action of the window that the learner has to have given since the step began. `do`
 // (deeds.hpp) does it for the learner; without one the cursor goes to where `until` comes true. `cell` is the cell that
 // the step is about: a window pins it. `touches`, as in "3 of 36", is a claim that the words make: the latest repair has
-// touched 3 cells, where a plan from scratch touches 36. Tests hold lessons to it. Lessons stand in the order of their files' names: 1-first-steps.md has the id
-// "first-steps".
+// touched 3 cells, where a plan from scratch touches 36. Tests hold lessons to it. Lessons stand in the order of their
+// files' names: 1-first-steps.md has the id "first-steps".
 #pragma once
 
 #include <cstdint>

@@ -208,8 +208,7 @@ constexpr GlossaryTerm kTerms[] = {
     {"robot", "Robot",
      "What drives along the plan. It plans on the map that it believes in, which its sensor corrects within "
      "its "
-     "radius, "
-     "and replans when that changes."},
+     "radius, and replans when that changes."},
     {"steps", "Steps", "The robot's clock: every move is a step, and so is every wait while it has no path."},
     {"travelled", "Travelled",
      "How far the robot has driven, in cells, along the straight segments of its paths."},

@@ -95,11 +95,17 @@ class CellNumbers final : public CellMark {
     context_.add(Label{at, anchor, readable(colour), number_text(cost, room), ground_, side_ >= kLargeFrom});
   }
 
+  /// Whether the search has given the cell a value, or had: g = infinity is a number only then.
+  [[nodiscard]] bool has_values(NodeId node) const {
+    const SearchState& state = context_.state;
+    return !state.g(node).is_infinite() || (lookahead_ && !state.rhs(node).is_infinite()) || taken_back(node);
+  }
+
   /// g above rhs; g alone where the planner has no rhs.
   void add_lines(Cell cell, NodeId node) {
+    if (!has_values(node)) return;
     const SearchState& state = context_.state;
     const Cost g = state.g(node), rhs = state.rhs(node);
-    if (g.is_infinite() && (!lookahead_ || rhs.is_infinite()) && !taken_back(node)) return;
     const double room = side_ - kInset, x = cell.x + 0.5, y = cell.y + 0.5;
     show(lookahead_ ? NumbersShown::two : NumbersShown::one);
     const bool alone = !lookahead_ && layout_.close;
@@ -114,7 +120,7 @@ class CellNumbers final : public CellMark {
     const Colour strong = context_.palette.text, soft = context_.palette.dim;
     const Cost g = state.g(node), rhs = state.rhs(node);
     show(NumbersShown::four);
-    const bool known = !g.is_infinite() || !rhs.is_infinite() || taken_back(node);
+    const bool known = has_values(node);
     if (known) write(kNumberG, {x0, y0}, Anchor::upper_left, strong, g, room);
     if (lookahead_ && known) write(kNumberRhs, {x1, y0}, Anchor::upper_right, rhs_colour_, rhs, room);
     if (state.queued(node)) {

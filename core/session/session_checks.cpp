@@ -1,13 +1,13 @@
 // What the session holds its planners to, and where two of them part.
-#include "core/lattice/box_words.hpp"
+#include "core/base/words.hpp"
 #include "core/session/session.hpp"
 
 namespace replan {
 
 Result<void> Session::run_command(const SetChecks& command) {
   if (command.laws && box().node_count() > checks_.most_cells_)
-    return Error{"the laws are not checked in worlds above " + sides_text(Box{2048, 2048, 1}) +
-                 " cells while somebody watches: 'replan run --check' holds a whole run to them"};
+    return Error{"the laws are not checked in worlds of more than " + counted(checks_.most_cells_, "cell") +
+                 " while somebody watches: 'replan run --check' holds a whole run to them"};
   checks_.set(command.laws, command.oracle);
   return {};
 }

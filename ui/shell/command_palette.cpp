@@ -11,6 +11,7 @@
 #include "ui/icons.hpp"
 #include "ui/keys.hpp"
 #include "ui/shell/lesson_card.hpp"
+#include "ui/shell/menus.hpp"
 #include "ui/shell/panels.hpp"
 #include "ui/tabs/words.hpp"
 
@@ -22,36 +23,9 @@ constexpr std::size_t kMostRows = 200;
 /// What it counts to have been used last, against letters that match; the one before counts a little less.
 constexpr int kUsedBonus = 26, kUsedStep = 2;
 
-const char* menu_name(Menu menu) {
-  switch (menu) {
-    case Menu::file:
-      return "File";
-    case Menu::edit:
-      return "Edit";
-    case Menu::world:
-      return "World";
-    case Menu::planner:
-      return "Planner";
-    case Menu::run:
-      return "Run";
-    case Menu::debug:
-      return "Debug";
-    case Menu::view:
-    case Menu::move:
-    case Menu::panes:
-    case Menu::pin:
-    case Menu::tabs:
-    case Menu::colours:
-    case Menu::size:
-      return "View";
-    case Menu::record:
-      return "Record";
-    case Menu::help:
-      return "Help";
-    case Menu::overlays:
-      return "Overlays";
-  }
-  return "";
+/// The menu of the bar where it is found; overlays have a list of their own as well.
+const char* place_of(Menu menu) {
+  return menu_kind(menu == Menu::overlays ? menu : menu_kind(menu).of).name;
 }
 
 void add_actions(Frame& frame, std::vector<PaletteEntry>& entries) {
@@ -65,7 +39,7 @@ void add_actions(Frame& frame, std::vector<PaletteEntry>& entries) {
                                  : tab   ? "Tab: "
                                          : "") +
                                 each.label,
-                       .place = menu_name(each.menu),
+                       .place = place_of(each.menu),
                        .keys = each.keys,
                        .teach = each.teach,
                        .icon = each.checked(context) ? icon::check

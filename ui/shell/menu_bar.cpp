@@ -1,5 +1,4 @@
 // The menu bar: menus from the table of actions, the planner list, and the name of the file.
-#include <array>
 #include <utility>
 
 #include <imgui_internal.h>
@@ -7,6 +6,7 @@
 #include "core/base/file.hpp"
 #include "ui/documents/files.hpp"
 #include "ui/icons.hpp"
+#include "ui/shell/menus.hpp"
 #include "ui/shell/panels.hpp"
 
 namespace replan::ui {
@@ -43,31 +43,11 @@ void planner_items(Frame& frame) {
   ImGui::Separator();
 }
 
-struct Submenu {
-  Menu menu, of;
-  const char *name, *icon;
-};
-constexpr std::array kSubmenus = {Submenu{Menu::debug, Menu::run, "Debug", icon::bug},
-                                  Submenu{Menu::overlays, Menu::view, "Overlays", icon::eye},
-                                  Submenu{Menu::tabs, Menu::view, "Tabs", icon::list},
-                                  Submenu{Menu::panes, Menu::view, "Panes", icon::columns},
-                                  Submenu{Menu::move, Menu::view, "Move the view", icon::hand},
-                                  Submenu{Menu::pin, Menu::view, "Pinned cell", icon::pin},
-                                  Submenu{Menu::colours, Menu::view, "Colours of fields", icon::adjust},
-                                  Submenu{Menu::size, Menu::view, "Size of everything", icon::expand}};
-
-/// The menu that a submenu stands in; itself for one of the bar.
-Menu menu_of(Menu menu) {
-  for (const Submenu& each : kSubmenus)
-    if (each.menu == menu) return each.of;
-  return menu;
-}
-
 /// What would make a menu taller than a small window stands in menus beside it.
 void submenus(Frame& frame, Menu of) {
   bool first = true;
-  for (const Submenu& each : kSubmenus) {
-    if (each.of != of) continue;
+  for (const MenuKind& each : menu_kinds()) {
+    if (each.of != of || each.in_bar()) continue;
     if (std::exchange(first, false)) ImGui::Separator();
     if (frame.panels.open_menu == each.menu) {
       ImGui::OpenPopup(each.name);
@@ -79,14 +59,14 @@ void submenus(Frame& frame, Menu of) {
   }
 }
 
-void menu(Frame& frame, const char* name, Menu which) {
+void menu(Frame& frame, const MenuKind& kind) {
+  const Menu which = kind.menu;
   ImGui::PushStyleColor(ImGuiCol_Text, frame.look.theme.dim);
-  if (std::optional<Menu>& wanted = frame.panels.open_menu;
-      wanted && (wanted == which || menu_of(*wanted) == which)) {
-    ImGui::OpenPopup(name);
+  if (std::optional<Menu>& wanted = frame.panels.open_menu; wanted && menu_kind(*wanted).of == which) {
+    ImGui::OpenPopup(kind.name);
     if (wanted == which) wanted.reset();
   }
-  const bool open = ImGui::BeginMenu(name);
+  const bool open = ImGui::BeginMenu(kind.name);
   ImGui::PopStyleColor();
   if (!open) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(frame.look.px.s, frame.look.px(7)));
@@ -169,14 +149,8 @@ void draw_menu_bar(Frame& frame) {
   if (ImGui::BeginMenuBar()) {
     ImGui::SetCursorPosX(look.px(14));
     text(look.fonts.title, look.theme.text, "Replan");
-    menu(frame, "File", Menu::file);
-    menu(frame, "Edit", Menu::edit);
-    menu(frame, "World", Menu::world);
-    menu(frame, "Planner", Menu::planner);
-    menu(frame, "Run", Menu::run);
-    menu(frame, "View", Menu::view);
-    menu(frame, "Record", Menu::record);
-    menu(frame, "Help", Menu::help);
+    for (const MenuKind& each : menu_kinds())
+      if (each.in_bar()) menu(frame, each);
     draw_recording(frame);
     file_name_at_right(frame);
     ImGui::EndMenuBar();

@@ -10,6 +10,7 @@
 #include "ui/shell/actions.hpp"
 #include "ui/shell/dialogs.hpp"
 #include "ui/shell/dialogs/parts.hpp"
+#include "ui/shell/menus.hpp"
 
 namespace replan::ui {
 namespace {
@@ -22,25 +23,15 @@ struct Section {
   std::vector<Line> lines;
 };
 
-constexpr std::array<std::pair<Menu, const char*>, 14> kMenus = {{{Menu::run, "Run"},
-                                                                  {Menu::debug, "Debug"},
-                                                                  {Menu::view, "View"},
-                                                                  {Menu::move, "Move the view"},
-                                                                  {Menu::tabs, "Tabs"},
-                                                                  {Menu::panes, "Panes"},
-                                                                  {Menu::pin, "Pinned cell"},
-                                                                  {Menu::size, "Size of everything"},
-                                                                  {Menu::file, "File"},
-                                                                  {Menu::edit, "Edit and tools"},
-                                                                  {Menu::world, "World"},
-                                                                  {Menu::record, "Record"},
-                                                                  {Menu::help, "Help"},
-                                                                  {Menu::overlays, "Overlays"}}};
+/// In an order of its own: first what is used most.
+constexpr std::array kMenus = {Menu::run,   Menu::debug,  Menu::view, Menu::move,    Menu::tabs,
+                               Menu::panes, Menu::pin,    Menu::size, Menu::file,    Menu::edit,
+                               Menu::world, Menu::record, Menu::help, Menu::overlays};
 
 std::vector<Section> sections() {
   std::vector<Section> all;
-  for (const auto& [menu, title] : kMenus) {
-    Section& section = all.emplace_back(Section{title, {}});
+  for (const Menu menu : kMenus) {
+    Section& section = all.emplace_back(Section{menu_kind(menu).name, {}});
     for (const Action& each : actions())
       if (each.menu == menu && !each.keys.empty()) section.lines.push_back({each.keys, each.label});
     if (section.lines.empty()) all.pop_back();
