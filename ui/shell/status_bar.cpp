@@ -1,4 +1,5 @@
 // The status bar: the cell under the cursor, the search in numbers, and how the mission stands.
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -80,10 +81,18 @@ std::string cell_state(const Frame& frame, Cell cell) {
 /// Writes items from the left until the room ends.
 class Line {
  public:
-  Line(const Look& look, float right) : look_(look), right_(right), y_(ImGui::GetCursorScreenPos().y) {}
+  Line(const Look& look, float right)
+      : look_(look), right_(right), x_(ImGui::GetCursorScreenPos().x), y_(ImGui::GetCursorScreenPos().y) {}
 
-  void pair(std::string_view label, std::string_view value, const Hint& what) {
-    if (!next(text_width(look_.fonts.ui, label) + text_width(look_.fonts.mono, value) + look_.px.xs)) return;
+  /// A number has room for some digits more, or for as many letters as it may come to have, so that what stands behind
+  /// it does not move.
+  void pair(std::string_view label, std::string_view value, const Hint& what, std::size_t letters = 0) {
+    constexpr std::size_t kDigits = 4;
+    if (letters == 0) letters = (value.size() + kDigits - 1) / kDigits * kDigits;
+    const float before = text_width(look_.fonts.ui, label) + look_.px.xs;
+    if (!next(before + text_width(look_.fonts.mono, value),
+              before + text_width(look_.fonts.mono, "0") * static_cast<float>(letters)))
+      return;
     ImGui::BeginGroup();
     labelled(look_, label, value);
     ImGui::EndGroup();
@@ -92,8 +101,9 @@ class Line {
   void word(std::string_view words) {
     if (next(text_width(look_.fonts.ui, words))) text(look_.fonts.ui, look_.theme.dim, words);
   }
-  void word(std::string_view words, const Hint& what) {
-    if (!next(text_width(look_.fonts.ui, words))) return;
+  /// In a room of its own, which it need not fill.
+  void word(std::string_view words, float room, const Hint& what) {
+    if (!next(text_width(look_.fonts.ui, words), room)) return;
     text(look_.fonts.ui, look_.theme.dim, words);
     hint(look_, what);
   }
@@ -104,20 +114,17 @@ class Line {
     hint(look_, term_hint(verdict.term));
     return true;
   }
-  bool next(float width) {
-    const float gap = first_ ? 0 : look_.px(22);
-    const float x = first_ ? ImGui::GetCursorScreenPos().x : ImGui::GetItemRectMax().x;
-    if (x + gap + width > right_) return false;
-    // A button is taller than words and begins above them.
-    if (!first_) ImGui::SetCursorScreenPos({x + gap, y_});
-    first_ = false;
+  /// Goes on to an item, behind which the next one stands after `room`, or right behind it if it takes more.
+  bool next(float width, float room = 0) {
+    if (x_ + width > right_) return false;
+    ImGui::SetCursorScreenPos({x_, y_});
+    x_ += std::max(width, room) + look_.px(22);
     return true;
   }
 
  private:
   const Look& look_;
-  float right_, y_;
-  bool first_ = true;
+  float right_, x_, y_;
 };
 
 /// The numbers at the right edge; returns where they begin.
@@ -267,13 +274,15 @@ void draw_status_bar(Frame& frame) {
   const Run& run = frame.run();
   const View& view = frame.view.view;
   const std::optional<Cell> cell = view.hovered ? view.hovered : view.pinned;
-  if (cell && frame.session.scenario().map.contains(*cell)) {
-    line.pair("Cell", std::to_string(cell->x) + ", " + std::to_string(cell->y),
-              {"Cell", "", "Column and row, from (0, 0) at the top left."});
-    line.word(cell_state(frame, *cell),
-              {"What stands there", "",
-               "In the true world, and whether the robot knows of it. It plans on what it believes alone."});
-  }
+  const GridMap& map = frame.session.scenario().map;
+  const bool inside = cell && map.contains(*cell);
+  const auto place = [](int x, int y) { return std::to_string(x) + ", " + std::to_string(y); };
+  line.pair("Cell", inside ? place(cell->x, cell->y) : "–",
+            {"Cell", "", "Column and row, from (0, 0) at the top left."},
+            place(map.width - 1, map.height - 1).size());
+  line.word(inside ? cell_state(frame, *cell) : "", text_width(look.fonts.ui, "obstacle · known"),
+            {"What stands there", "",
+             "In the true world, and whether the robot knows of it. It plans on what it believes alone."});
   const StrokeKind stroke = frame.view.editing.stroke;
   if (stroke == StrokeKind::erases_wall) line.word("erasing, since the first cell was an obstacle");
   if (stroke == StrokeKind::erases) line.word("erasing");
