@@ -2,12 +2,15 @@
 #pragma once
 
 #include <chrono>
+#include <limits>
 
 namespace replan {
 
 class Deadline {
  public:
   explicit Deadline(double milliseconds) : milliseconds_(milliseconds) {}
+  /// For work that is done to its end.
+  static Deadline never() { return Deadline(std::numeric_limits<double>::infinity()); }
   [[nodiscard]] bool passed() const {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_).count() >=
            milliseconds_;

@@ -1,7 +1,12 @@
 #include "core/debug/touched.hpp"
 
+#include <algorithm>
+
 namespace replan {
 namespace {
+
+/// Events between two looks at the clock.
+constexpr std::size_t kSlice = 4096;
 
 /// Whether the goal moved between the plan before and this one, or the robot makes for another cell: it then
 /// starts afresh.
@@ -9,7 +14,7 @@ bool has_new_goal(const Timeline& log, std::size_t begin) {
   for (std::size_t i = begin; i-- > 0;) {
     const EventKind kind = log.event(i).kind;
     if (kind == EventKind::new_goal || kind == EventKind::aim) return true;
-    if (kind == EventKind::plan_begin) return false;
+    if (kind == EventKind::plan_end) return false;
   }
   return false;
 }
@@ -25,13 +30,18 @@ void TouchedList::start(const LogView& view) {
   read_ = begin_;
 }
 
-void TouchedList::follow(const LogView& view, std::uint64_t log_id, std::size_t begin, std::size_t end) {
+void TouchedList::follow(const LogView& view, std::uint64_t log_id, std::size_t begin, std::size_t end,
+                         const Deadline& deadline) {
   if (log_id != log_id_ || begin != begin_ || end < read_) {
     log_id_ = log_id;
     begin_ = begin;
     start(view);
   }
-  for (; read_ < end; ++read_) take(view.log.event(read_), read_);
+  while (read_ < end) {
+    for (const Event& event : view.log.peek(read_, std::min(end, read_ + kSlice))) take(event, read_++);
+    if (deadline.passed()) break;
+  }
+  behind_ = read_ < end;
 }
 
 void TouchedList::take(const Event& event, std::size_t index) {

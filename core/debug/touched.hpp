@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/deadline.hpp"
 #include "core/debug/log_view.hpp"
 #include "core/trace/expansions.hpp"
 #include "core/trace/paged.hpp"
@@ -25,8 +26,11 @@ struct Touched {
 class TouchedList {
  public:
   /// Shows the plan whose `plan_begin` is the event `begin`, up to position `end`; reads on from where it was
-  /// if it can. `log_id` is another one when the log is another one, or was cut.
-  void follow(const LogView& view, std::uint64_t log_id, std::size_t begin, std::size_t end);
+  /// if it can. `log_id` is another one when the log is another one, or was cut. At the deadline it stops and is behind:
+  /// asked again, it goes on.
+  void follow(const LogView& view, std::uint64_t log_id, std::size_t begin, std::size_t end,
+              const Deadline& deadline = Deadline::never());
+  [[nodiscard]] bool behind() const { return behind_; }
 
   [[nodiscard]] const std::vector<Touched>& list() const { return list_; }
   /// The entry of a vertex, or nullptr if it was not touched.
@@ -39,6 +43,7 @@ class TouchedList {
 
   std::uint64_t log_id_ = 0;
   std::size_t begin_ = 0, read_ = 0;
+  bool behind_ = false;
   bool repairs_ = false;      // it goes on with what is there, and wipes nothing before it searches
   ExpansionCounter counter_;  // of this plan
   SearchState before_, now_;  // at the plan's beginning, and as far as it was read

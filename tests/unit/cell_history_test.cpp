@@ -136,6 +136,10 @@ TEST(TouchedList, IsWhatTheDigestCounts) {
           EXPECT_EQ(each.rhs_after, after.rhs(each.node));
         }
       }
+      TouchedList in_parts;
+      do in_parts.follow(run.log_view(), run.log_id(), plan.begin, plan.end, Deadline(0));
+      while (in_parts.behind());
+      EXPECT_EQ(in_parts.list().size(), digest.touches_before(plan, plan.end).size()) << info.id;
       ++replans;
       touched_in_all += static_cast<std::size_t>(plan.touched);
     }

@@ -8,6 +8,12 @@
 #include "ui/shell/panels.hpp"
 
 namespace replan::ui {
+namespace {
+
+/// Of one frame, for reading on in what a replan touched.
+constexpr double kTouchedMs = 3;
+
+}  // namespace
 
 std::optional<Cell> Frame::cell() const {
   std::optional<Cell> chosen = view.view.pinned ? view.view.pinned : view.view.hovered;
@@ -65,11 +71,14 @@ std::optional<ReplanSpan> last_replan(const Run& run) {
   return std::nullopt;
 }
 
-const TouchedList* touched_by_last_replan(PanelState& panels, const Run& run) {
+const TouchedList* touched_by_last_replan(Frame& frame, const Run& run) {
   const std::optional<ReplanSpan> span = last_replan(run);
   if (!span) return nullptr;
-  panels.touched.follow(run.log_view(), run.log_id(), span->begin, span->end);
-  return &panels.touched;
+  TouchedList& touched = frame.panels.touched;
+  touched.follow(run.log_view(), run.log_id(), span->begin, span->end,
+                 frame.view.live ? Deadline(kTouchedMs) : Deadline::never());
+  if (touched.behind()) frame.panels.animated = true;
+  return &touched;
 }
 
 void show_cell(Frame& frame, Cell cell) {

@@ -164,8 +164,9 @@ struct ReplanSpan {
   std::size_t begin = 0, end = 0;
 };
 std::optional<ReplanSpan> last_replan(const Run& run);
-/// What that replan touched, read on as the log grows; nullptr before the first one.
-const TouchedList* touched_by_last_replan(PanelState& panels, const Run& run);
+/// What that replan touched, read on as the log grows, a part of a long one in each frame of a window; nullptr before the
+/// first one.
+const TouchedList* touched_by_last_replan(Frame& frame, const Run& run);
 /// Pins the cell, and moves the view there if it is out of sight.
 void show_cell(Frame& frame, Cell cell);
 /// Where something first went wrong: a law broken, or the oracle of another mind. Of the leading pane if it

@@ -155,7 +155,7 @@ std::string touched_text(const Touched* mine) {
 /// Whether the last replan came to the cell; its name leads to the list of all that it touched.
 void touched_line(Frame& frame, const CellView& view) {
   const Look& look = frame.look;
-  const TouchedList* touched = touched_by_last_replan(frame.panels, view.run);
+  const TouchedList* touched = touched_by_last_replan(frame, view.run);
   if (touched == nullptr) return;
   const Touched* mine = touched->find(view.node);
   ImGui::Dummy({0, look.px.xs});
@@ -163,7 +163,7 @@ void touched_line(Frame& frame, const CellView& view) {
   if (link(look, "touched", name, look.fonts.ui)) perform(frame, ActionId::show_touched);
   const std::string all = "It touched " +
                           count_text(static_cast<std::int64_t>(touched->list().size()), "cell", "cells") +
-                          ". Click for all of them.";
+                          (touched->behind() ? " so far" : "") + ". Click for all of them.";
   hint(look, {name.c_str(), "", all.c_str()});
   ImGui::SameLine(0, look.px.xs);
   const std::string words = touched_text(mine);

@@ -172,7 +172,7 @@ void OpenListTab::draw_open_list(Frame& frame) {
 void OpenListTab::draw_touched(Frame& frame) {
   const Look& look = frame.look;
   const Run& run = frame.run();
-  const TouchedList* touched = touched_by_last_replan(frame.panels, run);
+  const TouchedList* touched = touched_by_last_replan(frame, run);
   if (touched == nullptr) {
     empty_state(look, icon::bolt, "No replan yet",
                 "Paint an obstacle, or drop a surprise in the robot's way: the cells that the repair "
@@ -183,7 +183,8 @@ void OpenListTab::draw_touched(Frame& frame) {
   const auto count = static_cast<std::int64_t>(touched->list().size());
   ImGui::AlignTextToFramePadding();
   text(look.fonts.ui, look.theme.dim,
-       "Replan " + grouped(span.number) + " touched " + count_text(count, "cell", "cells"));
+       "Replan " + grouped(span.number) + " touched " + count_text(count, "cell", "cells") +
+           (touched->behind() ? " so far" : ""));
   const float right = ImGui::GetContentRegionMax().x;
   ImGui::SameLine(right - look.px(52));
   if (small_button(look, "before", {.icon = icon::caret_left, .hint = action(ActionId::replan_back).hint()}))
