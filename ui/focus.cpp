@@ -29,6 +29,12 @@ void KeyboardFocus::take_keys() {
   if (ImGui::IsKeyPressed(key::kTab) && !has_tab) move(io.KeyShift ? -1 : 1);
   if (!shown_ || io.WantTextInput) return;
   if (ImGui::IsKeyPressed(key::kSpace, false)) ImGui::ActivateItem(at_);
+  // A dialog's own Enter must not answer otherwise than the button that the ring is around.
+  for (const int enter : {key::kEnter, key::kKeypadEnter}) {
+    if (field_ || !ImGui::IsKeyPressed(enter, false)) continue;
+    ImGui::ActivateItem(at_);
+    key::take(io, enter);
+  }
   const bool covered = ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
   if (covered || !ImGui::IsKeyPressed(key::kEscape, false)) return;
   shown_ = false;
@@ -67,6 +73,7 @@ void KeyboardFocus::offer(ImU32 ring, float rounding, float width) {
   if ((context.LastItemData.InFlags & ImGuiItemFlags_Disabled) != 0) return;
   note(ImGui::GetItemID());
   if (!here()) return;
+  field_ = false;
   if (arrived_ && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.5f);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
@@ -87,6 +94,7 @@ void KeyboardFocus::leave_tab_to_it() {
 void KeyboardFocus::offer_field(const char* id) {
   const ImGuiID own = ImGui::GetID(id);
   note(own);
+  if (at_ == own) field_ = true;
   if (arrived_ && at_ == own) ImGui::SetKeyboardFocusHere();
 }
 

@@ -8,7 +8,7 @@
 
 namespace replan::ui {
 
-/// Tab goes to the next control, Shift+Tab to the one before; Space presses it; Escape or a click gives the keyboard back
+/// Tab goes to the next control, Shift+Tab to the one before; Space and Enter press it; Escape or a click gives the keyboard back
 /// to the window's own keys. While something lies over the window, Tab goes through that alone.
 class KeyboardFocus {
  public:
@@ -39,6 +39,7 @@ class KeyboardFocus {
   std::vector<ImGuiID> order_, before_;             // of this frame and of the last one
   ImGuiID at_ = 0, tab_owner_ = 0, arrows_of_ = 0;  // 0: none
   bool shown_ = false;                              // it was come to by the keyboard
+  bool field_ = false;                              // it is a field, in which Enter ends what is typed
   bool arrived_ = false;                            // in this frame
 };
 

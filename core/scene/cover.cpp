@@ -19,8 +19,8 @@ struct Screen {
 };
 
 PixelBox box_of(const Screen& screen, const Label& label) {
-  const double width = label_width(label.text) * screen.scene.scale,
-               height = kDigitHeight * screen.scene.scale;
+  const double scale = label.size() * screen.scene.scale;
+  const double width = label_width(label.text) * scale, height = kDigitHeight * scale;
   double x = screen.x(label.at.x), y = screen.y(label.at.y);
   const bool right = label.anchor == Anchor::upper_right || label.anchor == Anchor::lower_right;
   const bool low = label.anchor == Anchor::lower_left || label.anchor == Anchor::lower_right;

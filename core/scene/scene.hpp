@@ -80,6 +80,8 @@ struct Label {
   std::string text;    ///< UTF-8
   Colour ground = 0;   ///< laid under the words; 0 alpha: none
   bool large = false;  ///< in the size of the window's own numbers
+  /// Of the words, against those of a small one.
+  [[nodiscard]] double size() const { return large ? 1.2 : 1; }
 };
 /// Design pixels of a character of a label, and of the part of a line that digits fill.
 inline constexpr double kDigitWidth = 6.1, kDigitHeight = 10;

@@ -106,7 +106,7 @@ class Writer {
             "/>\n";
   }
   void operator()(const Label& label) {
-    const double size = (label.large ? 12 : 10) * scene_.scale;
+    const double size = 10 * label.size() * scene_.scale;
     const bool right = label.anchor == Anchor::upper_right || label.anchor == Anchor::lower_right;
     const bool low = label.anchor == Anchor::lower_left || label.anchor == Anchor::lower_right;
     const bool middle = label.anchor == Anchor::middle;
@@ -181,7 +181,7 @@ class Writer {
   }
   /// The ground of a label whose digits begin `top` below its anchor.
   void plate(const Label& label, double top, double size) {
-    const double width = label_width(label.text) * scene_.scale;
+    const double width = label_width(label.text) * label.size() * scene_.scale;
     const bool right = label.anchor == Anchor::upper_right || label.anchor == Anchor::lower_right;
     const double left = x(label.at) - (label.anchor == Anchor::middle ? width / 2 : right ? width : 0);
     rectangle(left - 1, y(label.at) + top - 1, width + 2, 0.7 * size + 2, paint("fill", label.ground));

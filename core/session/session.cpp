@@ -75,6 +75,7 @@ Result<void> Session::run_command(const ReplaceScenario& command) {
   const std::size_t surprises = scenario_->surprises.size();
   history_.begin(std::min(command.scripted.value_or(surprises), surprises), command.unsaved_edits);
   player_.stop();
+  lead_ = 0;
   restart_runs();
   take_debug(scenario_->debug);
   say(file_.empty() ? "new world" : "opened " + file_);

@@ -246,6 +246,17 @@ TEST_F(HandsTest, TabReachesTheToolsAndSpacePressesOne) {
   EXPECT_EQ(session_->playback().direction, 1) << "Esc has not given the keys back";
 }
 
+TEST_F(HandsTest, EnterPressesTheButtonWithTheRingAndNotAnother) {
+  ASSERT_TRUE(session_->apply(PaintCells{{{{5, 0}, true}}}).ok());
+  ASSERT_TRUE(session_->modified());
+  shell_->perform_next(ActionId::quit);
+  frames(6);
+  press(key::kTab);  // Discard, where Enter alone would save
+  press(key::kEnter);
+  EXPECT_TRUE(shell_->documents().quitting());
+  EXPECT_TRUE(session_->modified()) << "it was saved";
+}
+
 TEST_F(HandsTest, InASmallWindowTheLegendStaysOnItsPane) {
   TearDown();
   open("room.json", kWorld, 640, 480);

@@ -34,13 +34,19 @@ class LessonTest : public ShellTest {
     frames(4);
     ASSERT_TRUE(shell_->lesson().open());
   }
-  /// In the row of the strip's buttons, behind those that are named.
+  /// In the row of the strip's buttons, behind Back and those that are named.
   void click_behind(std::initializer_list<const char*> buttons) {
-    const Look& look = offscreen_->stage().look();
-    float x = look.px.tools + look.px.m + look.px(12);
-    for (const char* each : buttons) x += text_width(look.fonts.ui, each) + look.px(24) + look.px.s;
-    click({x, shell_->panels().canvas.min.y - look.px(20)});
+    float x = left() + width_of("Back");
+    for (const char* each : buttons) x += width_of(each);
+    click_at(x);
   }
+  void click_back() { click_at(left()); }
+  [[nodiscard]] const Look& look() const { return offscreen_->stage().look(); }
+  [[nodiscard]] float left() const { return look().px.tools + look().px.m + look().px(12); }
+  [[nodiscard]] float width_of(const char* button) const {
+    return text_width(look().fonts.ui, button) + look().px(24) + look().px.s;
+  }
+  void click_at(float x) { click({x, shell_->panels().canvas.min.y - look().px(20)}); }
   [[nodiscard]] const LessonPlayer& player() const { return shell_->lesson().player(); }
 };
 
@@ -55,8 +61,8 @@ TEST_F(LessonTest, GoesOnAsTheLearnerDoesWhatItAsksFor) {
   EXPECT_EQ(shell_->view().view.pinned, player().step().cell) << "the step's cell is pinned";
   press(key::kRight);
   EXPECT_TRUE(player().done());
-  click_behind({});
-  EXPECT_EQ(player().number(), 0u) << "the first button goes back now";
+  click_back();
+  EXPECT_EQ(player().number(), 0u);
 }
 
 TEST_F(LessonTest, IsDoneForTheLearner) {
@@ -75,7 +81,7 @@ TEST_F(LessonTest, WhatIsSkippedIsDoneSoThatLaterStepsCanBe) {
   EXPECT_EQ(player().number(), 1u);
   EXPECT_EQ(session_->run().timeline().cursor(), 0u) << "it was done";
   for (std::size_t step = 1; step + 1 < steps; ++step) {
-    click_behind({"Back"});
+    click_behind({});
     session_->settle();
     frames(4);
     ASSERT_EQ(player().number(), step + 1) << player().step().title;
@@ -111,18 +117,33 @@ TEST_F(LessonTest, TheWorldStaysWhereItIsFromStepToStep) {
   const float top = shell_->panels().canvas.min.y;
   for (std::size_t step = 0; step + 1 < player().lesson().steps.size(); ++step) {
     EXPECT_EQ(shell_->panels().canvas.min.y, top) << player().step().title;
-    if (step == 0)
-      click_behind({"Skip"});
-    else
-      click_behind({"Back", "Skip"});
+    click_behind({"Skip"});
     session_->settle();
     frames(4);
     EXPECT_TRUE(player().done()) << player().step().title;
     EXPECT_EQ(shell_->panels().canvas.min.y, top) << "done: " << player().step().title;
-    if (step == 0)
-      click_behind({});
-    else
-      click_behind({"Back"});
+    click_behind({});
+  }
+}
+
+TEST_F(LessonTest, BackLeadsToTheMomentAtWhichTheStepBegan) {
+  begin();
+  click_back();  // nowhere
+  EXPECT_EQ(player().number(), 0u);
+  std::vector<std::size_t> began;
+  for (std::size_t step = 0; step < 3; ++step) {
+    began.push_back(session_->run().timeline().cursor());
+    click_behind({});  // Skip: does it and goes on
+    session_->settle();
+    frames(4);
+    ASSERT_EQ(player().number(), step + 1);
+  }
+  ASSERT_NE(began[1], began[2]);
+  for (std::size_t step = 3; step-- > 1;) {
+    click_back();
+    frames(2);
+    EXPECT_EQ(player().number(), step);
+    EXPECT_EQ(session_->run().timeline().cursor(), began[step]);
   }
 }
 

@@ -157,6 +157,15 @@ TEST(SessionPanes, TheLeadGoesOverWhenItsPaneGoes) {
   EXPECT_FALSE(session.apply(Lead{1}).ok());
 }
 
+TEST(SessionPanes, AnotherDocumentBeginsWithItsFirstPane) {
+  Session session(wall_with_gap());
+  ASSERT_TRUE(session.apply(SetPanes{2}).ok());
+  ASSERT_TRUE(session.apply(Lead{1}).ok());
+  const Scenario two = session.scenario();
+  ASSERT_TRUE(session.apply(ReplaceScenario{two, "", 0, {}}).ok());
+  EXPECT_EQ(session.lead(), 0u);
+}
+
 TEST(SessionPanes, ToLeadMovesNoPane) {
   Session session(wall_with_gap());
   ASSERT_TRUE(session.apply(SetPanes{2}).ok());

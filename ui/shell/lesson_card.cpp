@@ -55,6 +55,7 @@ void LessonCard::begin(Lesson lesson) {
   player_.emplace(std::move(lesson));
   shown_.reset();
   skipping_ = false;
+  began_.assign(player_->lesson().steps.size(), {});
 }
 
 void LessonCard::note(std::string_view name) {
@@ -81,7 +82,9 @@ float LessonCard::height(const Look& look, float width) const {
 
 void LessonCard::enter_step(Frame& frame) {
   if (!open() || shown_ == player_->number()) return;
+  const bool onwards = !shown_ || *shown_ < player_->number();
   shown_ = player_->number();
+  if (onwards) began_[*shown_] = {frame.run().log_id(), frame.run().timeline().cursor()};
   frame.panels.animated = true;  // the canvas has been drawn without that
   frame.view.view.pinned = player_->step().cell;
   frame.panels.why_open = false;
@@ -150,12 +153,22 @@ void LessonCard::draw_way_on(Frame& frame) {
   if (button(look, "Finish", ButtonKind::plain)) closing_ = true;
 }
 
+/// To the step before, and to the moment at which it began, if that still is what it was.
+void LessonCard::go_back(Frame& frame) {
+  player_->go_back();
+  const Run& run = frame.run();
+  const Moment& began = began_[player_->number()];
+  if (began.log_id != 0 && run.common_with(began.log_id) >= began.position)
+    frame.commands.emplace_back(Seek{began.position});
+}
+
 void LessonCard::draw_buttons(Frame& frame) {
   const Look& look = frame.look;
-  if (player_->number() > 0) {
-    if (button(look, "Back", ButtonKind::plain)) player_->go_back();
-    ImGui::SameLine(0, look.px.s);
-  }
+  // Also where there is nothing to go back to, so that the other buttons stay where they are under the mouse.
+  ImGui::BeginDisabled(player_->number() == 0);
+  if (button(look, "Back", ButtonKind::plain)) go_back(frame);
+  ImGui::EndDisabled();
+  ImGui::SameLine(0, look.px.s);
   draw_way_on(frame);
   if (closing_) return;
   ImGui::SameLine(0, look.px.s);

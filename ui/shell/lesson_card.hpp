@@ -37,12 +37,19 @@ class LessonCard {
 
  private:
   void draw_head(Frame& frame);
+  void go_back(Frame& frame);
   void draw_buttons(Frame& frame);
   void draw_way_on(Frame& frame);
   bool do_it(Frame& frame);
   void skip(Frame& frame);
 
   std::optional<LessonPlayer> player_;
+  /// A position of the leading log, as that was.
+  struct Moment {
+    std::uint64_t log_id = 0;
+    std::size_t position = 0;
+  };
+  std::vector<Moment> began_;         // where each step began that was come to
   std::optional<std::size_t> shown_;  // the step that was entered
   bool skipping_ = false;             // the step is being done, and then left
   bool closing_ = false;
