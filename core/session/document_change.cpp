@@ -52,6 +52,12 @@ std::vector<Surprise> behind(const Surprises& surprises, std::size_t common) {
 
 }  // namespace
 
+bool only_cells_differ(const Scenario& a, const Scenario& b) {
+  const bool alike = Surprises::common(a.surprises, b.surprises) == a.surprises.size() &&
+                     a.surprises.size() == b.surprises.size();
+  return alike && *rest_of(a) == *rest_of(b);
+}
+
 DocumentChange change_between(const Scenario& before, const Scenario& after) {
   DocumentChange change;
   note_map(change, before.map.blocked, after.map.blocked);

@@ -26,6 +26,8 @@ struct DocumentChange {
   [[nodiscard]] bool replaces_map() const { return !map_before.empty() || !map_after.empty(); }
 };
 
+/// Whether two versions differ in nothing but the cells of their maps.
+bool only_cells_differ(const Scenario& a, const Scenario& b);
 DocumentChange change_between(const Scenario& before, const Scenario& after);
 /// Leads from the version after a change to the one before it, and the other way.
 void take_back(const DocumentChange& change, Scenario& scenario);

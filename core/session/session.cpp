@@ -19,6 +19,7 @@ std::optional<std::size_t> common_surprises(const Scenario& a, const Scenario& b
 
 Session::Session(Scenario scenario, std::string file, const RunLimits& limits)
     : scenario_(std::make_shared<const Scenario>(std::move(scenario))),
+      kept_(scenario_),
       limits_(limits),
       history_(scenario_->surprises.size()),
       file_(std::move(file)) {
@@ -70,6 +71,7 @@ void Session::replace(std::shared_ptr<const Scenario> scenario) {
 
 Result<void> Session::run_command(const ReplaceScenario& command) {
   scenario_ = std::make_shared<const Scenario>(command.scenario);
+  kept_ = command.unsaved_edits == 0 ? scenario_ : nullptr;
   file_ = command.file;
   put_away_.clear();
   const std::size_t surprises = scenario_->surprises.size();

@@ -111,6 +111,8 @@ class Session {
   [[nodiscard]] Scenario to_save() const;
   /// Tells that to_save() was written to `file`.
   void saved(const std::string& file);
+  /// Whether nothing but cells of the map has changed since the document was opened or saved: a map file can hold that.
+  [[nodiscard]] bool only_cells_edited() const;
 
  private:
   Result<void> run_command(const std::monostate&) { return {}; }
@@ -196,6 +198,7 @@ class Session {
   }
 
   std::shared_ptr<const Scenario> scenario_;
+  std::shared_ptr<const Scenario> kept_;  // as it was opened or saved; nullptr if nobody knows
   std::vector<std::unique_ptr<Run>> runs_;
   RunLimits limits_;
   std::optional<RunPositions>

@@ -239,8 +239,13 @@ Scenario Session::to_save() const {
   return scenario;
 }
 
+bool Session::only_cells_edited() const {
+  return kept_ && only_cells_differ(*kept_, tidied(*scenario_, scripted()));
+}
+
 void Session::saved(const std::string& file) {
   file_ = file;
+  kept_ = scenario_;
   history_.saved();
   say("saved " + file);
   ++revision_;

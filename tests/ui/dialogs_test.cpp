@@ -9,6 +9,7 @@
 #include "core/base/file.hpp"
 #include "core/world/map_file.hpp"
 #include "tests/ui/shell_fixture.hpp"
+#include "ui/documents/files.hpp"
 
 namespace replan::ui::dialogs_test {
 namespace {
@@ -28,9 +29,10 @@ class DialogsTest : public ShellTest {
   void settle_in() {
     shell_->documents().settle_in(*session_, {folder_.file("state"), folder_.file("library"), {}});
   }
-  void edit() {
+  void edit() { edit_cell({5, 0}); }
+  void edit_cell(Cell cell) {
     session_->settle();
-    ASSERT_TRUE(session_->apply(PaintCells{{{{5, 0}, true}}}).ok());
+    ASSERT_TRUE(session_->apply(PaintCells{{{cell, true}}}).ok());
     frames(2);
   }
 };
@@ -130,6 +132,24 @@ TEST_F(DialogsTest, SaveAsGivesANameItsExtension) {
   type("cells.map");
   press(key::kEnter);
   EXPECT_TRUE(read_map(folder_.file("cells.map")).ok());
+}
+
+TEST_F(DialogsTest, AMapFileIsWrittenInPlaceAsLongAsItCanHoldTheEdits) {
+  const std::string map = folder_.with("cells.map", kMap);
+  session_ = std::make_unique<Session>(*open_document(map, session_->scenario()), map);
+  edit_cell({0, 2});
+  press('S', true);
+  EXPECT_FALSE(session_->modified());
+  EXPECT_TRUE(read_map(map)->at({0, 2}));
+
+  const std::string written = *read_file(map);
+  ASSERT_TRUE(session_->apply(SetGoal{{3, 1}}).ok());
+  press('S', true);
+  EXPECT_TRUE(session_->modified()) << "the goal is said to be saved";
+  press(key::kEnter);  // the name that is proposed
+  EXPECT_EQ(session_->file(), folder_.file("cells.json"));
+  EXPECT_EQ(*read_file(map), written);
+  EXPECT_EQ(read_scenario(folder_.file("cells.json"))->goal, (Cell{3, 1}));
 }
 
 TEST_F(DialogsTest, DroppedFilesAreOpenedAfterUnsavedEditsAreDealtWith) {

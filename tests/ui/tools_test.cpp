@@ -191,6 +191,25 @@ TEST_F(ToolsTest, ADragSelectsARegionAndAClickPins) {
   EXPECT_TRUE(commands_.empty());
 }
 
+TEST_F(ToolsTest, AStartThatIsLetGoOfOverAnObstacleGoesBackToWhereItStood) {
+  const Cell home = session_->scenario().start, free{home.x + 2, home.y + 1}, wall{home.x + 4, home.y + 1};
+  ASSERT_TRUE(session_->apply(PaintCells{{{wall, true}}}).ok());
+  session_->settle();
+  frame();
+  move_to(home);
+  button(0, true);
+  move_to(free);
+  apply_all();
+  EXPECT_EQ(session_->scenario().start, free) << "it goes along with the mouse";
+  move_to(wall);
+  EXPECT_TRUE(commands_.empty());
+  button(0, false);
+  frame();
+  const auto* set = only<SetStart>();
+  ASSERT_NE(set, nullptr);
+  EXPECT_EQ(set->cell, home);
+}
+
 TEST_F(ToolsTest, TheRobotIsGrabbedOnItsWay) {
   ASSERT_TRUE(session_->apply(Step{StepUnit::move, 5}).ok());
   session_->update(0);

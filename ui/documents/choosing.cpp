@@ -117,7 +117,7 @@ void Documents::choose_save(const Session& session) {
   if (name.empty()) {
     name =
         last_folder() + "/" + (session.scenario().name.empty() ? "world" : session.scenario().name) + ".json";
-  } else if (!saves_in_place(name)) {
+  } else if (!saves_in_place(session)) {
     name = file_folder(name) + "/" + file_stem(name) + ".json";
   }
   FileDialogSpec spec = spec_to_save(session.snapshot());

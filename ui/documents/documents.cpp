@@ -110,7 +110,7 @@ void Documents::go_on(Session& session) {
 
 /// To its own file if that can hold it and nobody else has written it meanwhile; else the user is asked.
 void Documents::save_in_place(Session& session) {
-  if (!saves_in_place(session.file())) {
+  if (!saves_in_place(session)) {
     choose_save(session);
   } else if (disk_differs_ || watch_.changed() == session.file()) {
     window_.dialogs.ask(overwrite_question(file_name(session.file())));

@@ -81,6 +81,11 @@ bool saves_in_place(const std::string& path) {
   return file_extension(path) == ".json" || file_extension(path) == ".map";
 }
 
+bool saves_in_place(const Session& session) {
+  return saves_in_place(session.file()) &&
+         (file_extension(session.file()) == ".json" || session.only_cells_edited());
+}
+
 Result<void> save_document(const Session& session, const ViewState& view, const std::string& path) {
   if (path.empty())
     return Error{"Type the path of the file to write: NAME.json, or NAME.map for the cells alone."};

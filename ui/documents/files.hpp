@@ -22,8 +22,9 @@ Result<void> check_plane(const GridMap& map, const std::string& path);
 /// An all-free world with the planners and the robot of `current`.
 Scenario empty_world(int width, int height, const Scenario& current);
 /// Whether save_document() keeps everything that this file held, so that Ctrl+S may write to it without
-/// asking.
+/// asking; of a map file only as long as nothing but its cells was edited.
 bool saves_in_place(const std::string& path);
+bool saves_in_place(const Session& session);
 /// Writes the scenario (.json, with the overlays of the view) or what a map format holds of it, atomically.
 Result<void> save_document(const Session& session, const ViewState& view, const std::string& path);
 /// The file's name, else the world's own.

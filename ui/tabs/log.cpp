@@ -1,5 +1,6 @@
 #include "ui/tabs/log.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -63,6 +64,19 @@ std::string story_words(const Run& run, const Milestone& milestone) {
   std::string words = as_sentence(event_text(run.lattice(), run.info().values, event, 0));
   if (words.ends_with('.')) words.pop_back();
   return words;
+}
+
+/// As wide as the longest numbers of the run; the rest is for words.
+std::array<Column, 3> story_columns(const Look& look, const Run& run) {
+  const auto width = [&](std::size_t most, const char* name) {
+    return std::max(text_width(look.fonts.mono, grouped(most)), text_width(look.fonts.mono, name)) +
+           look.px(12);
+  };
+  const std::int64_t clock = run.decisions().empty() ? 0 : run.decisions().back().clock;
+  const float event = width(run.timeline().size(), "event"),
+              step = width(static_cast<std::size_t>(clock), "step");
+  const float words = std::max(look.px(80), ImGui::GetContentRegionAvail().x - event - step);
+  return {{{"event", event}, {"step", step}, {"what happened", words, Align::left}}};
 }
 
 /// One happening; a click goes to behind it. What lies after the playhead stands back.
@@ -131,12 +145,11 @@ void LogTab::draw_story(Frame& frame) {
                 "Plans, surprises and what becomes of the robot are listed here as the run goes on.");
     return;
   }
-  constexpr std::array<Column, 3> kColumns = {
-      {{"event", 1}, {"step", 0.6f}, {"what happened", 3.2f, Align::left}}};
-  table_header(look, kColumns);
+  const std::array<Column, 3> columns = story_columns(look, frame.run());
+  table_header(look, columns);
   const auto [first, last] = begin_rows(look, "story", story_.milestones().size(), 0, story_rows_);
   for (std::size_t row = first; row < last; ++row)
-    story_row(frame, row, frame.run().milestones()[story_.milestones()[row]], kColumns);
+    story_row(frame, row, frame.run().milestones()[story_.milestones()[row]], columns);
   end_rows();
 }
 

@@ -73,7 +73,7 @@ OpenListLayout open_list_layout(const Look& look, const Run& run, const OpenOrde
   OpenListLayout layout;
   layout.lookahead = layout.state = lookahead;
   const float rank = chars(grouped(order.size()).size()), cell = chars(widest_cell(run).size()),
-              state = chars(5);
+              state = chars(std::string_view("g > rhs").size());
   std::vector<std::size_t> costs = widest_costs(run, order, rows, layout.decimals);
   const auto whole = [&] {
     float width = rank + cell + (layout.state ? state : 0.0f);

@@ -10,23 +10,46 @@
 namespace replan::ui {
 namespace {
 
-/// Nothing is put into a wall: where the mouse crosses one, it stays where it was.
-class HeldStart final : public HeldDrag {
-  void put(ToolContext& context, Cell to) override {
-    if (!is_wall(context.run, to)) context.commands.emplace_back(SetStart{to, context.press.stroke});
+/// The start, the goal or the robot. None is put into a wall: where the mouse crosses one it waits before it, and goes
+/// back to where it stood if it is let go of there.
+class HeldMarker : public HeldDrag {
+ public:
+  void end(ToolContext& context) final {
+    HeldDrag::end(context);
+    const bool refused = context.press.moved && is_wall(context.run, context.press.last);
+    if (refused && home_ && place(context.run) != *home_) set(context, *home_);
   }
+
+ private:
+  void put(ToolContext& context, Cell to) final {
+    if (!home_) home_ = place(context.run);
+    if (!is_wall(context.run, to)) set(context, to);
+  }
+  virtual void set(ToolContext& context, Cell to) = 0;
+  [[nodiscard]] virtual Cell place(const Run& run) const = 0;
+
+  std::optional<Cell> home_;  // where it stood
 };
 
-class HeldGoal final : public HeldDrag {
-  void put(ToolContext& context, Cell to) override {
-    if (!is_wall(context.run, to)) context.commands.emplace_back(SetGoal{to, context.press.stroke});
+class HeldStart final : public HeldMarker {
+  void set(ToolContext& context, Cell to) override {
+    context.commands.emplace_back(SetStart{to, context.press.stroke});
   }
+  [[nodiscard]] Cell place(const Run& run) const override { return run.scenario().start; }
 };
 
-class HeldRobot final : public HeldDrag {
-  void put(ToolContext& context, Cell to) override {
-    if (!is_wall(context.run, to)) context.commands.emplace_back(PutRobot{to, context.press.stroke});
+class HeldGoal final : public HeldMarker {
+  void set(ToolContext& context, Cell to) override {
+    context.commands.emplace_back(SetGoal{to, context.press.stroke});
   }
+  [[nodiscard]] Cell place(const Run& run) const override { return goal_cell(run); }
+};
+
+class HeldRobot final : public HeldMarker {
+  void set(ToolContext& context, Cell to) override {
+    context.commands.emplace_back(PutRobot{to, context.press.stroke});
+  }
+  [[nodiscard]] Cell place(const Run& run) const override { return robot_cell(run); }
 };
 
 std::unique_ptr<Drag> hold_robot() {

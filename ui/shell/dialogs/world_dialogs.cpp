@@ -249,20 +249,32 @@ void WorldDialogs::make_preview() {
     preview_->start([wanted = wanted_](const std::stop_token&) {
       const Result<GridMap> map =
           replan::generate(wanted.generator, wanted.settings, wanted.width, wanted.height, wanted.seed);
-      return map ? Preview{MapSketch(*map), ""} : Preview{{}, map.error()};
+      return Preview{map ? MapSketch(*map) : MapSketch(), map ? "" : map.error(), wanted.width,
+                     wanted.height};
     });
   }
   auto made = preview_->take();
   if (!made) return;
   sketch_ = std::move(made->sketch);
   error_ = std::move(made->error);
+  drawn_width_ = made->width;
+  drawn_height_ = made->height;
 }
 
 void WorldDialogs::generate_preview(const Look& look, ImVec2 size) const {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const auto [min, max] = fitted(origin, size, wanted_.width, wanted_.height);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  sketch_.draw(look, list, min, max);
+  // One of other sides would be drawn out of shape.
+  if (drawn_width_ == wanted_.width && drawn_height_ == wanted_.height) {
+    sketch_.draw(look, list, min, max);
+  } else if (preview_->busy()) {
+    const char* words = "Drawing…";
+    draw_text(list, look.fonts.ui,
+              {(min.x + max.x - text_width(look.fonts.ui, words)) * 0.5f,
+               (min.y + max.y - look.fonts.ui->FontSize) * 0.5f},
+              look.theme.dim, words);
+  }
   list.AddRect(min, max, look.theme.line, 0, 0, look.px.hair);
   ImGui::Dummy(size);
 }

@@ -28,6 +28,7 @@ class WorldDialogs {
   struct Preview {
     MapSketch sketch;
     std::string error;
+    int width, height;
   };
 
   void resize(const Look& look, const Session& session, std::vector<Command>& commands);
@@ -40,7 +41,8 @@ class WorldDialogs {
 
   Kind kind_ = Kind::none;
   bool fresh_ = false;
-  MapSketch sketch_;  // of the world before a change of size, or of the generated one
+  int drawn_width_ = 0, drawn_height_ = 0;  // of the generated world that the sketch is of
+  MapSketch sketch_;                        // of the world before a change of size, or of the generated one
   NewSize size_;
   GenerateWorld wanted_{.generator = "maze", .settings = {}, .width = 61, .height = 41, .seed = 1};
   bool stale_ = true;  // the preview shows other wishes
