@@ -257,6 +257,20 @@ TEST_F(HandsTest, EnterPressesTheButtonWithTheRingAndNotAnother) {
   EXPECT_TRUE(session_->modified()) << "it was saved";
 }
 
+TEST_F(HandsTest, QuittingAsksBeforeAFilmIsGivenUp) {
+  shell_->panels().recording.made = 0.3;
+  shell_->perform_next(ActionId::quit);
+  frames(6);
+  EXPECT_FALSE(shell_->documents().quitting());
+  press(key::kEscape);
+  EXPECT_FALSE(shell_->documents().quitting());
+  EXPECT_FALSE(shell_->documents().may_close(*session_));
+  frames(6);
+  press(key::kTab);
+  press(key::kEnter);
+  EXPECT_TRUE(shell_->documents().quitting());
+}
+
 TEST_F(HandsTest, InASmallWindowTheLegendStaysOnItsPane) {
   TearDown();
   open("room.json", kWorld, 640, 480);

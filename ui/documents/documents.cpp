@@ -25,7 +25,7 @@ void Documents::take_wish(Session& session, Wish wish) {
       window_.panels.recent.clear();
       return;
     case Wish::quit:
-      return after_saving(session, [this](Session&) { quitting_ = true; });
+      return quit(session);
     case Wish::open_world:
       return load_next(session, {Loading::From::library, window_.panels.wished, {}});
     case Wish::save_figures:
@@ -172,11 +172,27 @@ void Documents::drop(Session& session, const std::vector<std::string>& paths) {
   choose_open(session, dropped.path);
 }
 
-bool Documents::may_close(const Session& session) {
-  if (quitting_ || !would_lose_edits(session)) return true;
-  deed_ = [this](Session&) { quitting_ = true; };
-  ask_about_unsaved(session);
+bool Documents::may_close(Session& session) {
+  if (quitting_ || (!would_lose_edits(session) && !makes_file())) return true;
+  quit(session);
   return false;
+}
+
+/// A film of a part of the run, or a trace.
+bool Documents::makes_file() const {
+  return window_.panels.recording.made >= 0 || window_.panels.exporting >= 0;
+}
+
+/// Once all that would be lost is saved, done or given up.
+void Documents::quit(Session& session) {
+  after_saving(session, [this](Session&) {
+    if (!makes_file()) {
+      quitting_ = true;
+      return;
+    }
+    deed_ = [this](Session&) { quitting_ = true; };
+    window_.dialogs.ask(unfinished_question());
+  });
 }
 
 /// In the dialog that the user is looking at, else over the canvas and in the Log.

@@ -52,7 +52,7 @@ class Documents {
   /// Takes what was dropped onto the window: opens a file, looks into a folder, or says why not.
   void drop(Session& session, const std::vector<std::string>& paths);
   /// The user wants to close the window. True if it may close now; else the user is asked.
-  bool may_close(const Session& session);
+  bool may_close(Session& session);
   /// The user has decided to quit.
   [[nodiscard]] bool quitting() const { return quitting_; }
 
@@ -61,6 +61,8 @@ class Documents {
   void take_decision(Session& session, const DialogDecision& decision);
   /// Does it once unsaved edits are dealt with.
   void after_saving(Session& session, Deed deed);
+  void quit(Session& session);
+  [[nodiscard]] bool makes_file() const;
   /// The document as it is now is not worth keeping: nobody is asked about its edits.
   void disregard_edits(const Session& session) { disregarded_ = session.document_state(); }
   /// Another document, without a question.

@@ -41,4 +41,13 @@ Question overwrite_question(const std::string& file) {
       .danger = Question::Choice{"Overwrite", DialogDecision::Kind::overwrite}};
 }
 
+Question unfinished_question() {
+  return {
+      .title = "Quit before the file is done?",
+      .words = "A film or a trace is still being made. If you quit now, it is given up and no file is left.",
+      .primary = {"Go on with it", DialogDecision::Kind::cancel},
+      .quiet = {""},
+      .danger = Question::Choice{"Quit", DialogDecision::Kind::discard}};
+}
+
 }  // namespace replan::ui

@@ -15,5 +15,7 @@ Question unsaved_question(const std::string& name, std::size_t edits, const std:
 Question changed_question(const std::string& file, const std::string& document, bool map, std::size_t edits);
 /// Saving would put this version in the place of another program's.
 Question overwrite_question(const std::string& file);
+/// The program is to end while a film or a trace is being made.
+Question unfinished_question();
 
 }  // namespace replan::ui

@@ -69,7 +69,7 @@ struct Question {
   };
   std::string title, words;
   Choice primary;                     ///< also by Enter
-  Choice quiet = {"Cancel"};          ///< also by Escape
+  Choice quiet = {"Cancel"};          ///< also by Escape; without a label by that alone
   std::optional<Choice> danger = {};  ///< what loses something; apart from the others
 };
 

@@ -19,9 +19,11 @@ DialogDecision Dialogs::question_dialog(const Look& look) {
     ImGui::SameLine(0, look.px.s);
   }
   const char *no = question_.quiet.label.c_str(), *yes = question_.primary.label.c_str();
-  align_right(button_width(look, no) + look.px.s + button_width(look, yes));
-  if (button(look, no, ButtonKind::quiet) || escape_pressed()) return {.kind = question_.quiet.decision};
-  ImGui::SameLine(0, look.px.s);
+  const bool two = !question_.quiet.label.empty();
+  align_right((two ? button_width(look, no) + look.px.s : 0) + button_width(look, yes));
+  if ((two && button(look, no, ButtonKind::quiet)) || escape_pressed())
+    return {.kind = question_.quiet.decision};
+  if (two) ImGui::SameLine(0, look.px.s);
   if (button(look, yes, ButtonKind::primary) || enter_pressed()) return {.kind = question_.primary.decision};
   return {};
 }
