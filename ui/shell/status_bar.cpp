@@ -108,8 +108,9 @@ class Line {
     hint(look_, what);
   }
   /// Whether there was room for it.
-  bool dot(const Verdict& verdict) {
-    if (!next(text_width(look_.fonts.ui, verdict.text) + look_.px(14))) return false;
+  bool dot(const Verdict& verdict, float room = 0) {
+    const float dot = look_.px(14);
+    if (!next(text_width(look_.fonts.ui, verdict.text) + dot, room + dot)) return false;
     status(look_, verdict.colour, verdict.text);
     hint(look_, term_hint(verdict.term));
     return true;
@@ -155,19 +156,24 @@ float right_side(Frame& frame) {
   return moves_x;
 }
 
-/// While something is at work: what it has come to, and the way to stop it.
+/// While something is at work: what it has come to, and the way to stop it. It ends at `right`, which goes on to where it
+/// begins, so that nothing else moves when it comes and grows.
 template <class Press>
-void at_work(const Look& look, Line& line, const std::string& words, const char* id, const Hint& what,
+void at_work(const Look& look, float& right, const std::string& words, const char* id, const Hint& what,
              const Press& press) {
-  if (!line.next(text_width(look.fonts.ui, words) + look.px(28))) return;
+  const float y = ImGui::GetCursorScreenPos().y;
+  right -= text_width(look.fonts.ui, words) + look.px(28);
+  ImGui::SetCursorScreenPos({right, y});
   text(look.fonts.ui, look.theme.accent, words);
   ImGui::SameLine(0, look.px.xs);
   ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y - look.px(5)});
   if (small_button(look, id, {.icon = icon::times, .hint = what})) press();
+  ImGui::SetCursorScreenPos({right, y});
+  right -= look.px.l;
 }
 
 /// The background's search, or its work on the world.
-void busy(Frame& frame, Line& line) {
+void busy(Frame& frame, float& right) {
   const Run& run = frame.session.run();
   const bool editing = frame.session.editing_world();
   if (!run.busy() && !editing) return;
@@ -175,9 +181,9 @@ void busy(Frame& frame, Line& line) {
   const Action& stop = action(ActionId::cancel);
   // Once a plan has stood, what goes on in the background is the mission.
   const std::string events = grouped(run.timeline().size()) + " events";
-  at_work(frame.look, line,
+  at_work(frame.look, right,
           editing                   ? "Working on the world…"
-          : run.decisions().empty() ? "Searching… " + events
+          : run.decisions().empty() ? events + " so far"
                                     : "Driving on… " + events,
           stop.name, stop.hint(), [&] { perform(frame, ActionId::cancel); });
 }
@@ -223,30 +229,30 @@ void checks(Frame& frame, Line& line) {
 }
 
 /// While a trace is written: how far it is, and the way to stop it.
-void exporting(Frame& frame, Line& line) {
+void exporting(Frame& frame, float& right) {
   if (frame.panels.exporting < 0) return;
-  at_work(frame.look, line, "Exporting the trace… " + fixed(frame.panels.exporting * 100, 0) + " %",
+  at_work(frame.look, right, "Exporting the trace… " + fixed(frame.panels.exporting * 100, 0) + " %",
           "stop export", {"Stop", "", "Stops the export; no file is left."},
           [&] { frame.wish = Wish::stop_export; });
 }
 
 /// While the clipboard's text takes longer than a frame.
-void copying(Frame& frame, Line& line) {
+void copying(Frame& frame, float& right) {
   ClipboardWork& work = frame.panels.clipboard;
   if (!work.busy()) return;
   const std::string words = work.copy    ? "Copying the state… " + fixed(work.copy->share() * 100, 0) + " %"
                             : work.cells ? "Copying the cells…"
                                          : "Reading the clipboard…";
-  at_work(frame.look, line, words, "stop clipboard", {"Stop", "", "Nothing is copied or pasted."},
+  at_work(frame.look, right, words, "stop clipboard", {"Stop", "", "Nothing is copied or pasted."},
           [&] { work = {}; });
 }
 
 /// While a film of a part of the run is made: how far it is, and the way to stop it.
-void filming(Frame& frame, Line& line) {
+void filming(Frame& frame, float& right) {
   const double made = frame.panels.recording.made;
   if (made < 0) return;
   frame.panels.animated = true;
-  at_work(frame.look, line, "Making the film… " + fixed(made * 100, 0) + " %", "stop film",
+  at_work(frame.look, right, "Making the film… " + fixed(made * 100, 0) + " %", "stop film",
           {"Stop", "", "Gives the film up; no file is left."}, [&] { frame.wish = Wish::stop_film; });
 }
 
@@ -269,8 +275,14 @@ void zoom_buttons(Frame& frame, Line& line) {
 void draw_status_bar(Frame& frame) {
   const Look& look = frame.look;
   edge(look, Edge::top);
-  const float end = right_side(frame);
-  Line line(look, end - look.px.l);
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  float right = right_side(frame) - look.px.l;
+  busy(frame, right);
+  exporting(frame, right);
+  copying(frame, right);
+  filming(frame, right);
+  ImGui::SetCursorScreenPos(origin);
+  Line line(look, right);
   const Run& run = frame.run();
   const View& view = frame.view.view;
   const std::optional<Cell> cell = view.hovered ? view.hovered : view.pinned;
@@ -287,13 +299,8 @@ void draw_status_bar(Frame& frame) {
   if (stroke == StrokeKind::erases_wall) line.word("erasing, since the first cell was an obstacle");
   if (stroke == StrokeKind::erases) line.word("erasing");
   if (stroke == StrokeKind::paints) line.word("painting, since the first cell was free");
-  // While the first plan is searched for, that is told by how far it is.
-  if (!run.busy() || !run.decisions().empty()) line.dot(verdict(look.theme, run));
-  busy(frame, line);
+  line.dot(verdict(look.theme, run), text_width(look.fonts.ui, "replanning"));
   checks(frame, line);
-  exporting(frame, line);
-  copying(frame, line);
-  filming(frame, line);
   const Decision* decision = run.decision_at(run.timeline().cursor());
   if (decision != nullptr && decision->state == MissionState::arrived)
     line.pair("travelled", fixed(decision->figures.travelled, 1), term_hint("travelled"));

@@ -81,7 +81,7 @@ void draw_row(const Look& look, const FiguresLayout& layout, const FigureRow& ro
         return value && row.ratio(static_cast<std::size_t>(&value - row.values.data()));
       });
   const ImVec2 origin = ImGui::GetCursorScreenPos();
-  const float line = look.px.row, height = stacked ? line * (ratios ? 2.35f : 1.75f) : line;
+  const float line = look.px.row, height = stacked ? line * (ratios ? 2.5f : 1.75f) : line;
   ImGui::InvisibleButton(row.info->key.data(), {layout.width, height});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered())
@@ -95,7 +95,7 @@ void draw_row(const Look& look, const FiguresLayout& layout, const FigureRow& ro
   const float values = stacked ? y + line * 0.75f : y;
   for (std::size_t i = 0; i < layout.panes; ++i) {
     draw_value(look, layout.right(look, i), values, shown(row, i, standing[i]), standing[i] && row.best(i));
-    if (standing[i]) draw_ratio(look, layout, row, i, stacked ? values + line * 0.75f : y);
+    if (standing[i]) draw_ratio(look, layout, row, i, stacked ? values + line * 0.9f : y);  // below the bar
   }
 }
 
