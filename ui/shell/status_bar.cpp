@@ -176,9 +176,9 @@ void busy(Frame& frame, Line& line) {
   // Once a plan has stood, what goes on in the background is the mission.
   const std::string events = grouped(run.timeline().size()) + " events";
   at_work(frame.look, line,
-          editing                   ? "Working on the world…"
+          editing                   ? "Changing the world…"
           : run.decisions().empty() ? "Searching… " + events
-                                    : "Driving on… " + events,
+                                    : "Driving… " + events,
           stop.name, stop.hint(), [&] { perform(frame, ActionId::cancel); });
 }
 
