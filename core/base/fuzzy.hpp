@@ -1,4 +1,4 @@
-// Finds what was typed in a text, with letters left out: "dld" in "DLD* Lite", "ovw" in "Open a world…".
+// Finds what was typed in a text, with letters left out: "dld" in "DLD* Lite", "exw" in "Example worlds…".
 #pragma once
 
 #include <cstddef>

@@ -269,7 +269,8 @@ class ConditionParser {
     }
     if (!read || !in_.take(')')) {
       const std::string numbers = world_.solid() ? "three whole numbers: " : "two whole numbers: ";
-      in_.fail(begin, who + " needs " + (who == "a cell" ? numbers : "a cell in whole numbers: ") + form);
+      in_.fail(begin, who + " needs " +
+                          (who == "a cell" ? numbers : "a cell with whole-number coordinates: ") + form);
       return std::nullopt;
     }
     if (inside) return Cell{static_cast<int>(at[0]), static_cast<int>(at[1]), static_cast<int>(at[2])};

@@ -14,9 +14,8 @@ constexpr GlossaryTerm kTerms[] = {
      "start "
      "to this cell). Infinite until the cell is expanded."},
     {"rhs", "rhs, the lookahead value",
-     "What g should be by the neighbours as they are now: the least c + g + dist over all cells that one "
-     "move leads "
-     "to, and 0 at the goal. Where rhs differs from g, the cell still has to be dealt with."},
+     "What g should be, given the neighbours' current values: the least c + g + dist over all cells that one "
+     "move leads to, and 0 at the goal. Where rhs differs from g, the cell still has to be processed."},
     {"c", "c, the cost of a move",
      "1 for a straight step, the square root of 2 for a diagonal one, and infinite where an obstacle is in "
      "the "
@@ -29,9 +28,9 @@ constexpr GlossaryTerm kTerms[] = {
      "key is "
      "taken next."},
     {"k1", "k1, the first key component",
-     "min(g, rhs) + h + km: the cost of a path through this cell, as the heuristic h estimates it. The "
-     "number shown "
-     "is the one that the cell was put into the list with; it may be too low by now, never too high."},
+     "min(g, rhs) + h + km: the cost of a path through this cell, as the heuristic h estimates it, and km. "
+     "The list keeps the key that the cell was put in with; beside a key computed now it may be too low, "
+     "never too high."},
     {"k2", "k2, the second key component",
      "min(g, rhs). It decides between cells with the same k1: the one nearer to the goal is taken first, and "
      "raised "
@@ -68,12 +67,10 @@ constexpr GlossaryTerm kTerms[] = {
     {"consistent", "Consistent", "g = rhs: the cell agrees with its neighbours and needs no work."},
     {"overconsistent", "Overconsistent",
      "g > rhs: a cheaper way has been found than the one settled. When the cell is expanded, g is lowered to "
-     "rhs, "
-     "and its neighbours hear of it."},
+     "rhs, and its neighbours are updated."},
     {"underconsistent", "Underconsistent",
-     "g < rhs: the way that g stands for has become dearer or is cut off. When the cell is expanded, g is "
-     "raised to "
-     "infinity first, so that no neighbour goes on relying on it."},
+     "g < rhs: the way that g was computed from costs more now or is blocked. When the cell is expanded, g "
+     "is raised to infinity first, so that no neighbour goes on relying on it."},
     // The search
     {"open-list", "U, the open list",
      "The priority queue of the cells whose g and rhs differ (A*: of the cells that were reached and not yet "
@@ -97,15 +94,12 @@ constexpr GlossaryTerm kTerms[] = {
     {"memory", "Memory of the planner",
      "The most bytes that the planner held: its values per cell and its open list, the map not counted."},
     {"km", "km, the key modifier",
-     "How far the robot has gone between replans, as the heuristic measures it. Keys that were made before "
-     "it moved "
-     "are too high by no more than that, so adding km to new keys keeps old ones comparable without "
-     "re-sorting the "
-     "list."},
+     "How far the robot has gone between replans, as the heuristic measures it. Old keys would have to "
+     "shrink by at most this distance. Instead, km is added to all new keys, so that old and new ones stay "
+     "comparable without re-sorting the list."},
     {"stale-key", "Stale key",
-     "A key from before the robot moved or the costs changed. When its cell is taken, the key is worked out "
-     "anew; "
-     "if it has grown, the cell goes back into the list unexpanded."},
+     "A key from before the robot moved or the costs changed. When its cell is taken, the key is computed "
+     "again; if it has grown, the cell goes back into the list unexpanded."},
     {"lookahead", "Lookahead",
      "D* Lite keeps two values per cell: g, and rhs, which looks one step ahead. Comparing the two tells "
      "which cells "
@@ -159,20 +153,17 @@ constexpr GlossaryTerm kTerms[] = {
     {"clearance-range", "Clearance range", "How far from obstacles the penalty reaches, in cells."},
     {"distance-transform", "Distance transform",
      "The distance of every cell to its nearest obstacle, for all cells at once. After a change only the "
-     "cells "
-     "around it are worked out anew."},
+     "cells around it are computed again."},
     {"chamfer", "Chamfer distance",
      "A distance put together from steps of 1 and the square root of 2, in two passes over the map: the "
-     "octile "
-     "distance to the nearest obstacle, walls ignored."},
+     "octile distance to the nearest obstacle, as if nothing stood in between."},
     {"any-angle", "Any-angle path",
      "A path whose straight segments may run in any direction, not only along the eight of the grid: "
      "shorter, with "
      "fewer turns."},
     {"unchecked-parent", "Unchecked remote parent",
-     "A remote parent that the robot follows without anybody having looked whether the way is still clear. "
-     "Only with "
-     "remote parents as printed; it can lead into a wall."},
+     "A remote parent that the robot follows without a check that the way is still clear. Only with remote "
+     "parents as printed; it can lead into an obstacle."},
     // A run
     {"plan", "Plan",
      "The path that the robot follows, and the search's values that it was read out of. It is complete once "
@@ -239,12 +230,11 @@ constexpr GlossaryTerm kTerms[] = {
     {"mean-clearance", "Mean clearance",
      "From the path to the nearest obstacle's edge, averaged over the path every tenth of a cell, in cells."},
     {"plan-ms", "Time of the first plan",
-     "Wall time of the first search, in milliseconds. In the window every step is recorded meanwhile, which "
-     "a plain "
-     "run does not pay for."},
+     "Wall time of the first search, in milliseconds. In the window this includes recording every step, so a "
+     "run from the command line is faster."},
     {"replan-ms", "Time of the replans",
      "Wall time of all replans together, in milliseconds: taking in the changes, and the search."},
-    {"replans", "Replans", "How often the plan was repaired or made anew."},
+    {"replans", "Replans", "How often the plan was repaired, or made from scratch."},
     // The debugger
     {"event", "Event",
      "One record of the log: a value that changed, a pseudo-code line that was passed, or something that "

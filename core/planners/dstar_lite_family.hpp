@@ -32,10 +32,11 @@ inline PlannerInfo describe(DStarLiteSwitches switches) {
   if (switches.sight && switches.clearance) {
     info.name = "DLD* Lite";
     info.summary =
-        "D* Lite with a lazy line of sight and a distance transform: smooth, safe, repairable paths.";
+        "D* Lite with lazy line-of-sight checks and a penalty near obstacles: smooth, safe paths that can be "
+        "repaired.";
   } else if (switches.sight) {
     info.name = "Los D* Lite";
-    info.summary = "D* Lite with a lazy line of sight: any-angle paths that hug corners.";
+    info.summary = "D* Lite with lazy line-of-sight checks: any-angle paths that hug corners.";
   } else if (switches.clearance) {
     info.name = "Dist D* Lite";
     info.summary = "D* Lite with a penalty near obstacles: lattice paths that keep their distance.";

@@ -85,8 +85,9 @@ TEST_F(Voxels, breakReadsCellsOfThreeCoordinates) {
                                   "robot == (1, 1, 0) || robot == (1, 0, 0)", "--json"})
                          .json()["stops"][0];
   EXPECT_EQ(robot["values"]["robot"].size(), 3u) << robot;
-  expect_complaint({"run", scenario_, "--break", "g(1, 2) > 3"},
-                   {"--break 'g(1, 2) > 3': character 2: 'g' needs a cell in whole numbers: g(x, y, z)"});
+  expect_complaint(
+      {"run", scenario_, "--break", "g(1, 2) > 3"},
+      {"--break 'g(1, 2) > 3': character 2: 'g' needs a cell with whole-number coordinates: g(x, y, z)"});
 }
 
 TEST_F(Voxels, tracesAreJsonLinesAndNotPosthoc) {

@@ -50,7 +50,7 @@ TEST(ConditionLanguage, namesCellsByThreeCoordinatesInSpace) {
   }
   const auto error = [&](const char* text) { return parse_condition(text, box).error(); };
   EXPECT_EQ(error("g > 3"), "character 1: 'g' needs a cell: g(x, y, z)");
-  EXPECT_EQ(error("g(12, 4) > 3"), "character 2: 'g' needs a cell in whole numbers: g(x, y, z)");
+  EXPECT_EQ(error("g(12, 4) > 3"), "character 2: 'g' needs a cell with whole-number coordinates: g(x, y, z)");
   EXPECT_EQ(error("robot == (3, 4)"), "character 10: a cell needs three whole numbers: (x, y, z)");
   EXPECT_EQ(
       error("robot == (3, 4, 3)"),
@@ -58,7 +58,7 @@ TEST(ConditionLanguage, namesCellsByThreeCoordinatesInSpace) {
   EXPECT_EQ(error("changed(3)"),
             "character 9: 'changed' needs a value of the search: changed(g(x, y, z)), changed(km)");
   EXPECT_EQ(parse_condition("g(1, 2, 0) > 3", kWorld).error(),
-            "character 2: 'g' needs a cell in whole numbers: g(x, y)");
+            "character 2: 'g' needs a cell with whole-number coordinates: g(x, y)");
 }
 
 TEST(ConditionLanguage, pointsAtWhatIsWrongAndSaysTheMend) {
@@ -66,8 +66,8 @@ TEST(ConditionLanguage, pointsAtWhatIsWrongAndSaysTheMend) {
       {"", "character 1: an expression is missing: for example km > 5"},
       {"rsh(1, 2) > 3", "character 1: unknown name 'rsh'; did you mean 'rhs'?"},
       {"km > 5 && g > 30", "character 11: 'g' needs a cell: g(x, y)"},
-      {"g(1) > 30", "character 2: 'g' needs a cell in whole numbers: g(x, y)"},
-      {"g(1.5, 2) > 30", "character 2: 'g' needs a cell in whole numbers: g(x, y)"},
+      {"g(1) > 30", "character 2: 'g' needs a cell with whole-number coordinates: g(x, y)"},
+      {"g(1.5, 2) > 30", "character 2: 'g' needs a cell with whole-number coordinates: g(x, y)"},
       {"g(20, 4) > 1", "character 2: (20, 4) is outside the world: x goes from 0 to 19, y from 0 to 9"},
       {"robot == (3, -1)", "character 10: (3, -1) is outside the world: x goes from 0 to 19, y from 0 to 9"},
       {"km && true",

@@ -124,7 +124,7 @@ TEST_F(OwnFields, CanBeStoppedAt) {
   EXPECT_EQ(parse_condition("lowets(3, 0) == 2", {5, 4}, info_.values.fields).error(),
             "character 1: unknown name 'lowets'; did you mean 'lowest'?");
   EXPECT_EQ(parse_condition("tag == 2", {5, 4}, info_.values.fields).error(),
-            "character 5: 'tag' needs a cell in whole numbers: tag(x, y)");
+            "character 5: 'tag' needs a cell with whole-number coordinates: tag(x, y)");
 }
 
 TEST_F(OwnFields, OfAnotherPlannerAreUnset) {

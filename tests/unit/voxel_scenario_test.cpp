@@ -133,7 +133,7 @@ TEST(VoxelScenario, ErrorsNamePlaceAndMend) {
   EXPECT_NE(error_with("/movers/0/way/1", {3, 0}).find("movers[0].way[1]: must be a cell [x, y, z]"),
             std::string::npos);
   EXPECT_NE(error_with("/debug/watches/0", "rhs(0, 1)")
-                .find("character 4: 'rhs' needs a cell in whole numbers: rhs(x, y, z)"),
+                .find("character 4: 'rhs' needs a cell with whole-number coordinates: rhs(x, y, z)"),
             std::string::npos);
   EXPECT_NE(error_with("/debug/watches/0", "rhs(0, 1, 2)")
                 .find("(0, 1, 2) is outside the world: x goes from 0 to 3, y from 0 to 2, z from 0 to 1"),

@@ -5,10 +5,11 @@
 namespace replan::ui {
 
 Question unsaved_question(const std::string& name, std::size_t edits, const std::string& since) {
-  std::string words = name + " has " + count_text(static_cast<std::int64_t>(edits), "edit", "edits");
-  if (!since.empty()) words += " since " + since;
-  words += edits == 1 ? " that is in no file yet. If you do not save it, it is lost."
-                      : " that are in no file yet. If you do not save them, they are lost.";
+  const std::string has =
+      "'" + name + "' has " + count_text(static_cast<std::int64_t>(edits), "unsaved edit", "unsaved edits");
+  const std::string dated = since.empty() ? has + "." : has + " since " + since + ".";
+  const std::string words =
+      dated + (edits == 1 ? " It is lost unless you save it." : " They are lost unless you save them.");
   return {.title = "Save the changes?",
           .words = words,
           .primary = {"Save", DialogDecision::Kind::save_first},

@@ -193,8 +193,8 @@ void ActionContext::toggle_overlay(Overlay overlay) {
   view.view.overlays.set(overlay, on);
   const OverlayInfo& info = overlays()[static_cast<std::size_t>(overlay)];
   if (!on || panels.zoom / view.view.scale >= info.readable_from) return;
-  panels.said = "Zoom in to see all of them: they show in cells of " + fixed(info.readable_from, 0) +
-                " pixels and more.";
+  panels.said = "Zoom in to see all of them: they appear once cells are " + fixed(info.readable_from, 0) +
+                " pixels wide.";
   panels.said_bad = false;
 }
 

@@ -23,8 +23,9 @@ void choose_pane(Frame& frame, std::size_t shown) {
     if (ImGui::InvisibleButton("pane", {width, look.px.control})) frame.commands.push_back(Lead{i});
     tab_stop(look);
     const bool chosen = i == shown, hovered = ImGui::IsItemHovered();
-    hint(look, {std::string(runs[i]->info().name).c_str(), "",
-                "Whose values the tabs show and whose timeline is below the canvas; the others follow it."});
+    hint(look,
+         {std::string(runs[i]->info().name).c_str(), "",
+          "Lets this planner lead: the tabs and the timeline show its values, and the other panes follow."});
     ImGui::PopID();
     if (chosen) list.AddRectFilled(min, max, look.theme.selected, look.px.radius);
     const std::string name = elide(look.fonts.ui, runs[i]->info().name, width - look.px.l);

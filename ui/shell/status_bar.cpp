@@ -182,9 +182,9 @@ void busy(Frame& frame, float& right) {
   // Once a plan has stood, what goes on in the background is the mission.
   const std::string events = grouped(run.timeline().size()) + " events";
   at_work(frame.look, right,
-          editing                   ? "Working on the world…"
+          editing                   ? "Changing the world…"
           : run.decisions().empty() ? events + " so far"
-                                    : "Driving on… " + events,
+                                    : "Driving… " + events,
           stop.name, stop.hint(), [&] { perform(frame, ActionId::cancel); });
 }
 

@@ -74,8 +74,7 @@ constexpr Hint kLegend = {
 
 constexpr Hint kHill = {"Expansions", "",
                         "The hill is high where cells are expanded one after the other, and low where the "
-                        "robot drives or keys are made "
-                        "anew. Click or drag to go anywhere."};
+                        "robot drives or keys are recomputed. Click or drag to go anywhere."};
 
 void mark_hint(const Look& look, const MarkGroup& group) {
   std::string words = "Event " + grouped(group.position) + ". Click to go there.";

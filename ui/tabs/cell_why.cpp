@@ -19,9 +19,10 @@ const char* special_case(const CellView& view, const std::vector<Offer>& all) {
     return view.lookahead ? "This is the goal: its rhs is 0, by definition."
                           : "This is the start: its g is 0.";
   if (view.state.known_blocked(view.node))
-    return "The robot takes this cell for an obstacle: no move leads in or out.";
+    return "On the robot's map this cell is an obstacle, so no move leads in or out.";
   if (all.empty()) return "There are obstacles all around: no move leads from here.";
-  if (all.front().sum.is_infinite()) return "No neighbour has a value now: no way leads on from here yet.";
+  if (all.front().sum.is_infinite())
+    return "No neighbour has a value, so no way through any of them is known.";
   return "";
 }
 

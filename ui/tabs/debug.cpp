@@ -204,7 +204,7 @@ void watches_section(Frame& frame, std::string& draft) {
     const std::array<std::pair<std::string, const char*>, 3> suggestions = {
         {{value_expression(EventKind::g, some_cell(frame)), "the cost of a cell"},
          {"size(U)", "how many cells wait"},
-         {"km", "how far keys were shifted"}}};
+         {"km", "how much is added to new keys"}}};
     examples(look, suggestions, draft);
   }
   for (std::size_t i = 0; i < list.size(); ++i) watch_row(frame, i);

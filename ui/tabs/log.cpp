@@ -142,7 +142,7 @@ void LogTab::draw_story(Frame& frame) {
   story_.follow(frame.run());
   if (story_.milestones().empty()) {
     empty_state(look, icon::list, "Nothing has happened yet",
-                "Plans, surprises and what becomes of the robot are listed here as the run goes on.");
+                "Plans, surprises and what happens to the robot will be listed here.");
     return;
   }
   const std::array<Column, 3> columns = story_columns(look, frame.run());

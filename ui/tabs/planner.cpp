@@ -239,7 +239,7 @@ bool trouble_settings(const Look& look, RobotSetup& robot) {
       robot.unreachable_goal != RobotSetup{}.unreachable_goal,
       [&](float width) { return combo(look, "##unreachable", kUnreachable, unreachable, width); });
   robot.unreachable_goal = static_cast<UnreachableGoal>(unreachable);
-  changed |= toggle(look, "Held by an obstacle on its own cell", robot.robot_cell_blocks);
+  changed |= toggle(look, "An obstacle on its own cell holds it", robot.robot_cell_blocks);
   hint(look, {"An obstacle on its own cell", "",
               "Off: an obstacle that comes onto the robot's own cell does not hold it; it drives out. On: it "
               "is held there. A robot that starts in a wall, or is put into one, is held in any case."});
@@ -306,7 +306,7 @@ void PlannerTab::draw(Frame& frame) {
   section_title(look, "Robot");
   robot_settings(frame);
   section_rule(look);
-  section_title(look, "What happens to a found path");
+  section_title(look, "After planning");
   path_stages(frame);
   ImGui::PopStyleVar();
 }

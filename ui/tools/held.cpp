@@ -82,7 +82,7 @@ void draw_ghost(const CellPen& pen, const ViewState& view, Cell at) {
   for (const float side : {-1.0f, 1.0f})
     pen.list().AddLine({middle.x - arm, middle.y - side * arm}, {middle.x + arm, middle.y + side * arm},
                        look.theme.bad, look.px(2.5f));
-  const TextRun words{"An obstacle stands here: take a free cell.", look.theme.bad, look.fonts.ui};
+  const TextRun words{"This is an obstacle. Choose a free cell.", look.theme.bad, look.fonts.ui};
   // Inside the pane, also at its right edge.
   const float width = text_width(words.font, words.text) + 2 * look.px(10);
   const float left = std::min(middle.x + look.px.l, pen.list().GetClipRectMax().x - width - look.px.s);

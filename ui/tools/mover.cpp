@@ -80,7 +80,7 @@ class HeldCorner final : public HeldDrag {
 /// Speed and what happens at the end; returns whether one was changed for good.
 bool movement(Frame& frame, double& speed, WayEnd& at_end) {
   const Look& look = frame.look;
-  static constexpr std::array<const char*, 3> kEnds = {"Back", "Round", "Stays"};
+  static constexpr std::array<const char*, 3> kEnds = {"Turns back", "Goes round", "Stops"};
   const auto draft = frame.panels.drafts.find("mover speed");
   double shown = draft == frame.panels.drafts.end() ? speed : draft->second;
   if (slider(look,
@@ -108,10 +108,10 @@ bool movement(Frame& frame, double& speed, WayEnd& at_end) {
     at_end = static_cast<WayEnd>(end);
     changed = true;
   }
-  hint(look, {"At the end of its way", "",
-              "Back: it returns the way it came, and so on. Round: straight to the way's beginning, and so "
-              "on. Stays: it "
-              "stops for good."});
+  hint(look,
+       {"At the end of its way", "",
+        "Turns back: it returns the way it came, and so on. Goes round: straight to the way's beginning, "
+        "and so on. Stops: it stays there for good."});
   return changed;
 }
 
@@ -192,13 +192,13 @@ void finish_way(const Session& session, ViewState& view, std::vector<Command>& c
 
 void MoverTool::draw_options(Frame& frame) {
   const Look& look = frame.look;
-  section_title(look, "The next one");
+  section_title(look, "The next moving obstacle");
   movement(frame, next_.speed, next_.at_end);
   const std::string side = std::to_string(frame.view.brush);
   paragraph(look.fonts.ui, look.theme.dim,
-            way_.empty()
-                ? "Click where its way turns. It is " + side + " × " + side + " cells large, as the brush is."
-                : "Click the next turn. A double click, Enter or the right button ends the way.");
+            way_.empty() ? "Click the corners of its way. It is as large as the brush: " + side + " × " +
+                               side + " cells."
+                         : "Click the next corner. A double click, Enter or the right button ends the way.");
 }
 
 void draw_selected_mover(Frame& frame) {
@@ -237,9 +237,8 @@ ToolKind mover_tool() {
           .icon = icon::truck,
           .chord = plain('M'),
           .teach =
-              "Click where its way turns; a double click, Enter or the right button ends the way, Esc "
-              "drops it. "
-              "It is as large as the brush. Click a way to select it, drag its corners.",
+              "Click the corners of its way; a double click, Enter or the right button ends the way, Esc "
+              "drops it. It is as large as the brush. Click a way to select it, drag its corners.",
           .group = ToolGroup::script,
           .make = make_part<Tool, MoverTool>,
           .colour = &Theme::mover};

@@ -69,13 +69,13 @@ std::vector<GeneratorInfo> make_list() {
        make_rectangles},
       {"maze",
        "Maze",
-       "Winding corridors, one way between any two places as long as no dead ends are opened and no walls "
-       "taken out.",
+       "Winding corridors. There is exactly one way between any two places, unless dead ends are opened or "
+       "walls removed.",
        {side("corridor", "Corridor", 1, "How wide the corridors are."),
         {.key = "braid",
          .label = "Dead ends opened",
          .help = "The fraction of the dead ends that are opened: 0 for a perfect maze, 1 for none left."},
-        loops("Walls taken out", 0, "The fraction of the inner walls that are taken out.")},
+        loops("Walls removed", 0, "The fraction of the inner walls that are removed.")},
        make_maze},
       {"rooms",
        "Rooms",

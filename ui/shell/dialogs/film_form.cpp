@@ -103,7 +103,7 @@ void FilmForm::draw(const Look& look) {
     text(look.fonts.small, look.theme.dim, "Size and speed");
     ImGui::AlignTextToFramePadding();
     paragraph(look.fonts.ui, look.theme.dim,
-              window_ ? "Those of the window while you play." : "Those of the canvas while you play.");
+              window_ ? "As in the window while you play." : "As on the canvas while you play.");
     ImGui::EndGroup();
   } else {
     draw_size(look, rest);
@@ -164,7 +164,7 @@ void FilmForm::draw_facts(const Look& look, const std::string& name) {
   text_line(look, look.fonts.title, look.theme.text, name.empty() ? "Film" : file_name(name),
             ImGui::GetContentRegionAvail().x);
   paragraph(look.fonts.ui, look.theme.dim,
-            now.part == FilmPart::live ? "Begins once you press Record, and goes on until you stop it."
+            now.part == FilmPart::live ? "Starts when you press Record and runs until you stop it."
                                        : part_words(now.part, session_->run()) +
                                              ", made frame by frame. The status bar tells how far it is.");
   ImGui::Dummy({0, look.px(2)});

@@ -45,16 +45,16 @@ std::vector<Section> sections() {
                   {"Right drag", "Erase, with a tool that draws"},
                   {"Shift+Right click", "Menu of the cell, with any tool"},
                   {"Drag", "Start, goal and robot move"},
-                  {"Title", "Make the pane lead, choose its planner"},
-                  {"Card", "Click for the last repair"},
-                  {"Legend", "Click a key for its words"}}});
+                  {"Click the title", "Make the pane lead, choose its planner"},
+                  {"Click the card", "Show the last repair"},
+                  {"Click the legend", "Explain an entry"}}});
   all.push_back({"By the keyboard alone",
                  {{"Tab", "To the next control"},
                   {"Shift+Tab", "To the one before"},
                   {"Space", "Press it"},
                   {"← →", "Change the playing speed there"},
                   {"Enter", "End a number; else the dialog's button"},
-                  {"Esc", "Give the keys back to the world"}}});
+                  {"Esc", "Return to the canvas"}}});
   return all;
 }
 

@@ -69,7 +69,7 @@ FileChoice WorldPicker::draw(const Look& look, float height) {
   choice_ = {};
   library_.update();
   const float top = ImGui::GetCursorPosY();
-  heading(look, "Worlds");
+  heading(look, "Example worlds");
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                       ImVec2(look.px(10), (look.px.control - look.fonts.ui->FontSize) * 0.5f));
   ImGui::SetNextItemWidth(-1);
