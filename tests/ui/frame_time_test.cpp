@@ -51,11 +51,12 @@ class FrameTime : public ShellTest {
         const double between = thread_ms();
         shell_->draw(offscreen_->stage().look(), *session_, 1.0 / 60);
         EXPECT_LT(thread_ms() - before, kMostMs)
-            << what << ", frame " << i << ": " << between - before << " ms of update, "
-            << thread_ms() - between << " ms of drawing";
+            << what << " (after " << last_action_ << "), frame " << i << ": " << between - before
+            << " ms of update, " << thread_ms() - between << " ms of drawing";
       });
   }
   void perform(const Action& action) {
+    last_action_ = action.name;
     shell_->perform_next(action.id);
     frames_of(action.name, 3);
   }
@@ -107,6 +108,9 @@ class FrameTime : public ShellTest {
     input.mouse_button(0, false);
     frames_of("its end", 2);
   }
+
+ private:
+  std::string last_action_ = "nothing";
 };
 
 TEST_F(FrameTime, IsShortForStepsThroughAHugeSearch) {

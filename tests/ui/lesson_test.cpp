@@ -89,25 +89,6 @@ TEST_F(LessonTest, WhatIsSkippedIsDoneSoThatLaterStepsCanBe) {
   EXPECT_EQ(session_->run().decisions().back().figures.replans, 1) << "the wall was painted";
 }
 
-TEST_F(LessonTest, SkippingEndsWhereTheDeedsEnd) {
-  press('P', true);
-  type("lesson repair");
-  press(key::kEnter);
-  session_->settle();
-  frames(4);
-  ASSERT_EQ(player().lesson().id, "repair");
-  while (!player().at_last()) {
-    const std::size_t step = player().number();
-    click_behind({});
-    session_->settle();
-    frames(4);
-    ASSERT_GT(player().number(), step);
-  }
-  const auto& run = session_->run();
-  const std::size_t cursor = run.timeline().cursor();
-  EXPECT_EQ(run.decision_at(cursor)->figures.replans, 1);
-}
-
 TEST_F(LessonTest, EachStepBeginsWithTheSelectTool) {
   shell_->perform_next(ActionId::tool_fill);
   frames(2);
