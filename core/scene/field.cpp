@@ -66,7 +66,8 @@ std::optional<FieldRange> FieldRanges::at_cursor(const Run& run, Overlay field, 
   const FieldReader reader = FieldReader::of(field);
   Pair& pair = trackers_[field];
   const auto here = pair.cursor.follow(reader, log, run.log_id(), log.state(), log.cursor());
-  if (span == FieldSpan::so_far) return here;
+  const bool at_end = log.cursor() == log.size();  // both are the same state
+  if (span == FieldSpan::so_far || at_end) return here;
   const auto there = pair.head.follow(reader, log, run.log_id(), log.head(), log.size());
   if (!here || !there) return here;
   return FieldRange{std::min(here->low, there->low), std::max(here->high, there->high)};
