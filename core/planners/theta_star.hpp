@@ -33,19 +33,6 @@
 
 namespace replan {
 
-namespace parameters {
-
-inline const Parameter kStraightHeuristic{
-    .key = "heuristic",
-    .label = "Heuristic",
-    .type = ParameterType::choice,
-    .choices = {"euclidean", "octile", "zero"},
-    .help =
-        "The estimate that draws the search towards the goal. Euclidean is the papers'; octile overestimates "
-        "what lies in sight: fewer expansions, longer paths."};
-
-}  // namespace parameters
-
 struct ThetaStarSwitches {
   bool lazy = false;
 };
@@ -116,7 +103,7 @@ class ThetaStar final : public BestFirst<L, T, GPlusH, ThetaStar<L, T>, ThetaSta
       offer(u, from, std::countr_zero(rest));
   }
 
-  // Lines 7-10, for the neighbour of u in direction d; `from` is rp(u), or u if it has none.
+  // Lines 7-8, for the neighbour of u in direction d; `from` is rp(u), or u if it has none.
   void offer(const Expanded& u, const Expanded& from, int d) {
     const NodeId s = lattice_.neighbour(u.node, d);
     const Coordinates at = L::step(u.at, d);
