@@ -142,7 +142,7 @@ TEST(Floyd, TakesADistanceOfExactlyDForTooNear) {
 TEST(Floyd, TakesPointsAnywhere) {
   Grid2 known({20, 20});
   const Path bent({{1, 1, 0.5}, {1, 9.25, 0.5}, {9.1, 9.25, 0.5}, {9.1, 15, 0.5}});
-  EXPECT_EQ(after("floyd", known, bent), Path({{1, 1, 0.5}, {9.1, 15, 0.5}}));
+  EXPECT_EQ(after("floyd", known, bent), Path(std::vector<Point>{{1, 1, 0.5}, {9.1, 15, 0.5}}));
   const std::vector<CellEdit> wall = {
       {known.node(Cell{4, 7}), true}};  // its centre lies on the straight way, nearly
   known.apply(wall);

@@ -1,8 +1,8 @@
 // Theta* and Lazy Theta* on the shared maps: never longer than A*'s path, and never shorter than the shortest
 // any-angle path, of which 101 lengths were published (Grid-Based Path Planning Competition) and 1602 computed.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -32,16 +32,16 @@ struct Tally {
   double seconds = 0, astar_seconds = 0;
 };
 
-/// The path's length, and how long planning took.
+/// The path's length, and the processor time of planning.
 std::pair<double, double> length_and_seconds(Planner<Grid2>& planner, const Grid2& map,
                                              const Question& question) {
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();
   planner.begin(map.node(question.start), map.node(question.goal));
   EXPECT_EQ(finish(planner), PlanStatus::found);
   const Path path = planner.path();
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  const double took = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   EXPECT_TRUE(path_is_free(map, path));
-  return {path_length(path), took.count()};
+  return {path_length(path), took};
 }
 
 void ask(const Grid2& map, const std::vector<Question>& questions, std::map<std::string, Tally>& tallies) {
@@ -114,7 +114,6 @@ TEST(AnyAngleLengths, areBetweenTheComputedOptimumAndAStar) {
     ask(*lattice, questions, here);
     ASSERT_FALSE(HasFatalFailure()) << name;
     tell(name, here);
-    ask(*lattice, {}, tallies);
     for (const auto& [id, tally] : here) {
       tallies[id].questions += tally.questions;
       tallies[id].shorter += tally.shorter;
@@ -127,9 +126,11 @@ TEST(AnyAngleLengths, areBetweenTheComputedOptimumAndAStar) {
   }
   tell("all", tallies);
   EXPECT_EQ(tallies["theta-star"].questions, 1602);
+  // The shortest path turns at obstacles' corners, these at centres of cells beside them: near walls that shows.
   for (const auto& [id, tally] : tallies) {
-    EXPECT_GT(tally.shorter, 1000) << id;
-    EXPECT_LT(tally.over_optimum / static_cast<double>(tally.questions), 0.02) << id << ": near the shortest";
+    EXPECT_GT(tally.shorter, 1400) << id;
+    EXPECT_LT(tally.over_optimum / static_cast<double>(tally.questions), 0.035) << id;
+    EXPECT_LT(tally.under_astar / static_cast<double>(tally.questions), -0.04) << id;
   }
 }
 
