@@ -11,6 +11,7 @@
 #include "app/cli/run_trace.hpp"
 #include "core/base/file.hpp"
 #include "core/lattice/box_words.hpp"
+#include "core/plan/registry.hpp"
 #include "core/study/figures_table.hpp"
 #include "core/world/ends.hpp"
 
@@ -54,6 +55,19 @@ std::string plans_table(std::span<const RunReport> reports) {
   return table.text();
 }
 
+/// What a planner works out for its first plan, one line for each planner that does.
+std::string plan_numbers(std::span<const RunReport> reports) {
+  std::string text;
+  for (const RunReport& report : reports) {
+    std::string line;
+    for (std::size_t i = 0; i < report.plan_numbers.size(); ++i)
+      line += (i == 0 ? ": " : ", ") + std::string(find_planner(report.planner)->values.numbers[i].label) +
+              " = " + decimals(report.plan_numbers[i], 4);
+    if (!line.empty()) text += report.planner + line + "\n";
+  }
+  return text;
+}
+
 std::string robots_table(std::span<const RunReport> reports) {
   using enum Table::Align;
   Table table({{"planner", left},
@@ -85,6 +99,7 @@ std::string summary(const WorldArguments& arguments, const Scenario& world,
   std::string text = arguments.source() + ": " + size_text(box) + ", from " +
                      cell_text(world.start, box.solid()) + " to " + cell_text(world.goal, box.solid()) +
                      "\n\n" + plans_table(reports);
+  if (const std::string numbers = plan_numbers(reports); !numbers.empty()) text += "\n" + numbers;
   if (reports.front().robot) text += "\n" + robots_table(reports);
   std::string failures;
   for (const RunReport& report : reports)

@@ -1,13 +1,18 @@
 // The laws of best-first searches. As with the D* Lite family only what a step touched is looked at:
 // what holds at a vertex depends on its own values and on its neighbours' g and whether they are in the list.
+//
+// In an any-angle search a vertex is reached on a straight way from its remote parent. Its g is right when it is
+// written; if the remote parent's falls later, it need not follow.
 #include <bit>
 
 #include "core/debug/law_book.hpp"
+#include "core/lattice/sight.hpp"
+#include "core/plan/common_parameters.hpp"
 
 namespace replan {
 namespace {
 
-template <int D>
+template <int D, bool kAnyAngle>
 class BestFirstLaws final : public LawBook<D> {
   using Laws = LawBook<D>;
   using Laws::cell;
@@ -18,21 +23,26 @@ class BestFirstLaws final : public LawBook<D> {
   using Laws::hold_status;
   using Laws::named;
   using Laws::values_;
-  enum Bit : std::uint8_t { kParent = 1, kSpread = 2, kKey = 4 };
+  enum Bit : std::uint8_t { kParent = 1, kSpread = 2, kKey = 4, kStraight = 8 };
 
   static constexpr const char* kStartLaw = "g(start) is 0";
   static constexpr const char* kParentLaw =
       "g(s) is its parent's g and the move, or more while the parent's g has yet to spread";
+  static constexpr const char* kStraightLaw =
+      "g(s) is its remote parent's g and the straight way, when it is written";
   static constexpr const char* kSpreadLaw =
       "a cell that was taken from the list has offered its g to all neighbours";
   static constexpr const char* kWayLaw =
       "parents lead from the goal to the start, by moves along which g falls";
+  static constexpr const char* kSightWayLaw =
+      "remote parents lead from the goal to the start, along lines of sight on which g falls";
 
  public:
   BestFirstLaws(const LogView& view, LawValues<D>& values)
       : LawBook<D>(values),
         key_law_(view.info.key.law),
         f_(view.info.key.f(view.settings)),
+        sight_rule_(static_cast<SightRule>(static_cast<int>(view.settings.get(parameters::kSight)))),
         start_(values.start()),
         goal_(values.goal()) {}
 
@@ -47,6 +57,8 @@ class BestFirstLaws final : public LawBook<D> {
       const bool waits = vertex.queued() && vertex.g <= each.g && !any_broken_;
       if (spread && !waits) look_at_neighbours(each.node);
       look(each.node);
+      if constexpr (kAnyAngle)
+        if (vertex.g != each.g) hold_straight(each.node);
     }
     if (other_goal)
       values_.for_each_page([this](NodeId node, const LawVertex& vertex) {
@@ -75,7 +87,7 @@ class BestFirstLaws final : public LawBook<D> {
       const int d = std::countr_zero(rest);
       const NodeId s = known.neighbour(u, d);
       const LawVertex& other = values_.at(s);
-      if (other.lp == u + 1) hold_parent(s);
+      if (!kAnyAngle && other.lp == u + 1) hold_parent(s);
       const bool kept_back = !other.queued() && vertex.g > other.g + BoxLattice<D>::step_cost(d);
       if (kept_back || (other.broken & kSpread) != 0) hold_spread(s);
       any_broken_ |= other.broken != 0;
@@ -98,11 +110,25 @@ class BestFirstLaws final : public LawBook<D> {
     const LawVertex& vertex = values_.at(s);
     if (s == start_) return vertex.g == Cost::zero() && vertex.lp == 0;
     if (vertex.g.is_infinite()) return vertex.lp == 0 && !vertex.queued();
+    if (kAnyAngle) return vertex.lp != 0 && vertex.rp != 0;
     const int d = vertex.lp == 0 ? -1 : direction(s, vertex.lp - 1u);
     if (d < 0) return false;
     const LawVertex& parent = values_.at(vertex.lp - 1u);
     const Cost sum = parent.g + BoxLattice<D>::step_cost(d);
     return vertex.g == sum || (vertex.g > sum && parent.queued());
+  }
+
+  /// Of a vertex whose g the step has written.
+  void hold_straight(NodeId s) {
+    const LawVertex& vertex = values_.at(s);
+    const NodeId rp = vertex.rp - 1u;
+    const bool any = s != start_ && !vertex.g.is_infinite() && values_.on_map(rp);
+    const Cost sum =
+        any ? values_.at(rp).g + euclidean_ceil(values_.known().squared_distance(rp, s)) : vertex.g;
+    hold(s, kStraight, kStraightLaw, vertex.g == sum, [&] {
+      return named("g", s) + " is " + cost_text(vertex.g) + ", but from its remote parent " + cell(rp) +
+             " it is " + cost_text(sum);
+    });
   }
 
   void hold_spread(NodeId u) {
@@ -126,7 +152,7 @@ class BestFirstLaws final : public LawBook<D> {
     const LawVertex& vertex = values_.at(s);
     const bool any = vertex.queued() && values_.on_map(goal_);
     const Cost h = any ? values_.known().bound(values_.heuristic(), s, goal_) : Cost::zero();
-    const Cost f = any ? f_(vertex.g, h) : Cost::zero();
+    const Cost f = any ? f_(vertex.g, h, values_.weight()) : Cost::zero();
     hold(s, kKey, key_law_, !any || vertex.k1() == f, [&] {
       return "the key of " + cell(s) + " is " + cost_text(vertex.k1()) + ", but it should be " +
              cost_text(f) + ": g is " + cost_text(vertex.g) + " and h is " + cost_text(h);
@@ -134,6 +160,7 @@ class BestFirstLaws final : public LawBook<D> {
   }
 
   void follow_parents() {
+    if constexpr (kAnyAngle) return follow_lines();
     for (NodeId s = goal_; s != start_;) {
       const LawVertex& vertex = values_.at(s);
       const NodeId parent = vertex.lp - 1u;
@@ -147,8 +174,25 @@ class BestFirstLaws final : public LawBook<D> {
     }
   }
 
+  void follow_lines() {
+    const BoxLattice<D>& known = values_.known();
+    const auto bad = [&known](NodeId c) { return known.blocked(c); };
+    for (NodeId s = goal_; s != start_;) {
+      const NodeId rp = values_.at(s).rp - 1u;
+      if (!values_.on_map(rp)) return find(s, kSightWayLaw, cell(s) + " has no remote parent");
+      if (!line_of_sight(known, sight_rule_, rp, s, bad, NoSightMap{}))
+        return find(s, kSightWayLaw, cell(s) + " does not see its remote parent " + cell(rp));
+      if (!(values_.at(rp).g < values_.at(s).g))
+        return find(s, kSightWayLaw,
+                    "from " + cell(s) + " to its remote parent " + cell(rp) + " g goes from " +
+                        cost_text(values_.at(s).g) + " to " + cost_text(values_.at(rp).g));
+      s = rp;
+    }
+  }
+
   const char* key_law_;
   KeyRule::F f_;
+  SightRule sight_rule_;
   bool any_broken_ = false;
   NodeId start_, goal_;  // as of the last step
 };
@@ -157,10 +201,16 @@ class BestFirstLaws final : public LawBook<D> {
 
 template <int D>
 std::unique_ptr<LawBook<D>> make_best_first_laws(const LogView& view, LawValues<D>& values) {
-  return std::make_unique<BestFirstLaws<D>>(view, values);
+  return std::make_unique<BestFirstLaws<D, false>>(view, values);
+}
+template <int D>
+std::unique_ptr<LawBook<D>> make_any_angle_laws(const LogView& view, LawValues<D>& values) {
+  return std::make_unique<BestFirstLaws<D, true>>(view, values);
 }
 
 template std::unique_ptr<LawBook<2>> make_best_first_laws(const LogView&, LawValues<2>&);
 template std::unique_ptr<LawBook<3>> make_best_first_laws(const LogView&, LawValues<3>&);
+template std::unique_ptr<LawBook<2>> make_any_angle_laws(const LogView&, LawValues<2>&);
+template std::unique_ptr<LawBook<3>> make_any_angle_laws(const LogView&, LawValues<3>&);
 
 }  // namespace replan

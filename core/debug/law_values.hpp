@@ -86,6 +86,9 @@ class LawValues {
   [[nodiscard]] Cost km() const {
     return {static_cast<std::int64_t>(scalars_[static_cast<int>(Scalar::km)])};
   }
+  [[nodiscard]] Cost weight() const {
+    return {static_cast<std::int64_t>(scalars_[static_cast<int>(Scalar::weight)])};
+  }
   [[nodiscard]] bool on_map(NodeId node) const { return node < known_.node_count(); }
   [[nodiscard]] Heuristic heuristic() const { return heuristic_; }
   [[nodiscard]] std::size_t bytes() const;

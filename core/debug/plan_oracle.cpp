@@ -63,6 +63,7 @@ PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t positi
   const auto status = static_cast<PlanStatus>(view.log.event(position - 1).delta);
   question.claimed = has_path(status) ? claimed_cost(view.info.values, state) : Cost::infinity();
   question.exact = claims_cheapest(view.info, view.settings);
+  question.straight = view.info.any_angle && !view.info.values.least_cost;
   return question;
 }
 
@@ -71,9 +72,10 @@ Cost right_cost(const PlanQuestion& question, const std::stop_token& stop) {
 }
 
 std::optional<Disagreement> judge(const PlanQuestion& question, Cost right) {
-  const bool agrees =
-      question.exact ? question.claimed == right
-                     : question.claimed.is_infinite() == right.is_infinite() && question.claimed >= right;
+  const Cost claimed = question.claimed;
+  const bool agrees = question.exact      ? claimed == right
+                      : question.straight ? claimed.is_infinite() == right.is_infinite() && claimed <= right
+                                          : claimed.is_infinite() == right.is_infinite() && claimed >= right;
   if (agrees) return std::nullopt;
   return Disagreement{question.plan, question.position, question.claimed, right};
 }

@@ -192,6 +192,8 @@ void JsonLines::value(std::string& out, const Event& event, std::uint64_t raw) c
 void JsonLines::scalar(std::string& out, Scalar which, std::uint64_t raw) const {
   switch (which) {
     case Scalar::km:
+    case Scalar::weight:
+    case Scalar::share:
       return cost(out, as_cost(raw));
     case Scalar::moves:
     case Scalar::replans:

@@ -38,6 +38,15 @@ inline const Parameter kAnyHeuristic{
     .help =
         "The estimate that draws the search towards the goal. Manhattan overestimates where diagonals are "
         "allowed: fewer expansions, no promise of a shortest path."};
+inline const Parameter kStraightHeuristic{
+    .key = "heuristic",
+    .label = "Heuristic",
+    .type = ParameterType::choice,
+    .choices = {"euclidean", "octile", "zero"},
+    .help =
+        "The estimate that draws the search towards the goal. Euclidean is the papers'; octile is longer, "
+        "the exact "
+        "distance on an empty grid: fewer expansions, and of any-angle paths longer ones."};
 inline const Parameter kSight{.key = "sight",
                               .label = "Line of sight",
                               .type = ParameterType::choice,

@@ -37,6 +37,7 @@ class LatticeNavigator final : public Navigator {
   [[nodiscard]] Cost cost() const override { return planner_->cost(); }
   Path path() override { return through_stages(known_, planner_->path(), choice_.stages); }
   [[nodiscard]] Counters counters() const override { return planner_->counters(); }
+  [[nodiscard]] Cost number(Scalar which) const override { return planner_->number(which); }
   [[nodiscard]] std::size_t memory_bytes() const override { return planner_->memory_bytes(); }
   [[nodiscard]] NodeId nearest_reachable(NodeId robot, NodeId goal) const override {
     return replan::nearest_reachable(known_, robot, goal);

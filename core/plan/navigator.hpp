@@ -40,6 +40,8 @@ class Navigator {
   /// The path after its stages.
   virtual Path path() = 0;
   [[nodiscard]] virtual Counters counters() const = 0;
+  /// One of the numbers that the planner declares (SearchValues::numbers), of the latest plan.
+  [[nodiscard]] virtual Cost number(Scalar) const { return Cost::zero(); }
   /// Bytes held by the planner, the map not counted; the open list with its peak.
   [[nodiscard]] virtual std::size_t memory_bytes() const = 0;
   /// Where a robot at `robot` makes for if its goal cannot be reached: core/lattice/nearest.hpp.

@@ -7,6 +7,7 @@
 #include "core/base/cost.hpp"
 #include "core/lattice/lattice.hpp"
 #include "core/plan/path.hpp"
+#include "core/trace/event.hpp"
 
 namespace replan {
 
@@ -76,6 +77,8 @@ class Planner {
   /// The path from the start, read out of the search. Counts the sight checks that this takes.
   virtual Path path() = 0;
   [[nodiscard]] virtual Counters counters() const = 0;
+  /// One of the numbers that it declares (SearchValues::numbers), of the latest plan.
+  [[nodiscard]] virtual Cost number(Scalar) const { return Cost::zero(); }
   /// Bytes held, the lattice not counted; the open list with its peak.
   [[nodiscard]] virtual std::size_t memory_bytes() const = 0;
   /// Takes up the search as `state` shows it: the state before a `pop` event of this planner's own log, or

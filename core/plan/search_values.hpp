@@ -25,9 +25,18 @@ struct CostPlace {
   Scalar node{};
 };
 
+/// A number of a search that it works out for each plan, in the log and for users: 2^-30, as costs are.
+struct PlanNumber {
+  Scalar which{};
+  std::string_view key;    ///< in JSON: "weight"
+  std::string_view label;  ///< in the window and on the command line
+  std::string_view help;   ///< a sentence that teaches
+};
+
 struct SearchValues {
   /// Those that it writes for each node; what is its own has the ids own_field(0), own_field(1) and so on.
   std::vector<Field> fields;
+  std::vector<PlanNumber> numbers = {};
   ListOrder order;
   CostPlace cost;
   std::string_view laws;    ///< those that its values keep, by their name in core/debug/laws.def

@@ -12,7 +12,8 @@
 //  * F, how f is made of g and h. It is built from the settings, and `describe()` declares it as
 //    PlannerInfo::key, so that search, laws and tests go by one text.
 //  * Self, if it does more: a class that derives from BestFirst, has it for a friend and hides expand(),
-//    relax(), estimate() or parent_of(). Which one is meant is known at compile time.
+//    relax(), estimate(), parent_of() or one of the functions below them. Which one is meant is known at compile
+//    time.
 //  * Node, if it remembers more of a node than g and a parent next to it.
 #pragma once
 
@@ -73,12 +74,14 @@ class BestFirst : public SearchRecord<L, T, NumberedTable<Node>> {
     for (NodeId s = goal_; s != start_; s = self().parent_of(s)) nodes.push_back(s);
     nodes.push_back(start_);
     std::reverse(nodes.begin(), nodes.end());
-    return Path(lattice_.box(), std::move(nodes));
+    return self().path_over(std::move(nodes));
   }
 
   void restore(const SearchState& state, const Counters& counters) override {
-    this->restore_record(state, counters,
-                         [&state](NodeId n, Node&) { return Cost{state.k1(n).raw - state.g(n).raw}; });
+    this->restore_record(state, counters, [&](NodeId n, Node& node) {
+      self().restore_node(state, n, node);
+      return Cost{state.k1(n).raw - state.g(n).raw};
+    });
     goal_at_ = lattice_.coordinates(goal_);
   }
 
@@ -115,13 +118,17 @@ class BestFirst : public SearchRecord<L, T, NumberedTable<Node>> {
     this->set_g(s, sum);
     tr_.line(11);
     this->set_parent(s, parent_direction);
-    const Cost f = f_(sum, self().estimate(s, at));
-    const Key key{f, {f.raw - sum.raw}};
+    const Key key = self().key_of(s, sum, at);
     tr_.line(12);
     if (node.slot != 0)
       this->re_key(s, key);
     else
       this->put_in(s, key);
+  }
+  /// f(s) with such a g, and what decides among equals.
+  [[nodiscard]] Key key_of(NodeId s, Cost g, const Coordinates& at) const {
+    const Cost f = made_by(f_, g, self().estimate(s, at), self().weight());
+    return {f, {f.raw - g.raw}};
   }
 
   /// h(s).
@@ -131,6 +138,20 @@ class BestFirst : public SearchRecord<L, T, NumberedTable<Node>> {
 
   [[nodiscard]] NodeId parent_of(NodeId s) const { return this->parent(s); }
 
+  /// The search begins from start_, and nothing is in the list yet.
+  void prepare() {}
+  /// Of h, for a rule that takes one from the search.
+  [[nodiscard]] Cost weight() const { return Cost::cells(1); }
+  /// Whether a vertex just taken from the list is to be expanded; if not, it has been put back.
+  bool confirm(NodeId) { return true; }
+  /// Whether the way to the goal is known, while the list is not empty.
+  [[nodiscard]] bool at_goal() const { return open_.top().node == goal_; }
+  /// What a node holds besides, as restore() finds it in the log.
+  void restore_node(const SearchState&, NodeId, Node&) {}
+  [[nodiscard]] Path path_over(std::vector<NodeId> nodes) const {
+    return Path(lattice_.box(), std::move(nodes));
+  }
+
  private:
   // Lines 1-3.
   void plan(NodeId start) {
@@ -138,13 +159,14 @@ class BestFirst : public SearchRecord<L, T, NumberedTable<Node>> {
     this->forget_search(start);
     set_scalar(Scalar::start, start_, start);
     goal_at_ = lattice_.coordinates(goal_);
+    self().prepare();
     tr_.line(2);
     reach(start_, Record::kNoDirection, Cost::zero(), lattice_.coordinates(start_));
   }
 
   [[nodiscard]] bool search_needed() const {
     if (this->ends_blocked()) return false;
-    return !open_.empty() && open_.top().node != goal_;
+    return !open_.empty() && !self().at_goal();
   }
 
   // Lines 4-8: one expansion.
@@ -152,6 +174,7 @@ class BestFirst : public SearchRecord<L, T, NumberedTable<Node>> {
     if (!search_needed()) return false;
     tr_.line(5);
     const NodeId u = this->take_out_top();
+    if (!self().confirm(u)) return true;
     this->count_expansion(u);
     self().expand({u, lattice_.coordinates(u), nodes_[u].g});
     return true;

@@ -32,6 +32,8 @@ void report_plan(RunReport& report, const Navigator& navigator, const PlannerCho
   else if (path.unchecked && !is_free(navigator, choice, path))
     report.status = mission_state_name(MissionState::collision);
   report.path = path;
+  for (const PlanNumber& number : find_planner(choice.id)->values.numbers)
+    report.plan_numbers.push_back(navigator.number(number.which).to_double());
   report.solid = navigator.box().solid();
   report.figures = path_figures(navigator.box(), navigator.known(), path);
 }
@@ -210,6 +212,9 @@ std::string runs_json(std::span<const RunReport> reports) {
     for (std::size_t i = 0; i < report.path.size(); ++i)
       path.push_back(point_json(report.path.point(i), report.solid));
     run["figures"] = figures_json(named_figures(report));
+    for (std::size_t i = 0; i < report.plan_numbers.size(); ++i)
+      run["plan_numbers"][std::string(find_planner(report.planner)->values.numbers[i].key)] =
+          report.plan_numbers[i];
     if (report.robot) {
       run["robot"] = {{"reached", report.robot->reached()},
                       {"ending", mission_state_name(report.robot->ending)},

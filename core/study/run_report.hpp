@@ -41,7 +41,9 @@ struct RunReport {
   double replan_ms = 0;  ///< of all replans together
   std::int64_t replans = 0;
   Counters counters;
-  std::int64_t memory_bytes = 0;      ///< held by the planner at most, the map not counted
+  std::int64_t memory_bytes = 0;  ///< held by the planner at most, the map not counted
+  /// The numbers that the planner declares, by their places in SearchValues::numbers, of the first plan.
+  std::vector<double> plan_numbers;
   std::optional<Counters> last_plan;  ///< the work of the latest plan alone, where that is told
   std::optional<RobotReport> robot;
 

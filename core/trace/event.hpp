@@ -88,6 +88,8 @@ enum class Scalar : std::uint8_t {
   moves,  ///< the robot's clock: steps and waits
   replans,
   wanted,  ///< where the robot has to go, node + 1; 0: where the search's goal is
+  weight,  ///< of the estimate, where a search works it out for each plan: 2^-30, as costs are
+  share,   ///< of obstacles in the rectangle from start to goal, which it makes it of: the same
   count
 };
 

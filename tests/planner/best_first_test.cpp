@@ -145,9 +145,9 @@ TEST(BestFirst, LetsAPlannerRelaxEdgesItsOwnWayIn3d) {
 TEST(BestFirst, DeclaresItsKeyInOneText) {
   const KeyRule rule = key_rule<EstimateAlone>();
   EXPECT_STREQ(rule.law, "a key in the list is h");
-  EXPECT_EQ(rule.f({})(Cost::cells(2), Cost::cells(3)), Cost::cells(3));
+  EXPECT_EQ(rule.f({})(Cost::cells(2), Cost::cells(3), Cost::cells(1)), Cost::cells(3));
   const PlannerInfo& astar = *find_planner("astar");
-  EXPECT_EQ(astar.key.f({})(Cost::cells(2), Cost::cells(3)), Cost::cells(5));
+  EXPECT_EQ(astar.key.f({})(Cost::cells(2), Cost::cells(3), Cost::cells(1)), Cost::cells(5));
 }
 
 }  // namespace

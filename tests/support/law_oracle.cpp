@@ -29,7 +29,11 @@ class Bench {
       if (stands || event.kind == EventKind::pop) {
         if (const auto wrong = step_faults(); !wrong.empty()) return Fault{i, wrong};
         written_.clear();
+        g_before_.clear();
       }
+      if (event.kind == EventKind::epoch)
+        for (NodeId n = 0; n < world_.blocked.size(); ++n) g_before_.try_emplace(n, state_.g(n).raw);
+      if (event.kind == EventKind::g) g_before_.try_emplace(event.node, state_.g(event.node).raw);
       state_.apply(event);
       if (event.kind == EventKind::queue) written_.insert(event.node);
       if (event.kind == EventKind::known) map_stale_ = true;
@@ -64,7 +68,9 @@ class Bench {
     if (map_stale_) map_changed();
     std::vector<NodeId> wrong;
     for (NodeId n = 0; n < world_.blocked.size(); ++n) {
-      const bool holds = view_.info.values.lookahead() ? lookahead_holds(n) : best_first_holds(n);
+      const bool holds = any_angle()                     ? any_angle_holds(n)
+                         : view_.info.values.lookahead() ? lookahead_holds(n)
+                                                         : best_first_holds(n);
       if (!holds) wrong.push_back(n);
     }
     return wrong;
@@ -102,19 +108,42 @@ class Bench {
     return written_.contains(s) ? state_.k1(s).raw == key : state_.k1(s).raw <= key;
   }
 
-  bool best_first_holds(NodeId s) {
-    const NodeId goal = state_.node(Scalar::goal), start = state_.node(Scalar::start);
+  [[nodiscard]] bool any_angle() const { return view_.info.values.laws == "any-angle"; }
+
+  bool any_angle_holds(NodeId s) {
+    const NodeId rp = state_.rp(s);
     const Raw g = state_.g(s).raw;
-    const NodeId parent = state_.lp(s);
-    if (state_.queued(s) && on_map(goal) && state_.k1(s) != f_({g}, {h(s, goal)})) return false;
-    if (g < kNever && !state_.queued(s))
-      for (const Move& move : successors_[s])
-        if (state_.g(move.to).raw > sum(g, move.cost)) return false;
+    if (!spread_and_key_hold(s)) return false;
+    if (s == state_.node(Scalar::start)) return g == 0 && state_.lp(s) == kNoNode;
+    if (g >= kNever) return state_.lp(s) == kNoNode && !state_.queued(s);
+    if (state_.lp(s) == kNoNode || rp == kNoNode) return false;
+    const auto before = g_before_.find(s);
+    if (before == g_before_.end() || before->second == g || !on_map(rp)) return true;
+    const Raw down = segment(rp, s);
+    const bool whole = down % kUnit == 0 && step_squared(rp, s) == (down / kUnit) * (down / kUnit);
+    return g == sum(state_.g(rp).raw, down + (whole ? 0 : 1));
+  }
+
+  bool best_first_holds(NodeId s) {
+    if (!spread_and_key_hold(s)) return false;
+    const NodeId start = state_.node(Scalar::start), parent = state_.lp(s);
+    const Raw g = state_.g(s).raw;
     if (s == start) return g == 0 && parent == kNoNode;
     if (g >= kNever) return parent == kNoNode && !state_.queued(s);
     if (!is_move(s, parent)) return false;
     const Raw through = sum(state_.g(parent).raw, step_between(world_, s, parent));
     return g == through || (g > through && state_.queued(parent));
+  }
+
+  bool spread_and_key_hold(NodeId s) {
+    const NodeId goal = state_.node(Scalar::goal);
+    const Raw g = state_.g(s).raw;
+    const Cost weight{static_cast<std::int64_t>(state_.scalar(Scalar::weight))};
+    if (state_.queued(s) && on_map(goal) && state_.k1(s) != f_({g}, {h(s, goal)}, weight)) return false;
+    if (g < kNever && !state_.queued(s))
+      for (const Move& move : successors_[s])
+        if (state_.g(move.to).raw > sum(g, move.cost)) return false;
+    return true;
   }
 
   [[nodiscard]] bool is_move(NodeId a, NodeId b) const {
@@ -127,11 +156,17 @@ class Bench {
     const bool lookahead = view_.info.values.lookahead();
     const NodeId end = lookahead ? start : goal;
     if (!on_map(end)) return std::nullopt;
+    const auto rule = static_cast<SightRule>(static_cast<int>(view_.settings.get("sight", 0)));
     const bool free =
         on_map(start) && on_map(goal) && world_.blocked[start] == 0 && world_.blocked[goal] == 0;
     const Raw promised = lookahead ? state_.rhs(start).raw : state_.g(goal).raw;
     if (has_path(status) != (free && promised < kNever)) return end;
     if (!has_path(status)) return std::nullopt;
+    for (NodeId s = end; any_angle() && s != start; s = state_.rp(s))
+      if (!on_map(state_.rp(s)) || !sees(world_, world_.blocked, rules_.corners, rule, state_.rp(s), s) ||
+          state_.g(state_.rp(s)) >= state_.g(s))
+        return s;
+    if (any_angle()) return std::nullopt;
     const NodeId other_end = lookahead ? goal : start;
     Raw way = 0;
     for (NodeId s = end; s != other_end; s = state_.lp(s)) {
@@ -163,10 +198,11 @@ class Bench {
   }
 
   /// The length of a straight segment, rounded down.
-  [[nodiscard]] Raw segment(NodeId a, NodeId b) const {
+  [[nodiscard]] Raw segment(NodeId a, NodeId b) const { return root_floor(step_squared(a, b)); }
+  [[nodiscard]] std::int64_t step_squared(NodeId a, NodeId b) const {
     const Place p = world_.place(a), q = world_.place(b);
     const std::int64_t x = p[0] - q[0], y = p[1] - q[1];
-    return root_floor(x * x + y * y);
+    return x * x + y * y;
   }
 
   LogView view_;
@@ -178,7 +214,8 @@ class Bench {
   std::vector<Raw> penalty_;
   bool map_stale_ = false;
   std::set<NodeId> written_;
-  std::map<NodeId, NodeId> seen_;  // remote parents that the planner saw while it read out the path
+  std::map<NodeId, Raw> g_before_;  // the step, of vertices whose g it has written
+  std::map<NodeId, NodeId> seen_;   // remote parents that the planner saw while it read out the path
 };
 
 }  // namespace

@@ -309,6 +309,11 @@ void draw_status_bar(Frame& frame) {
               term_hint("to-go"));
   line.pair("|U|", grouped(run.timeline().state().queue_size()), term_hint("open-list"));
   if (run.info().from_goal) line.pair("km", cost_text(run.timeline().state().km(), 2), term_hint("km"));
+  for (const PlanNumber& number : run.info().values.numbers) {
+    const std::string label(number.label), help(number.help);
+    const Cost value{static_cast<std::int64_t>(run.timeline().state().scalar(number.which))};
+    line.pair(label.c_str(), cost_text(value, 3), {label.c_str(), "", help.c_str()});
+  }
   const double zoom = frame.panels.zoom / static_cast<double>(look.px.scale);
   line.pair("Zoom", fixed(zoom, zoom < 10 ? 1 : 0) + " px",
             {"Zoom", "", "How many pixels of the display a cell is wide."});
