@@ -43,6 +43,7 @@ class BestFirstLaws final : public LawBook<D> {
         key_law_(view.info.key.law),
         f_(view.info.key.f(view.settings)),
         sight_rule_(static_cast<SightRule>(static_cast<int>(view.settings.get(parameters::kSight)))),
+        takes_once_(view.info.key.once),
         start_(values.start()),
         goal_(values.goal()) {}
 
@@ -54,7 +55,7 @@ class BestFirstLaws final : public LawBook<D> {
       const LawVertex& vertex = values_.at(each.node);
       const bool spread = vertex.g != each.g || vertex.queued() != each.queued;
       // A better g of a vertex that waits in the list asks nothing of its neighbours yet.
-      const bool waits = vertex.queued() && vertex.g <= each.g && !any_broken_;
+      const bool waits = vertex.queued() && vertex.g <= each.g && !any_broken_ && !takes_once_;
       if (spread && !waits) look_at_neighbours(each.node);
       look(each.node);
       if constexpr (kAnyAngle)
@@ -140,7 +141,9 @@ class BestFirstLaws final : public LawBook<D> {
       for (std::uint32_t rest = known.moves(u); rest != 0 && behind == kNoNode; rest &= rest - 1) {
         const int d = std::countr_zero(rest);
         offered = vertex.g + BoxLattice<D>::step_cost(d);
-        if (values_.at(known.neighbour(u, d)).g > offered) behind = known.neighbour(u, d);
+        const LawVertex& other = values_.at(known.neighbour(u, d));
+        const bool taken = takes_once_ && !other.queued() && !other.g.is_infinite();
+        if (other.g > offered && !taken) behind = known.neighbour(u, d);
       }
     hold(u, kSpread, kSpreadLaw, behind == kNoNode, [&] {
       return cell(u) + " was taken and offers " + cost_text(offered) + " to " + cell(behind) + ", but " +
@@ -193,6 +196,7 @@ class BestFirstLaws final : public LawBook<D> {
   const char* key_law_;
   KeyRule::F f_;
   SightRule sight_rule_;
+  bool takes_once_;  // what was taken is offered nothing more
   bool any_broken_ = false;
   NodeId start_, goal_;  // as of the last step
 };

@@ -17,6 +17,7 @@ struct KeyRule {
 
   const char* law = nullptr;                   ///< as a sentence: "a key in the list is g + h"
   F (*f)(const Settings& settings) = nullptr;  ///< under these settings
+  bool once = false;  ///< a vertex that was taken is never opened again, be there a shorter way to it
 };
 
 /// f by such a class.
@@ -28,13 +29,24 @@ constexpr Cost made_by(const F& f, Cost g, Cost h, Cost weight) {
     return f(g, h);
 }
 
+/// Whether a class says `kOnce`: KeyRule::once.
+template <class F>
+constexpr bool takes_once() {
+  if constexpr (requires { F::kOnce; })
+    return F::kOnce;
+  else
+    return false;
+}
+
 /// The rule of a class that is built from settings, called with g and h, and with the weight if it takes one, and
 /// says its law in `kLaw`.
 template <class F>
 constexpr KeyRule key_rule() {
-  return {F::kLaw, [](const Settings& settings) -> KeyRule::F {
+  return {F::kLaw,
+          [](const Settings& settings) -> KeyRule::F {
             return [f = F(settings)](Cost g, Cost h, Cost weight) { return made_by(f, g, h, weight); };
-          }};
+          },
+          takes_once<F>()};
 }
 
 /// `times` the estimate, rounded down: a weight is a number of 2^-30, as costs are. Saturates at infinity.

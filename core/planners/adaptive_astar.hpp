@@ -11,8 +11,8 @@
 //  * h is Euclidean, as in the paper, rounded down.
 //  * The weight is worked out once for each plan, in whole cells counted and one logarithm of our own
 //    (core/base/logarithm.hpp), and kept as a number of 2^-30, rounded down. It stands in the log with K.
-//  * No path costs more than that weight times the cheapest, as of Weighted A* (weighted_astar.hpp); a vertex to
-//    which a shorter way shows is opened again.
+//  * No path costs more than that weight times the cheapest, and no vertex is taken twice, as of Weighted A*
+//    (weighted_astar.hpp).
 //  * Each plan is made from scratch, on the robot's map as it is then: K changes with what the robot finds.
 #pragma once
 
@@ -31,6 +31,7 @@ struct AdaptiveAStarSwitches {};
 /// f with the weight that the search has worked out.
 struct GPlusGivenWeightH {
   static constexpr const char* kLaw = "a key in the list is g + (1 - ln K) h";
+  static constexpr bool kOnce = true;
   explicit GPlusGivenWeightH(const Settings&) {}
   Cost operator()(Cost g, Cost h, Cost weight) const { return g + weighted(h, weight); }
 };

@@ -6,7 +6,7 @@
 // Line numbers are those of assets/planners/astar.md. Settled here: among equal f the larger g is taken first
 // (it is nearer to the goal and saves most of the expansions on open ground), then the smaller index. With an
 // inconsistent heuristic (Manhattan on a lattice with diagonals, or one that is weighted) settled nodes are
-// opened again when a shorter way to them shows.
+// opened again when a shorter way to them shows, but for a rule that says `kOnce`.
 //
 // What a planner brings:
 //  * F, how f is made of g and h. It is built from the settings, and `describe()` declares it as
@@ -108,6 +108,8 @@ class BestFirst : public SearchRecord<L, T, NumberedTable<Node>> {
   void relax(const Expanded& u, int d) {
     const NodeId s = lattice_.neighbour(u.node, d);
     const Cost sum = u.g + L::step_cost(d);
+    if constexpr (takes_once<F>())
+      if (nodes_[s].slot == 0 && !nodes_[s].g.is_infinite()) return;
     if (sum < nodes_[s].g) reach(s, static_cast<std::uint32_t>(L::reverse(d)), sum, L::step(u.at, d));
   }
 

@@ -47,7 +47,7 @@ inline PlannerInfo describe(ThetaStarSwitches switches) {
   if (switches.lazy) {
     info.name = "Lazy Theta*";
     info.summary =
-        "Theta* with one line of sight for each cell that it takes: any-angle paths, far fewer checks.";
+        "Theta* with one line of sight for each cell that it takes: any-angle paths, fewer checks.";
     info.source = "Nash, Koenig & Tovey, Lazy Theta*, AAAI 2010";
   } else {
     info.name = "Theta*";

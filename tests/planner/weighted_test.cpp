@@ -31,10 +31,11 @@ Work work_of(const char* id, const BoxLattice<D>& lattice, const Settings& setti
           {path.nodes().begin(), path.nodes().end()}};
 }
 
-/// cost <= weight times the cheapest, both in units: to the last one.
+/// cost <= weight times the cheapest, but for a unit of 2^-30 for each move.
 bool within(Cost cost, Cost weight, Cost cheapest) {
   __extension__ using Wide = __int128;
-  return static_cast<Wide>(cost.raw) * Cost::kScale <= static_cast<Wide>(weight.raw) * cheapest.raw;
+  const Wide moves = cheapest.raw / Cost::kScale + 1;
+  return (static_cast<Wide>(cost.raw) - moves) * Cost::kScale <= static_cast<Wide>(weight.raw) * cheapest.raw;
 }
 
 template <int D, class Check>

@@ -142,10 +142,12 @@ class Bench {
     if (state_.queued(s) && on_map(goal) && state_.k1(s) != f_({g}, {h(s, goal)}, weight)) return false;
     if (g < kNever && !state_.queued(s))
       for (const Move& move : successors_[s])
-        if (state_.g(move.to).raw > sum(g, move.cost)) return false;
+        if (state_.g(move.to).raw > sum(g, move.cost) && !(view_.info.key.once && taken(move.to)))
+          return false;
     return true;
   }
 
+  [[nodiscard]] bool taken(NodeId s) const { return !state_.queued(s) && state_.g(s).raw < kNever; }
   [[nodiscard]] bool is_move(NodeId a, NodeId b) const {
     const auto leads_there = [b](const Move& move) { return move.to == b; };
     return std::any_of(successors_[a].begin(), successors_[a].end(), leads_there);
