@@ -44,9 +44,8 @@ inline const Parameter kStraightHeuristic{
     .type = ParameterType::choice,
     .choices = {"euclidean", "octile", "zero"},
     .help =
-        "The estimate that draws the search towards the goal. Euclidean is the papers'; octile is longer, "
-        "the exact "
-        "distance on an empty grid: fewer expansions, and of any-angle paths longer ones."};
+        "The estimate that draws the search towards the goal. Euclidean is the papers'; octile is the exact "
+        "distance on an empty grid, too long where straight ways count; zero searches in all directions."};
 inline const Parameter kSight{.key = "sight",
                               .label = "Line of sight",
                               .type = ParameterType::choice,

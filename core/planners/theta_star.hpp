@@ -19,8 +19,8 @@
 //    of its expanded neighbours instead and goes back into the list with its true key, where the paper expands it
 //    with the wrong one. The search ends when the goal is expanded, not when it is on top: its own sight is checked
 //    like all others'.
-//  * Estimates are Euclidean. Octile overestimates straight ways: fewer expansions, longer paths, though never longer
-//    than A*'s.
+//  * Estimates are Euclidean. Octile overestimates straight ways: cells are opened again and again, and paths are
+//    longer, though never longer than A*'s.
 //  * A parent that is a neighbour by a move needs no check.
 #pragma once
 
