@@ -182,8 +182,9 @@ class Rebuilt {
       return value["times"].get<std::uint64_t>() << 32 | value["order"].get<std::uint64_t>();
     if (value.contains("wall"))
       return value["moving"].get<std::uint64_t>() << 1 | std::uint64_t{value["wall"].get<bool>()};
-    if (event.kind == EventKind::scalar && event.node != static_cast<NodeId>(Scalar::km))
-      return value.get<std::uint64_t>();
+    const auto which = static_cast<Scalar>(event.node);
+    const bool cost = which == Scalar::km || which == Scalar::weight || which == Scalar::share;
+    if (event.kind == EventKind::scalar && !cost) return value.get<std::uint64_t>();
     return static_cast<std::uint64_t>(cost_of(value).raw) + (event.kind == EventKind::queue ? 1 : 0);
   }
 
