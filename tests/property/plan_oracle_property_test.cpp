@@ -44,10 +44,10 @@ void ask_all(const Scenario& scenario, const PlannerInfo& info, Tally& tally) {
     ++tally.plans;
     tally.without_path += right == oracle::kNever ? 1 : 0;
     tally.disagreements += wrong ? 1 : 0;
-    const bool claim_holds = question.exact
-                                 ? question.claimed.raw == right
-                                 : question.claimed.raw >= right &&
-                                       (question.claimed.raw < oracle::kNever) == (right < oracle::kNever);
+    const bool same_ends = (question.claimed.raw < oracle::kNever) == (right < oracle::kNever);
+    const bool claim_holds = question.exact      ? question.claimed.raw == right
+                             : question.straight ? same_ends && question.claimed.raw <= right
+                                                 : same_ends && question.claimed.raw >= right;
     ASSERT_EQ(claim_holds, !wrong.has_value());
     if (wrong) {
       EXPECT_EQ(wrong->plan, plan - 1);
