@@ -245,7 +245,7 @@ bool Session::only_cells_edited() const {
 
 void Session::saved(const std::string& file) {
   file_ = file;
-  kept_ = scenario_;
+  kept_ = std::make_shared<const Scenario>(tidied(*scenario_, scripted()));
   history_.saved();
   say("saved " + file);
   ++revision_;

@@ -142,6 +142,11 @@ TEST_F(DialogsTest, AMapFileIsWrittenInPlaceAsLongAsItCanHoldTheEdits) {
   EXPECT_FALSE(session_->modified());
   EXPECT_TRUE(read_map(map)->at({0, 2}));
 
+  edit_cell({1, 2});
+  press('S', true);
+  EXPECT_FALSE(session_->modified()) << "it is written in place once more";
+  EXPECT_TRUE(read_map(map)->at({1, 2}));
+
   const std::string written = *read_file(map);
   ASSERT_TRUE(session_->apply(SetGoal{{3, 1}}).ok());
   press('S', true);
