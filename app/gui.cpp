@@ -219,7 +219,7 @@ void Program::capture() {
       window_->pace(0);
       recording_.stop(Window::wake);
     } else if (request->kind == ui::CaptureRequest::Kind::give_up) {
-      maker_.cancel(session_);
+      maker_.cancel();
       shell_->tell("The film was not made", false);
     } else {
       wanted_ = request;
@@ -321,7 +321,7 @@ void Program::report_slow_frame(double update_ms, double draw_ms) {
 }
 
 Result<void> Program::close() {
-  if (maker_.on()) maker_.cancel(session_);
+  if (maker_.on()) maker_.cancel();
   if (recording_.state().busy()) {
     window_->hide();
     if (const auto outcome = recording_.end(); outcome && outcome->bad)

@@ -266,7 +266,8 @@ bool Canvas::Parts::title(const Look& look, const Session& session, std::size_t 
   bool exercises = false;
   for (const PlannerInfo& info : planners()) {
     if (info.exercise && !std::exchange(exercises, true)) ImGui::Separator();
-    if (ImGui::MenuItem(info.name.data(), nullptr, session.runs()[pane]->choice().id == info.id))
+    const bool chosen = session.runs()[pane]->choice().id == info.id;
+    if (menu_item(look, info.name.data(), {.on = chosen}))
       commands.emplace_back(ChoosePlanner{pane, std::string(info.id)});
     hint(look, {"", "", info.summary.data()});
   }

@@ -15,6 +15,7 @@ class Message {
   void tell(std::string sentence, bool bad);
   void clear() { text_.clear(); }
   [[nodiscard]] bool empty() const { return text_.empty(); }
+  [[nodiscard]] const std::string& sentence() const { return text_; }
   /// Above the middle of the lower edge of this area.
   void draw(const Look& look, ImVec2 min, ImVec2 max);
 

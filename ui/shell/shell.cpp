@@ -26,6 +26,12 @@ bool is_for_control(const Look& look, const Chord& chord) {
   return chord.key == key::kSpace || (arrow && look.focus->has_arrows());
 }
 
+/// A menu's label without the dots that announce a dialog.
+std::string without_dots(const std::string& label) {
+  constexpr std::string_view kDots = "…";
+  return label.ends_with(kDots) ? label.substr(0, label.size() - kDots.size()) : label;
+}
+
 /// Seeks, steps and play are no edits: nobody needs to be told twice that there is nothing to undo.
 bool is_quiet(const Command& command) {
   return std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command);
@@ -91,6 +97,19 @@ bool Shell::wants_frames(const Session& session) const {
          panes_.animating();
 }
 
+namespace {
+
+/// A key whose action can do nothing now says why. Escape does not: it is pressed to be sure that nothing is on.
+void say_why_not(Frame& frame, ActionId id) {
+  const Action& each = action(id);
+  const std::string_view why_not = each.rules.why_not;
+  if (why_not.empty() || each.chord.key == key::kEscape || each.available(context_of(frame))) return;
+  frame.panels.said = without_dots(each.label) + ": " + std::string(why_not) + ".";
+  frame.panels.said_bad = false;
+}
+
+}  // namespace
+
 void Shell::take_keys(Frame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool elsewhere =
@@ -105,6 +124,7 @@ void Shell::take_keys(Frame& frame) {
   }
   for (const ActionId id : pressed_actions(io)) {
     if (is_for_control(frame.look, action(id).chord)) continue;
+    say_why_not(frame, id);
     if (!action(id).rules.on_release) {
       perform(frame, id);
       continue;

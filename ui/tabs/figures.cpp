@@ -110,7 +110,7 @@ void export_menu(Frame& frame) {
     ImGui::OpenPopup("export");
   if (!ImGui::BeginPopup("export")) return;
   const auto entry = [&frame, &look](ActionId id) {
-    if (ImGui::MenuItem(action(id).label.c_str())) perform(frame, id);
+    if (menu_item(look, action(id).label.c_str())) perform(frame, id);
     hint(look, {"", "", action(id).teach.c_str()});
   };
   for (const ActionId id :
