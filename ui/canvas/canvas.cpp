@@ -368,7 +368,10 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
                            interactive, parts.card);
   parts.take_answer(state, session, pane, commands);
   if (state.legend && pane == session.lead())
-    draw_number_key(look, list, run.info(), parts.scene, {min.x + look.px.m, max.y - below - look.px.s});
+    draw_number_key(look, list, run.info(), parts.scene, min,
+                    {static_cast<double>(look.px.m), static_cast<double>(pane_title_height(look) + look.px.s),
+                     static_cast<double>(max.x - min.x - look.px.m),
+                     static_cast<double>(max.y - min.y - below - look.px.s)});
   if (pane == session.lead())
     parts.draw_minimap(look, session, run, state, {max.x - look.px.m, max.y - below - look.px.s});
   list.PopClipRect();

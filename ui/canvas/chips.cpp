@@ -60,6 +60,7 @@ struct CardPlace {
   double hidden = 0;    ///< the share of the card that lies over the world
   double of_world = 0;  ///< the share of the world that lies under it
   [[nodiscard]] bool roomy() const { return hidden <= kMostHidden && of_world <= kMostOfWorld; }
+  [[nodiscard]] bool hides_nothing() const { return hidden <= 0; }
 };
 
 /// Where a card of that size hides least of the world: at the right, from `top` or from `below` the title, or at the left
@@ -100,8 +101,9 @@ CardDrawn draw_card(const Look& look, const Scene& scene, const ReplanReport& re
     const float below = title.max.y + look.px.s;
     return card_place(look, scene, pane, size, size.x <= room ? title.min.y : below, below);
   };
-  // A picture has the whole card where that hides little of the world.
-  const bool roomy = place(CardForm::whole).roomy();
+  // A picture has the whole card where that hides little of the world, and no number.
+  const CardPlace widest = place(CardForm::whole);
+  const bool roomy = scene.numbers == NumbersShown::none ? widest.roomy() : widest.hides_nothing();
   const bool whole = report.times ? fold.whole(ImGui::GetTime(), roomy) : roomy;
   const CardForm form = whole ? CardForm::whole : line_form(look, report, room);
   const ImVec2 at = place(form).at, size = replan_card_size(look, report, form);

@@ -116,7 +116,7 @@ bool LessonCard::do_it(Frame& frame) {
   const Result<std::vector<Deed>> deeds = player_->deeds(frame.session);
   if (!deeds) {
     frame.panels.said = deeds.error();
-    frame.panels.said_bad = true;
+    frame.panels.tone = Tone::bad;
     return false;
   }
   for (const Deed& deed : *deeds) {

@@ -16,8 +16,9 @@ namespace replan::ui {
 namespace {
 
 constexpr float kNarrowestSide = 340, kWidestSide = 640, kNarrowestCanvas = 320, kNarrowestTransport = 560;
-constexpr float kLow = 560, kLowTransport = 100;  // a low window, and its transport
-constexpr float kCaption = 32;                    // height of the line over the canvas
+constexpr float kLow = 560, kLowWithLesson = 680, kLowTransport = 100;  // low windows, and their transport
+constexpr float kNarrowestLesson = 560, kLessonSide = 0.31f;            // the latter of the window's width
+constexpr float kCaption = 32;                                          // height of the line over the canvas
 
 /// Whether a key presses or changes the control that has the keyboard.
 bool is_for_control(const Look& look, const Chord& chord) {
@@ -76,7 +77,7 @@ void Shell::draw(const Look& look, Session& session, double) {
   world_dialogs_.draw(look, session, commands);
   context_of(frame).go_on_copying();
   context_of(frame).go_on_pasting();
-  if (!panels_.said.empty()) tell(std::exchange(panels_.said, {}), panels_.said_bad);
+  if (!panels_.said.empty()) message_.tell(std::exchange(panels_.said, {}), panels_.tone);
   take_commands(session, commands);
   follow_lesson(session);
   take_wish(session, wish);
@@ -105,7 +106,7 @@ void say_why_not(Frame& frame, ActionId id) {
   const std::string_view why_not = each.rules.why_not;
   if (why_not.empty() || each.chord.key == key::kEscape || each.available(context_of(frame))) return;
   frame.panels.said = without_dots(each.label) + ": " + std::string(why_not) + ".";
-  frame.panels.said_bad = false;
+  frame.panels.tone = Tone::hint;
 }
 
 }  // namespace
@@ -168,14 +169,19 @@ void Shell::draw_parts(Frame& frame) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const bool panels = view_.panels;
   const std::string& session_caption = frame.session.scenario().caption;
-  // In a low window the hills of the timeline are.
-  const float transport = size.y < look.px(kLow) ? look.px(kLowTransport) : look.px.transport;
+  // In a low window the hills of the timeline are, and so they are where a lesson needs the room.
+  const float transport =
+      size.y < look.px(lesson_.open() ? kLowWithLesson : kLow) ? look.px(kLowTransport) : look.px.transport;
   const float bottom = size.y - look.px.status, under = bottom - transport;
   const float left = panels ? tool_strip_width(look, under - look.px.menu - look.px(16)) : 0;
   // In a small window the world keeps the larger half, and the transport goes under both.
   const float widest =
       std::max(size.x - left - look.px(kNarrowestCanvas), std::min(look.px(kNarrowestSide), size.x * 0.45f));
-  const float side = panels ? std::min(look.px(panels_.side_width), widest) : 0;
+  // Over a narrow canvas a lesson would be tall, and its cells too small for numbers: it takes the whole row, and the
+  // side gives way.
+  float side = panels ? std::min(look.px(panels_.side_width), widest) : 0;
+  const bool whole_row = lesson_.open() && size.x - left - side < look.px(kNarrowestLesson);
+  if (whole_row) side = std::min(side, size.x * kLessonSide);
   const float split = size.x - side;
   const bool small = split < look.px(kNarrowestTransport);
   const float transport_end = small ? size.x : split, side_end = small ? under : bottom;
@@ -190,11 +196,12 @@ void Shell::draw_parts(Frame& frame) {
     area("tools", {0, look.px.menu}, {left, under - look.px.menu}, look.theme.panel, {look.px(7), look.px(8)},
          [&] { draw_tool_strip(frame); });
   const bool told = panels_.caption && !session_caption.empty() && !lesson_.open();
-  const float strip = lesson_.open() ? lesson_.height(look, split - left) : told ? look.px(kCaption) : 0;
-  const float top = look.px.menu + strip;
-  if (told) draw_caption(frame, {left, look.px.menu}, {split - left, strip});
+  const float row = (whole_row ? size.x : split) - left;
+  const float strip = lesson_.open() ? lesson_.height(look, row) : told ? look.px(kCaption) : 0;
+  const float top = look.px.menu + strip, side_top = whole_row ? top : look.px.menu;
+  if (told) draw_caption(frame, {left, look.px.menu}, {row, strip});
   if (lesson_.open())
-    area("lesson", {left, look.px.menu}, {split - left, strip}, look.theme.panel, {look.px.m, look.px.s},
+    area("lesson", {left, look.px.menu}, {row, strip}, look.theme.panel, {look.px.m, look.px.s},
          [&] { lesson_.draw(frame); });
   draw_canvas(frame, {left, top}, {split, under});
   lesson_.enter_step(frame);
@@ -202,7 +209,7 @@ void Shell::draw_parts(Frame& frame) {
        [&] { draw_transport(frame); });
   if (panels) {
     const float tool = has_tool_options(frame) ? panels_.tool_height : 0;
-    area("side", {split, look.px.menu}, {side, side_end - tool - look.px.menu}, look.theme.panel, {0, 0},
+    area("side", {split, side_top}, {side, side_end - tool - side_top}, look.theme.panel, {0, 0},
          [&] { draw_side(frame); });
     if (has_tool_options(frame))
       area("tool options", {split, side_end - tool}, {side, tool}, look.theme.panel, {look.px.l, look.px.m},
@@ -212,7 +219,7 @@ void Shell::draw_parts(Frame& frame) {
     draw_status_bar(frame);
     draw_cell_menu(frame);
   });
-  if (panels) draw_splitter(frame, split, look.px.menu, side_end);
+  if (panels) draw_splitter(frame, split, side_top, side_end);
   draw_stop(frame, {split - look.px.m, under - look.px(52)});
   message_.draw(look, {left, look.px.menu}, {split, under});
   palette_.draw(frame, documents_.library());

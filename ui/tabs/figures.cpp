@@ -32,21 +32,28 @@ void draw_value(const Look& look, float right, float y, const std::string& text,
   list.AddRectFilled({right - width, foot}, {right, foot + look.px(2)}, look.theme.good);
 }
 
-/// How the columns lie: with one or two panes beside the row's name, with more below it.
+/// How the columns lie: beside the row's name, or below it where there are more than two panes, or too little room for
+/// the planners' names.
 struct FiguresLayout {
   float left, width, name;  // name: the share of the names; 0 if they stand above
   std::size_t panes;
-  [[nodiscard]] float ratio_width(const Look& look) const { return panes == 2 ? look.px(48) : 0; }
+  [[nodiscard]] float ratio_width(const Look& look) const { return panes == 2 && name > 0 ? look.px(48) : 0; }
   [[nodiscard]] float right(const Look& look, std::size_t pane) const {
     const float room = width - name - ratio_width(look);
     return left + name + room * static_cast<float>(pane + 1) / static_cast<float>(panes);
   }
 };
 
-FiguresLayout figures_layout(const Look& look, std::size_t panes) {
+FiguresLayout figures_layout(const Look& look, const FiguresTable& table) {
   const float width = ImGui::GetContentRegionAvail().x;
-  return {ImGui::GetCursorScreenPos().x, width, panes <= 2 ? std::min(look.px(140), width * 0.42f) : 0,
-          panes};
+  FiguresLayout layout{ImGui::GetCursorScreenPos().x, width, std::min(look.px(140), width * 0.42f),
+                       table.names.size()};
+  const float room = layout.right(look, 0) - layout.left - layout.name - look.px.s;
+  const bool fit = std::all_of(table.names.begin(), table.names.end(), [&](const std::string& each) {
+    return text_width(look.fonts.ui, each) <= room;
+  });
+  if (layout.panes > 2 || !fit) layout.name = 0;
+  return layout;
 }
 
 void draw_names(const Look& look, const FiguresLayout& layout, const FiguresTable& table) {
@@ -170,7 +177,7 @@ void ActionContext::copy_figures(FiguresFormat format) {
   ImGui::SetClipboardText(figures_text(format, panels.tabs.get<FiguresTab>().now(session)).c_str());
   panels.said =
       std::string("Copied the figures as ") + figures_formats()[static_cast<std::size_t>(format)].name;
-  panels.said_bad = false;
+  panels.tone = Tone::done;
 }
 
 void FiguresTab::draw(Frame& frame) {
@@ -192,7 +199,7 @@ void FiguresTab::draw(Frame& frame) {
     return;
   }
   const FiguresTable table = figures_table(reports);
-  const FiguresLayout layout = figures_layout(look, standing.size());
+  const FiguresLayout layout = figures_layout(look, table);
   section_title(look, figure_group_title(FigureGroup::first_plan));
   export_menu(frame);
   draw_names(look, layout, table);
