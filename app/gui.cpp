@@ -155,6 +155,7 @@ Result<void> Program::open() {
   looks.panels = remembered_.panels;
   looks.legend = remembered_.legend;
   looks.view.range = remembered_.colours_so_far ? FieldSpan::so_far : FieldSpan::whole_run;
+  looks.metres = remembered_.metres;
   looks.minimap = remembered_.minimap;
   looks.colours = remembered_.colours;
   looks.brush = remembered_.brush;
@@ -335,6 +336,7 @@ Result<void> Program::close() {
   remembered_.panels = looks.panels;
   remembered_.legend = looks.legend;
   remembered_.colours_so_far = looks.view.range == FieldSpan::so_far;
+  remembered_.metres = looks.metres;
   remembered_.minimap = looks.minimap;
   remembered_.colours = looks.colours;
   remembered_.brush = looks.brush;

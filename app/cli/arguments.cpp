@@ -242,8 +242,10 @@ void WorldArguments::declare(CLI::App& command) {
                   "A map instead: " + map_extensions(MapUse::read) +
                       ", or generator:ID?KEY=VALUE&... ('replan list generators')")
       ->type_name("FILE");
-  command.add_option("--start", start, "Where the robot starts")->type_name("X,Y[,Z]");
-  command.add_option("--goal", goal, "Where it is to go")->type_name("X,Y[,Z]");
+  command
+      .add_option("--start", start, "Where the robot starts: a cell, or metres in the map's frame (1.5m,2m)")
+      ->type_name("X,Y[,Z]");
+  command.add_option("--goal", goal, "Where it is to go, likewise")->type_name("X,Y[,Z]");
   command
       .add_option("--unreachable-goal", unreachable_goal,
                   "What it does where the goal cannot be reached: wait, or nearest: go to the reachable cell "
@@ -270,7 +272,7 @@ Result<MapFile> WorldArguments::load_map() const {
   for (const auto& [option, text, cell] :
        {std::tuple{"--start", &start, &file->start}, std::tuple{"--goal", &goal, &file->goal}}) {
     if (text->empty()) continue;
-    const auto given = parse_cell_in(file->map.box(), option, *text, "the map " + map);
+    const auto given = parse_cell_in(file->map, option, *text, "the map " + map);
     if (!given) return Error{given.error()};
     *cell = *given;
   }
@@ -293,7 +295,7 @@ Result<Scenario> WorldArguments::load() const {
   for (const auto& [option, text, cell] :
        {std::tuple{"--start", &start, &world->start}, std::tuple{"--goal", &goal, &world->goal}}) {
     if (!map.empty() || text->empty()) continue;
-    const auto given = parse_cell_in(world->map.box(), option, *text, "the map " + source());
+    const auto given = parse_cell_in(world->map, option, *text, "the map " + source());
     if (!given) return Error{given.error()};
     *cell = *given;
   }

@@ -34,7 +34,7 @@ _replan_settings() {
 
 _replan_options() {
   case "$1" in
-    run) echo "-h --help --map --start --goal --unreachable-goal --robot --threshold --invert --unknown --occupied --planner --set --stage --json --csv --markdown --latex --check --trace --trace-map --break" ;;
+    run) echo "-h --help --map --start --goal --unreachable-goal --robot --threshold --invert --unknown --occupied --planner --set --stage --json --csv --markdown --latex --cells --check --trace --trace-map --break" ;;
     batch) echo "-h --help --map --threshold --invert --unknown --occupied --planner --set --stage --limit --json" ;;
     render)
       echo "-h --help --map --start --goal --unreachable-goal --robot --threshold --invert --unknown --occupied --planner --set --stage -o --output --size --scale" \

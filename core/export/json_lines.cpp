@@ -71,6 +71,8 @@ void JsonLines::opening(std::string& out) const {
   if (solid) head["depth"] = view.lattice.depth();
   head["start"] = coordinates_of(run_.start, solid);
   head["goal"] = coordinates_of(run_.goal, solid);
+  if (run_.frame) head["metres_per_cell"] = run_.frame->metres_per_cell();
+  if (run_.frame) head["origin"] = run_.frame->origin();
   head["events"] = events_;
   out += head.dump(-1, ' ', false, Json::error_handler_t::replace);
   out.back() = ',';  // the maps are still to come

@@ -46,6 +46,7 @@ constexpr FigureInfo kFigures[] = {
 };
 
 constexpr const char* kNone = "–";
+constexpr std::string_view kCells = "cells";  // of lengths
 
 /// All figures of a run under the keys of kFigures.
 std::vector<NamedFigure> all_figures(const RunReport& report) {
@@ -141,10 +142,10 @@ std::string latex_escaped(std::string_view text) {
 }
 
 /// "length (cells)"; the run's sums are told from those of the latest plan.
-std::string row_name(const FigureInfo& info) {
-  std::string name(info.label);
-  if (info.group == latest_plan) name += ", latest plan";
-  if (!info.unit.empty()) name += " (" + std::string(info.unit) + ")";
+std::string row_name(const FigureRow& row) {
+  std::string name(row.info->label);
+  if (row.info->group == latest_plan) name += ", latest plan";
+  if (!row.unit.empty()) name += " (" + std::string(row.unit) + ")";
   return name;
 }
 
@@ -170,7 +171,7 @@ std::string markdown(const FiguresTable& table) {
   std::vector<std::vector<std::string>> lines(1, {"figure"});
   for (const std::string& name : table.names) lines.front().push_back(escaped(name, "\\`*_|<"));
   for (const FigureRow& row : table.rows) {
-    lines.push_back({row_name(*row.info)});
+    lines.push_back({row_name(row)});
     for (std::size_t i = 0; i < table.names.size(); ++i) lines.back().push_back(markdown_cell(row, i));
   }
   std::vector<std::size_t> widths(table.names.size() + 1, 4);
@@ -207,7 +208,7 @@ std::string latex(const FiguresTable& table) {
   for (const FigureRow& row : table.rows) {
     if (group != row.info->group) text += "\\midrule\n";
     group = row.info->group;
-    text += latex_escaped(row_name(*row.info));
+    text += latex_escaped(row_name(row));
     for (std::size_t i = 0; i < table.names.size(); ++i) text += " & " + latex_cell(row, i);
     text += " \\\\\n";
   }
@@ -245,13 +246,17 @@ FiguresTable figures_table(std::span<const RunReport> reports) {
   const Progress progress = progress_of(reports);
   std::vector<std::vector<NamedFigure>> figures;
   for (const RunReport& report : reports) figures.push_back(all_figures(report));
+  const bool metric =
+      std::all_of(reports.begin(), reports.end(), [](const auto& each) { return each.frame.has_value(); });
   for (const FigureInfo& info : kFigures) {
-    FigureRow row{&info, {}, {}};
+    const bool in_metres = metric && info.unit == kCells;
+    FigureRow row{&info, in_metres ? "m" : info.unit, {}, {}};
     for (const RunReport& report : reports)
       row.competes.push_back(can_be_compared(report, info.group, progress));
     bool any = false;
-    for (const auto& each : figures) {
-      row.values.push_back(value_of(each, info.key));
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+      row.values.push_back(value_of(figures[i], info.key));
+      if (auto& value = row.values.back(); value && in_metres) value = reports[i].frame->metres(*value);
       // A figure that a run could have stays in the table, so that its rows do not come and go.
       any |= row.values.back().has_value() || info.group == first_plan || info.group == FigureGroup::run;
     }

@@ -87,6 +87,29 @@ Json figures_json(std::span<const NamedFigure> figures) {
   return result;
 }
 
+/// The path and the lengths of its figures in metres.
+void add_metres(Json& run, const RunReport& report) {
+  Json& path = run["path_m"] = Json::array();
+  for (std::size_t i = 0; i < report.path.size(); ++i) {
+    const Point place = report.frame->to_metres(report.path.point(i));
+    path.push_back({place.x, place.y});
+    if (report.solid) path.back().push_back(place.z);
+  }
+  run["metres_per_cell"] = report.frame->metres_per_cell();
+  run["figures"].update(figures_json(in_metres(named_figures(report), *report.frame)));
+}
+
+/// The last columns of a metric map, by their names.
+std::vector<std::pair<std::string, NamedFigure>> metric_columns(const RunReport& report) {
+  std::vector<std::pair<std::string, NamedFigure>> columns;
+  for (const NamedFigure& figure : in_metres(named_figures(report), *report.frame))
+    columns.emplace_back(figure.key, figure);
+  if (report.robot)
+    for (const NamedFigure& figure : in_metres(named_figures(*report.robot), *report.frame))
+      columns.emplace_back("robot_" + std::string(figure.key), figure);
+  return columns;
+}
+
 }  // namespace
 
 RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice,
@@ -108,6 +131,7 @@ RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoi
   report.plan_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   report_plan(report, *navigator, choice, navigator->path(), status);
+  report.frame = metric_frame(map);
   report.counters = in_vain + navigator->counters();
   report.memory_bytes = static_cast<std::int64_t>(navigator->memory_bytes());
   return report;
@@ -118,6 +142,7 @@ RunReport drive(const Scenario& scenario, const PlannerChoice& choice) {
   const auto mission = make_mission(scenario, choice);
   RunReport report;
   report.planner = choice.id;
+  report.frame = metric_frame(scenario.map);
   while (!mission->standing() && mission->advance(kSlice)) {
   }
   report_plan(report, mission->navigator(), choice, *mission->plan().path, mission->plan().status);
@@ -204,6 +229,20 @@ std::vector<NamedFigure> named_figures(const RobotReport& robot) {
           {"replans", static_cast<double>(robot.replans), true}};
 }
 
+std::vector<NamedFigure> in_metres(std::span<const NamedFigure> figures, const MapFrame& frame) {
+  constexpr std::pair<std::string_view, std::string_view> kLengths[] = {
+      {"length", "length_m"},
+      {"min_clearance", "min_clearance_m"},
+      {"mean_clearance", "mean_clearance_m"},
+      {"travelled", "travelled_m"}};
+  std::vector<NamedFigure> lengths;
+  for (const NamedFigure& figure : figures)
+    for (const auto& [in_cells, key] : kLengths)
+      if (figure.key == in_cells)
+        lengths.push_back({key, figure.value ? std::optional(frame.metres(*figure.value)) : std::nullopt});
+  return lengths;
+}
+
 std::string runs_json(std::span<const RunReport> reports) {
   Json document = {{"runs", Json::array()}};
   for (const RunReport& report : reports) {
@@ -212,6 +251,7 @@ std::string runs_json(std::span<const RunReport> reports) {
     for (std::size_t i = 0; i < report.path.size(); ++i)
       path.push_back(point_json(report.path.point(i), report.solid));
     run["figures"] = figures_json(named_figures(report));
+    if (report.frame) add_metres(run, report);
     for (std::size_t i = 0; i < report.plan_numbers.size(); ++i)
       run["plan_numbers"][std::string(find_planner(report.planner)->values.numbers[i].key)] =
           report.plan_numbers[i];
@@ -221,6 +261,8 @@ std::string runs_json(std::span<const RunReport> reports) {
                       {"last_status", status_name(report.robot->last_plan)}};
       if (report.robot->short_of_goal) run["robot"]["short_of_goal"] = *report.robot->short_of_goal;
       run["robot"].update(figures_json(named_figures(*report.robot)));
+      if (report.frame)
+        run["robot"].update(figures_json(in_metres(named_figures(*report.robot), *report.frame)));
     }
     document["runs"].push_back(std::move(run));
   }
@@ -229,6 +271,7 @@ std::string runs_json(std::span<const RunReport> reports) {
 
 std::string runs_csv(std::span<const RunReport> reports) {
   const bool robots = !reports.empty() && reports.front().robot.has_value();
+  const bool metric = !reports.empty() && reports.front().frame.has_value();
   std::string names = "planner,status", lines;
   for (const NamedFigure& figure : named_figures(RunReport{})) names += "," + std::string(figure.key);
   if (robots) {
@@ -236,6 +279,8 @@ std::string runs_csv(std::span<const RunReport> reports) {
     for (const NamedFigure& figure : named_figures(RobotReport{}))
       names += ",robot_" + std::string(figure.key);
   }
+  if (metric)
+    for (const auto& [name, figure] : metric_columns(reports.front())) names += "," + name;
   for (const RunReport& report : reports) {
     lines += report.planner + "," + std::string(report.status);
     for (const NamedFigure& figure : named_figures(report)) lines += "," + csv_number(figure);
@@ -244,6 +289,8 @@ std::string runs_csv(std::span<const RunReport> reports) {
                mission_state_name(report.robot->ending);
       for (const NamedFigure& figure : named_figures(*report.robot)) lines += "," + csv_number(figure);
     }
+    if (metric)
+      for (const auto& [name, figure] : metric_columns(report)) lines += "," + csv_number(figure);
     lines += "\n";
   }
   return names + "\n" + lines;

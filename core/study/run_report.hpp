@@ -11,6 +11,7 @@
 #include "core/plan/figures.hpp"
 #include "core/plan/planner.hpp"
 #include "core/sim/mission.hpp"
+#include "core/world/map_frame.hpp"
 #include "core/world/scenario.hpp"
 
 namespace replan {
@@ -46,6 +47,8 @@ struct RunReport {
   std::vector<double> plan_numbers;
   std::optional<Counters> last_plan;  ///< the work of the latest plan alone, where that is told
   std::optional<RobotReport> robot;
+  /// The frame of its map, if that is metric: what is told of its lengths in metres besides. Nothing: in cells alone.
+  std::optional<MapFrame> frame;
 
   /// True if the plan leads to the goal and the robot, where there is one, arrived.
   [[nodiscard]] bool succeeded() const { return robot ? robot->reached() : status == "found"; }
@@ -72,15 +75,18 @@ struct NamedFigure {
   std::optional<double> value;  ///< always finite; nothing for the shape of a path that there is not
   bool whole = false;           ///< counts; times and lengths are not
 };
-/// The 13 figures of a run: nodes, length, ... memory_bytes.
+/// The 13 figures of a run: nodes, length, ... memory_bytes; lengths in cells.
 std::vector<NamedFigure> named_figures(const RunReport& report);
 /// moves, travelled, collisions, replans.
 std::vector<NamedFigure> named_figures(const RobotReport& robot);
+/// Those of the figures that are lengths, in metres: length_m, min_clearance_m ...
+std::vector<NamedFigure> in_metres(std::span<const NamedFigure> figures, const MapFrame& frame);
 
-/// `{"runs": [...]}`. All figures are numbers; 0 stands for what a run without a path has not.
+/// `{"runs": [...]}`. All figures are numbers; 0 stands for what a run without a path has not. On a metric map there are
+/// lengths (length_m) and places (path_m) in metres too.
 std::string runs_json(std::span<const RunReport> reports);
 /// One line for each run under a line of names; the path is left out. 0 stands
-/// for what a run without a path has not.
+/// for what a run without a path has not. On a metric map columns of lengths in metres (length_m) come last.
 std::string runs_csv(std::span<const RunReport> reports);
 
 }  // namespace replan

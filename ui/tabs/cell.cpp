@@ -203,6 +203,9 @@ void heading(Frame& frame, Cell cell) {
   if (small_button(look, "cell menu", {.icon = icon::angle_down, .hint = menu.hint()}))
     frame.view.menu = cell;
   ImGui::SetCursorScreenPos(below);
+  if (const auto metres = shown_frame(frame.view, frame.session.scenario().map))
+    text(look.fonts.mono, look.theme.dim,
+         "at " + metres_text(metres->to_metres(centre_of(cell)), frame.run().lattice().solid()));
 }
 
 class CellTab final : public SideTab {

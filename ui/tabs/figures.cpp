@@ -95,7 +95,7 @@ void draw_row(const Look& look, const FiguresLayout& layout, const FigureRow& ro
     list.AddRectFilled(origin, {origin.x + layout.width, origin.y + height}, look.theme.hover, look.px(4));
   hint(look, {row.info->label.data(), "", row.info->teach.data()});
   const std::string name =
-      std::string(row.info->label) + (row.info->unit.empty() ? "" : "  " + std::string(row.info->unit));
+      std::string(row.info->label) + (row.unit.empty() ? "" : "  " + std::string(row.unit));
   const float y = origin.y + (line - look.fonts.mono->FontSize) * 0.5f;
   draw_line(look, list, look.fonts.ui, {origin.x, y}, look.theme.dim, name,
             stacked ? layout.width : layout.name);
@@ -149,7 +149,7 @@ FiguresTab::Kept& FiguresTab::kept(const Run& run, std::size_t pane) {
   return *kept;
 }
 
-std::vector<RunReport> FiguresTab::as_known(const Session& session) {
+std::vector<RunReport> FiguresTab::as_known(const Session& session, const ViewState& view) {
   std::vector<RunReport> reports;
   for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
     const Run& run = *session.runs()[pane];
@@ -161,20 +161,21 @@ std::vector<RunReport> FiguresTab::as_known(const Session& session) {
       reports.back().status = status_name(PlanStatus::searching);
     } else {
       reports.push_back(report_at(*decision, *run.decisions().front().plan, *figures, run.choice()));
+      reports.back().frame = shown_frame(view, run.scenario().map);
     }
   }
   return reports;
 }
 
-std::vector<RunReport> FiguresTab::now(const Session& session) {
-  static_cast<void>(as_known(session));  // begins what is not worked out yet
+std::vector<RunReport> FiguresTab::now(const Session& session, const ViewState& view) {
+  static_cast<void>(as_known(session, view));  // begins what is not worked out yet
   for (const auto& each : kept_)
     if (each) each->job.wait();
-  return as_known(session);
+  return as_known(session, view);
 }
 
 void ActionContext::copy_figures(FiguresFormat format) {
-  ImGui::SetClipboardText(figures_text(format, panels.tabs.get<FiguresTab>().now(session)).c_str());
+  ImGui::SetClipboardText(figures_text(format, panels.tabs.get<FiguresTab>().now(session, view)).c_str());
   panels.said =
       std::string("Copied the figures as ") + figures_formats()[static_cast<std::size_t>(format)].name;
   panels.tone = Tone::done;
@@ -182,7 +183,7 @@ void ActionContext::copy_figures(FiguresFormat format) {
 
 void FiguresTab::draw(Frame& frame) {
   const Look& look = frame.look;
-  const std::vector<RunReport> reports = as_known(frame.session);
+  const std::vector<RunReport> reports = as_known(frame.session, frame.view);
   std::vector<bool> standing;
   for (const RunReport& report : reports)
     standing.push_back(report.status != status_name(PlanStatus::searching));
