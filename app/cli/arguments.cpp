@@ -175,9 +175,19 @@ void PlannerArguments::declare(CLI::App& command) {
       ->allow_extra_args(false);
 }
 
-Result<std::vector<PlannerChoice>> PlannerArguments::choose(std::span<const PlannerChoice> own) const {
+Result<std::vector<PlannerChoice>> PlannerArguments::choose(std::span<const PlannerChoice> own,
+                                                            const GridMap* world) const {
   auto choices = chosen(split_list(ids), own);
   if (!choices) return choices;
+  // "all" are all that can plan there; who is named and cannot is refused.
+  if (world != nullptr && split_list(ids) == std::vector<std::string>{"all"})
+    std::erase_if(choices.value(), [world](const PlannerChoice& choice) {
+      return !fits(*find_planner(choice.id), world->box());
+    });
+  for (const PlannerChoice& choice : choices.value())
+    if (world != nullptr)
+      if (const auto fit = fits(*find_planner(choice.id), world->box()); !fit)
+        return Error{"--planner: " + fit.error()};
   for (const std::string& typed : settings) {
     const auto set = take_apart(typed);
     if (!set) return Error{set.error()};
@@ -309,7 +319,7 @@ Result<Scenario> WorldArguments::load() const {
     if (const auto known = require_robot(robot); !known) return Error{"--robot: " + known.error()};
     world->robot.kind = robot;
   }
-  auto choices = planners.choose(world->planners);
+  auto choices = planners.choose(world->planners, &world->map);
   if (!choices) return Error{choices.error()};
   world->planners = std::move(choices.value());
   return world;

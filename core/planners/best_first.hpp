@@ -120,6 +120,10 @@ class BestFirst : public SearchRecord<L, T, NumberedTable<Node>> {
     this->set_g(s, sum);
     tr_.line(11);
     this->set_parent(s, parent_direction);
+    queue(s, node, sum, at);
+  }
+  // Line 12.
+  void queue(NodeId s, const Node& node, Cost sum, const Coordinates& at) {
     const Key key = self().key_of(s, sum, at);
     tr_.line(12);
     if (node.slot != 0)

@@ -236,6 +236,7 @@ TEST(JsonLines, HoldMissionsInBoxesOfVoxels) {
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
     const PlannerInfo& info = planners()[seed % planners().size()];
     SCOPED_TRACE(std::string(info.id) + ", seed " + std::to_string(seed));
+    if (info.planar) continue;
     expect_rebuilds(random_mission(seed, std::string(info.id), 2 + static_cast<int>(seed % 3)));
   }
 }
