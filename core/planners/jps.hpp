@@ -124,7 +124,7 @@ requires(L::kDimensions == 2) class Jps final : public BestFirst<L, T, GPlusH, J
     if constexpr (T::kEnabled) std::fill(scanned_.begin(), scanned_.end(), 0u);
   }
 
-  // Lines 6-9.
+  // Lines 6-7.
   void expand(const Expanded& u) {
     for (std::uint32_t rest = successors(u); rest != 0; rest &= rest - 1) {
       const int d = std::countr_zero(rest);
@@ -158,21 +158,23 @@ requires(L::kDimensions == 2) class Jps final : public BestFirst<L, T, GPlusH, J
     return kept & moves;
   }
 
-  // Lines 10-13.
+  // Lines 8-12.
   void relax(const Expanded& u, int d, int steps) {
     const Cost sum{u.g.raw + steps * L::step_cost(d).raw};
     const auto [dx, dy] = Dirs::offset(d);
     const Coordinates at = {u.at[0] + steps * dx, u.at[1] + steps * dy};
     const NodeId s = lattice_.node(at);
     if (!(sum < nodes_[s].g)) return;
-    const JpsNode& node = nodes_.write(s);
+    JpsNode& node = nodes_.write(s);
     tr_.line(10);
     this->set_g(s, sum);
     tr_.line(11);
     tr_.change(EventKind::lp, s, std::uint64_t{node.jumped_from + 1u}, std::uint64_t{u.node + 1u});
-    nodes_.held(s).jumped_from = u.node;
-    nodes_.held(s).parent = static_cast<std::uint32_t>(L::reverse(d)) & 31u;
-    this->queue(s, node, sum, at);
+    node.jumped_from = u.node;
+    node.parent = static_cast<std::uint32_t>(L::reverse(d)) & 31u;
+    const Key key = this->key_of(s, sum, at);
+    tr_.line(12);
+    this->queue(s, key);
   }
 
   // Lines 14-22: how many steps it is from u to the next jump point in direction d; 0 if there is none.

@@ -10,9 +10,7 @@
 //  * Every value is a distance from the start, so a search is worth keeping only as long as the start stays where it
 //    is. When the robot has moved there is nothing to repair, and the search begins afresh, which its log says by an
 //    epoch (PlannerInfo::keeps_start). D* Lite turns the search round for that reason.
-//  * rhs is updated incrementally, as in D* Lite (dstar_lite.hpp): where one predecessor improved, the minimum is
-//    that of two numbers; where one got worse, it is taken anew only if that one was the argmin. Costs and parents
-//    are those of the plain version.
+//  * rhs is updated incrementally (lookahead_search.hpp).
 //  * Moves are undirected (law 3 in lattice.hpp), so Pred(s) = Succ(s). The parent of s is the predecessor that
 //    offers the least, of equal ones the first; the start is its own.
 //  * While the start or the goal lies inside an obstacle the search rests: no work could find a path.
@@ -24,9 +22,8 @@
 #include <vector>
 
 #include "core/plan/common_parameters.hpp"
-#include "core/plan/node_table.hpp"
 #include "core/plan/registry.hpp"
-#include "core/plan/search_record.hpp"
+#include "core/planners/lookahead_search.hpp"
 
 namespace replan {
 
@@ -56,10 +53,13 @@ struct LpaStarNode {
 static_assert(sizeof(LpaStarNode) == 24, "a large map has many of them");
 
 template <Lattice L, Tracer T>
-class LpaStar final : public SearchRecord<L, T, NodeTable<LpaStarNode>> {
+class LpaStar final : public LookaheadSearch<L, T, LpaStarNode, LpaStar<L, T>> {
+  using Base = LookaheadSearch<L, T, LpaStarNode, LpaStar<L, T>>;
+  friend Base;
+
  public:
   LpaStar(const L& lattice, const Settings& settings, T& tracer, LpaStarSwitches switches)
-      : Record(lattice, tracer), heuristic_(heuristic_of(describe(switches), settings)) {}
+      : Base(lattice, tracer), heuristic_(heuristic_of(describe(switches), settings)) {}
 
   void begin(NodeId start, NodeId goal) override {
     this->begin_counting();
@@ -67,18 +67,12 @@ class LpaStar final : public SearchRecord<L, T, NodeTable<LpaStarNode>> {
     initialize(start);
   }
 
-  bool advance(std::int64_t iterations) override {
-    for (; iterations > 0; --iterations)
-      if (!compute_shortest_path_step()) return true;
-    return !search_needed();
-  }
-
   // The main procedure, lines 10 to 14 of the mission.
   void update(const MapChange<L>& change, NodeId start) override {
     tr_.line(110);
     if (start != start_) return initialize(start);
     tr_.line(114);
-    for (const auto& move : change.moves) moves_changed(move.node, move.before);
+    for (const auto& move : change.moves) this->moves_changed(move.node, move.before);
   }
 
   [[nodiscard]] PlanStatus status() const override {
@@ -100,26 +94,23 @@ class LpaStar final : public SearchRecord<L, T, NodeTable<LpaStarNode>> {
   void restore(const SearchState& state, const Counters& counters) override {
     this->restore_record(state, counters, [&](NodeId n, Node& node) {
       node.rhs = state.rhs(n);
-      return std::min(node.g, node.rhs);
+      return state.k2(n);
     });
     goal_at_ = lattice_.coordinates(goal_);
   }
 
  private:
-  using Record = SearchRecord<L, T, NodeTable<LpaStarNode>>;
-  using Record::goal_, Record::lattice_, Record::nodes_, Record::open_, Record::start_, Record::tr_;
-  using Record::kNoDirection, Record::set_g, Record::set_scalar;
-  using typename Record::Coordinates, typename Record::Node;
+  using Base::goal_, Base::lattice_, Base::nodes_, Base::start_, Base::tr_;
+  using Base::kNoDirection, Base::least, Base::set_g, Base::set_rhs, Base::set_scalar, Base::top_key;
+  using typename Base::Coordinates, typename Base::Node;
+
+  [[nodiscard]] NodeId root() const { return start_; }
 
   // Line 1.
   [[nodiscard]] Key calculate_key(NodeId s, const Coordinates& at) const {
     return key_of(s, lattice_.bound(heuristic_, at, goal_at_));
   }
-  [[nodiscard]] Key key_of(NodeId s, Cost estimate) const {
-    const Cost least = std::min(nodes_[s].g, nodes_[s].rhs);
-    return {least + estimate, least};
-  }
-  [[nodiscard]] Key top_key() const { return open_.empty() ? Key{} : open_.top().key; }
+  [[nodiscard]] Key key_of(NodeId s, Cost estimate) const { return {least(s) + estimate, least(s)}; }
 
   // Lines 2-5.
   void initialize(NodeId start) {
@@ -169,10 +160,7 @@ class LpaStar final : public SearchRecord<L, T, NodeTable<LpaStarNode>> {
     const Node& node = nodes_[u];
     if (node.g != node.rhs) {
       tr_.line(8);
-      if (node.slot != 0)
-        this->re_key(u, calculate_key(u, at));
-      else
-        this->put_in(u, calculate_key(u, at));
+      this->queue(u, calculate_key(u, at));
     } else if (node.slot != 0) {
       tr_.line(7);
       this->take_out(u);
@@ -220,26 +208,6 @@ class LpaStar final : public SearchRecord<L, T, NodeTable<LpaStarNode>> {
       if (nodes_[s].parent == static_cast<std::uint32_t>(L::reverse(d)) && s != start_) update_vertex(s);
     }
     update_queue(u, u_at);
-  }
-
-  // Lines 12-14 of the mission: the moves of u have changed.
-  void moves_changed(NodeId u, std::uint32_t before) {
-    if (u == start_) return;
-    const std::uint32_t now = lattice_.moves(u);
-    const Node& node = nodes_[u];
-    if (node.parent != kNoDirection && ((before & ~now) >> node.parent & 1u) != 0) return update_vertex(u);
-    for (std::uint32_t rest = now & ~before; rest != 0; rest &= rest - 1) {
-      const int d = std::countr_zero(rest);
-      const Cost sum = L::step_cost(d) + nodes_[lattice_.neighbour(u, d)].g;
-      if (!sum.is_infinite()) offer(u, lattice_.coordinates(u), static_cast<std::uint32_t>(d), sum);
-    }
-  }
-
-  // Every write of a value goes through here, set_g() or set_parent(), so that the log misses none.
-  void set_rhs(NodeId s, Cost value) {
-    Node& node = nodes_.write(s);  // rhs is the first value of a vertex that is written
-    tr_.change(EventKind::rhs, s, node.rhs, value);
-    node.rhs = value;
   }
 
   Heuristic heuristic_;
