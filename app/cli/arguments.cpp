@@ -97,16 +97,22 @@ Result<void> add_stage(std::string_view typed, std::vector<PlannerChoice>& choic
                "' is not among the planners here; add it with --planner"};
 }
 
+/// "all" are all that can plan in that world; who is named and cannot is refused.
 Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids,
-                                          std::span<const PlannerChoice> own) {
+                                          std::span<const PlannerChoice> own, const GridMap* world) {
+  const auto can_plan = [world](const PlannerInfo& info) {
+    return world == nullptr ? Result<void>() : fits(info, world->box());
+  };
   std::vector<PlannerChoice> result;
   for (const std::string& id : ids) {
     if (id == "all") {
-      for (const PlannerInfo& info : sound_planners()) result.push_back({std::string(info.id), {}});
+      for (const PlannerInfo& info : sound_planners())
+        if (can_plan(info)) result.push_back({std::string(info.id), {}});
       continue;
     }
     const auto info = require_planner(id);
     if (!info) return Error{"--planner: " + info.error()};
+    if (const auto can = can_plan(**info); !can) return Error{"--planner: " + can.error()};
     const auto kept =
         std::find_if(own.begin(), own.end(), [&](const PlannerChoice& c) { return c.id == id; });
     result.push_back(kept != own.end() ? *kept : PlannerChoice{id, {}});
@@ -177,17 +183,8 @@ void PlannerArguments::declare(CLI::App& command) {
 
 Result<std::vector<PlannerChoice>> PlannerArguments::choose(std::span<const PlannerChoice> own,
                                                             const GridMap* world) const {
-  auto choices = chosen(split_list(ids), own);
+  auto choices = chosen(split_list(ids), own, world);
   if (!choices) return choices;
-  // "all" are all that can plan there; who is named and cannot is refused.
-  if (world != nullptr && split_list(ids) == std::vector<std::string>{"all"})
-    std::erase_if(choices.value(), [world](const PlannerChoice& choice) {
-      return !fits(*find_planner(choice.id), world->box());
-    });
-  for (const PlannerChoice& choice : choices.value())
-    if (world != nullptr)
-      if (const auto fit = fits(*find_planner(choice.id), world->box()); !fit)
-        return Error{"--planner: " + fit.error()};
   for (const std::string& typed : settings) {
     const auto set = take_apart(typed);
     if (!set) return Error{set.error()};
