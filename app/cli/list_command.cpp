@@ -69,6 +69,7 @@ Result<Listing> list_planners() {
                                         {"source", info.source},
                                         {"incremental", info.incremental},
                                         {"keeps_start", info.keeps_start},
+                                        {"planar", info.planar},
                                         {"any_angle", info.any_angle},
                                         {"clearance", info.clearance},
                                         {"exercise", info.exercise},
