@@ -97,16 +97,22 @@ Result<void> add_stage(std::string_view typed, std::vector<PlannerChoice>& choic
                "' is not among the planners here; add it with --planner"};
 }
 
+/// "all" are all that can plan in that world; who is named and cannot is refused.
 Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids,
-                                          std::span<const PlannerChoice> own) {
+                                          std::span<const PlannerChoice> own, const GridMap* world) {
+  const auto can_plan = [world](const PlannerInfo& info) {
+    return world == nullptr ? Result<void>() : fits(info, world->box());
+  };
   std::vector<PlannerChoice> result;
   for (const std::string& id : ids) {
     if (id == "all") {
-      for (const PlannerInfo& info : sound_planners()) result.push_back({std::string(info.id), {}});
+      for (const PlannerInfo& info : sound_planners())
+        if (can_plan(info)) result.push_back({std::string(info.id), {}});
       continue;
     }
     const auto info = require_planner(id);
     if (!info) return Error{"--planner: " + info.error()};
+    if (const auto can = can_plan(**info); !can) return Error{"--planner: " + can.error()};
     const auto kept =
         std::find_if(own.begin(), own.end(), [&](const PlannerChoice& c) { return c.id == id; });
     result.push_back(kept != own.end() ? *kept : PlannerChoice{id, {}});
@@ -175,8 +181,9 @@ void PlannerArguments::declare(CLI::App& command) {
       ->allow_extra_args(false);
 }
 
-Result<std::vector<PlannerChoice>> PlannerArguments::choose(std::span<const PlannerChoice> own) const {
-  auto choices = chosen(split_list(ids), own);
+Result<std::vector<PlannerChoice>> PlannerArguments::choose(std::span<const PlannerChoice> own,
+                                                            const GridMap* world) const {
+  auto choices = chosen(split_list(ids), own, world);
   if (!choices) return choices;
   for (const std::string& typed : settings) {
     const auto set = take_apart(typed);
@@ -311,7 +318,7 @@ Result<Scenario> WorldArguments::load() const {
     if (const auto known = require_robot(robot); !known) return Error{"--robot: " + known.error()};
     world->robot.kind = robot;
   }
-  auto choices = planners.choose(world->planners);
+  auto choices = planners.choose(world->planners, &world->map);
   if (!choices) return Error{choices.error()};
   world->planners = std::move(choices.value());
   return world;

@@ -26,7 +26,8 @@ struct PlannerArguments {
   void declare(CLI::App& command);
   /// The planners asked for, in that order; those of `own` (a scenario's) if none is asked for. A planner
   /// keeps the settings and stages that it has in `own`; `--set` changes them, `--stage` adds to them.
-  [[nodiscard]] Result<std::vector<PlannerChoice>> choose(std::span<const PlannerChoice> own = {}) const;
+  [[nodiscard]] Result<std::vector<PlannerChoice>> choose(std::span<const PlannerChoice> own = {},
+                                                          const GridMap* world = nullptr) const;
 };
 
 /// `--threshold`, `--invert`, `--unknown` and `--occupied`: how a map file is read, as typed.

@@ -15,8 +15,8 @@ template <class Switches>
 PlannerInfo entry(std::string_view id, Switches switches) {
   PlannerInfo info = describe(switches);
   info.id = id;
-  const auto common = lattice_parameters();
-  info.parameters.insert(info.parameters.end(), common.begin(), common.end());
+  for (const Parameter& common : lattice_parameters())
+    if (!info.eight_neighbours || common.key != parameters::kMoves.key) info.parameters.push_back(common);
   return info;
 }
 
@@ -58,6 +58,12 @@ const PlannerInfo* find_planner(std::string_view id) {
 
 Result<const PlannerInfo*> require_planner(std::string_view id) {
   return require_by_id(planners(), id, "planner");
+}
+
+Result<void> fits(const PlannerInfo& info, const Box& box) {
+  if (!info.planar || !box.solid()) return {};
+  return Error{"'" + std::string(info.id) + "' plans in the plane alone, and this world has " +
+               std::to_string(box.depth()) + " layers"};
 }
 
 Heuristic heuristic_of(const PlannerInfo& info, const Settings& settings) {

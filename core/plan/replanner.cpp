@@ -59,6 +59,7 @@ Result<Replanner> Replanner::make(Box box, std::vector<std::uint8_t> cells, std:
   if (std::string fault = fault_of(box, cells.size()); !fault.empty()) return Error{std::move(fault)};
   const auto info = require_planner(planner);
   if (!info) return Error{info.error()};
+  if (const auto fit = fits(**info, box); !fit) return Error{fit.error()};
   Settings values;
   for (const auto& [key, text] : settings)
     if (const auto set = set_from_text(values, (*info)->parameters, key, text); !set)

@@ -72,6 +72,7 @@ class ScenarioReader {
     PlannerChoice choice{id->text(), {}};
     const Result<const PlannerInfo*> info = require_planner(choice.id);
     if (!info) return id->fail(info.error());
+    if (const auto fit = fits(**info, scenario_.map.box()); !fit) return id->fail(fit.error());
     if (const auto settings = node.find("settings"))
       read_settings(*settings, (*info)->parameters, choice.settings);
     if (const auto stages = node.find("stages"))

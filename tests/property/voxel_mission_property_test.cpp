@@ -106,9 +106,11 @@ void drive(Random& random, const Scenario& scenario, const PlannerInfo& info, Ta
 
 TEST(VoxelMissions, AreDrivenAsThoseInThePlane) {
   Tally tally;
-  const auto planners = sound_planners();
+  std::vector<const PlannerInfo*> planners;
+  for (const PlannerInfo& info : sound_planners())
+    if (!info.planar) planners.push_back(&info);
   for (int mission = 0; mission < kMissions; ++mission) {
-    const PlannerInfo& info = planners[static_cast<std::size_t>(mission) % planners.size()];
+    const PlannerInfo& info = *planners[static_cast<std::size_t>(mission) % planners.size()];
     Random random(static_cast<std::uint64_t>(mission) * 1000 + 3);
     const Scenario scenario = random_voxel_scenario(random, info);
     drive(random, scenario, info, tally);

@@ -68,9 +68,10 @@ class Bench {
     if (map_stale_) map_changed();
     std::vector<NodeId> wrong;
     for (NodeId n = 0; n < world_.blocked.size(); ++n) {
-      const bool holds = any_angle()                     ? any_angle_holds(n)
-                         : view_.info.values.lookahead() ? lookahead_holds(n)
-                                                         : best_first_holds(n);
+      const bool holds = any_angle()                         ? any_angle_holds(n)
+                         : view_.info.values.lookahead()     ? lookahead_holds(n)
+                         : view_.info.values.laws == "jumps" ? jump_holds(n)
+                                                             : best_first_holds(n);
       if (!holds) wrong.push_back(n);
     }
     return wrong;
@@ -92,19 +93,21 @@ class Bench {
 
   bool lookahead_holds(NodeId s) {
     const Raw g = state_.g(s).raw, rhs = state_.rhs(s).raw;
-    const NodeId goal = state_.node(Scalar::goal), start = state_.node(Scalar::start);
+    const bool from_goal = view_.info.from_goal;
+    const NodeId root = state_.node(from_goal ? Scalar::goal : Scalar::start);
+    const NodeId target = state_.node(from_goal ? Scalar::start : Scalar::goal);
     Raw best = kNever;
     NodeId parent = kNoNode;
     for (const Move& move : successors_[s]) {
       const Raw offer = sum(move.cost, sum(state_.g(move.to).raw, state_.dist(move.to).raw));
       if (offer < best) best = offer, parent = move.to;
     }
-    if (s == goal) best = 0, parent = goal;
+    if (s == root) best = 0, parent = root;
     if (rhs != best || state_.lp(s) != parent) return false;
     if (state_.queued(s) != (g != rhs)) return false;
     if (state_.dist(s).raw != (penalty_.empty() ? 0 : penalty_[s])) return false;
-    if (!state_.queued(s) || !on_map(start)) return true;
-    const Raw key = sum(sum(std::min(g, rhs), h(start, s)), state_.km().raw);
+    if (!state_.queued(s) || !on_map(target)) return true;
+    const Raw key = sum(sum(std::min(g, rhs), h(target, s)), state_.km().raw);
     return written_.contains(s) ? state_.k1(s).raw == key : state_.k1(s).raw <= key;
   }
 
@@ -148,6 +151,36 @@ class Bench {
   }
 
   [[nodiscard]] bool taken(NodeId s) const { return !state_.queued(s) && state_.g(s).raw < kNever; }
+
+  /// As a best-first search, but for what it offers, and with parents a jump away.
+  bool jump_holds(NodeId s) {
+    const NodeId goal = state_.node(Scalar::goal), start = state_.node(Scalar::start);
+    const Raw g = state_.g(s).raw;
+    const NodeId parent = state_.lp(s);
+    if (state_.queued(s) && on_map(goal) && state_.k1(s) != f_({g}, {h(s, goal)}, Cost{})) return false;
+    if (s == start) return g == 0 && parent == kNoNode;
+    if (g >= kNever) return parent == kNoNode && !state_.queued(s);
+    const Raw way = on_map(parent) ? jump(s, parent) : kNever;
+    if (way == kNever) return false;
+    const Raw through = sum(state_.g(parent).raw, way);
+    return g == through || (g > through && state_.queued(parent));
+  }
+
+  /// The cost of a straight way of moves from a to b, by trying all eight; kNever if there is none.
+  [[nodiscard]] Raw jump(NodeId a, NodeId b) const {
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        Place at = world_.place(a);
+        Raw way = 0;
+        while ((dx != 0 || dy != 0) && may_move(world_, rules_, at, {dx, dy, 0})) {
+          at = {at[0] + dx, at[1] + dy, 0};
+          way += step(std::abs(dx) + std::abs(dy));
+          if (world_.index(at) == b) return way;
+        }
+      }
+    return kNever;
+  }
+
   [[nodiscard]] bool is_move(NodeId a, NodeId b) const {
     const auto leads_there = [b](const Move& move) { return move.to == b; };
     return std::any_of(successors_[a].begin(), successors_[a].end(), leads_there);
@@ -156,12 +189,12 @@ class Bench {
   std::optional<NodeId> plan_fault(PlanStatus status) {
     const NodeId goal = state_.node(Scalar::goal), start = state_.node(Scalar::start);
     const bool lookahead = view_.info.values.lookahead();
-    const NodeId end = lookahead ? start : goal;
+    const NodeId end = view_.info.from_goal ? start : goal;
     if (!on_map(end)) return std::nullopt;
     const auto rule = static_cast<SightRule>(static_cast<int>(view_.settings.get("sight", 0)));
     const bool free =
         on_map(start) && on_map(goal) && world_.blocked[start] == 0 && world_.blocked[goal] == 0;
-    const Raw promised = lookahead ? state_.rhs(start).raw : state_.g(goal).raw;
+    const Raw promised = lookahead ? state_.rhs(end).raw : state_.g(end).raw;
     if (has_path(status) != (free && promised < kNever)) return end;
     if (!has_path(status)) return std::nullopt;
     for (NodeId s = end; any_angle() && s != start; s = state_.rp(s))
@@ -169,11 +202,14 @@ class Bench {
           state_.g(state_.rp(s)) >= state_.g(s))
         return s;
     if (any_angle()) return std::nullopt;
-    const NodeId other_end = lookahead ? goal : start;
+    const NodeId other_end = view_.info.from_goal ? goal : start;
     Raw way = 0;
     for (NodeId s = end; s != other_end; s = state_.lp(s)) {
-      if (!is_move(s, state_.lp(s)) || state_.g(state_.lp(s)) >= state_.g(s)) return s;
-      way += step_between(world_, s, state_.lp(s));
+      const NodeId next = state_.lp(s);
+      const bool leads =
+          view_.info.values.laws == "jumps" ? on_map(next) && jump(s, next) != kNever : is_move(s, next);
+      if (!leads || state_.g(next) >= state_.g(s)) return s;
+      if (view_.info.sight) way += step_between(world_, s, next);
     }
     return view_.info.sight ? path_fault(way) : std::nullopt;
   }
