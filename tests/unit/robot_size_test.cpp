@@ -164,11 +164,12 @@ TEST(RobotSize, IsDrawnWithWhereItsCentreCannotBe) {
     view.overlays.set(Overlay::size, shade);
     return build_scene(run, view, {800, 600}, palette);
   };
-  const auto shaded = [](const Scene& scene) {
+  const auto shaded = [&palette](const Scene& scene) {
     int count = 0;
     for (const Shape& shape : scene.shapes)
       if (const auto* outline = std::get_if<Outline>(&shape))
-        count += outline->shape == OutlineShape::filled ? 1 : 0;
+        count +=
+            outline->shape == OutlineShape::filled && outline->colour == faded(palette.obstacle, 0.4) ? 1 : 0;
     return count;
   };
   const auto bodies = [](const Scene& scene, double radius) {
