@@ -19,6 +19,7 @@ namespace {
 
 /// In the order of UnreachableGoal.
 constexpr std::string_view kUnreachableGoals[] = {"wait", "nearest"};
+const std::string kMostRadius = std::to_string(static_cast<int>(MoveRules::kMostRadius));
 
 /// One `--set [PLANNER.]KEY=VALUE`, taken apart.
 struct Assignment {
@@ -260,6 +261,11 @@ void WorldArguments::declare(CLI::App& command) {
       ->type_name("WHAT");
   command.add_option("--robot", robot, "The kind of robot; 'replan list robots' shows them")
       ->type_name("KIND");
+  command
+      .add_option("--radius", radius,
+                  "The radius of its body in cells, 0 to " + kMostRadius +
+                      ": its centre keeps so far away from obstacles (0: a point)")
+      ->type_name("CELLS");
   reading.declare(command);
   planners.declare(command);
 }
@@ -317,6 +323,12 @@ Result<Scenario> WorldArguments::load() const {
   if (!robot.empty()) {
     if (const auto known = require_robot(robot); !known) return Error{"--robot: " + known.error()};
     world->robot.kind = robot;
+  }
+  if (!radius.empty()) {
+    const auto cells = number_from<double>(radius);
+    if (!cells || !(*cells >= 0 && *cells <= MoveRules::kMostRadius))
+      return Error{"--radius cannot be '" + radius + "': give a number of cells from 0 to " + kMostRadius};
+    world->robot.radius = *cells;
   }
   auto choices = planners.choose(world->planners, &world->map);
   if (!choices) return Error{choices.error()};

@@ -55,6 +55,7 @@ struct WorldArguments {
   std::string goal;
   std::string unreachable_goal;
   std::string robot;
+  std::string radius;
   ReadingArguments reading;
   PlannerArguments planners;
 

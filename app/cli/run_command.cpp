@@ -76,6 +76,17 @@ std::string plan_numbers(std::span<const RunReport> reports) {
   return text;
 }
 
+/// Of a robot with a size, one line for each planner that has a path.
+std::string edge_clearances(std::span<const RunReport> reports, double radius) {
+  std::string text;
+  for (const RunReport& report : reports)
+    if (report.figures.nodes > 0)
+      text += report.planner + ": clearance of the edge of a robot of radius " + decimals(radius, 2) +
+              ": min " + decimals(report.figures.min_clearance - radius, 2) + ", mean " +
+              decimals(report.figures.mean_clearance - radius, 2) + "\n";
+  return text;
+}
+
 std::string robots_table(std::span<const RunReport> reports) {
   using enum Table::Align;
   Table table({{"planner", left},
@@ -108,6 +119,8 @@ std::string summary(const WorldArguments& arguments, const Scenario& world,
                      cell_text(world.start, box.solid()) + " to " + cell_text(world.goal, box.solid()) +
                      "\n\n" + plans_table(reports);
   if (const std::string numbers = plan_numbers(reports); !numbers.empty()) text += "\n" + numbers;
+  if (const double radius = reports.front().radius; radius > 0)
+    text += "\n" + edge_clearances(reports, radius);
   if (reports.front().robot) text += "\n" + robots_table(reports);
   std::string failures;
   for (const RunReport& report : reports)
@@ -179,9 +192,9 @@ Result<int> run(const RunArguments& arguments) {
   std::vector<RunReport> reports;
   bool succeeded = true;
   for (const PlannerChoice& choice : world->planners) {
-    reports.push_back(arguments.world.map.empty() ? drive(*world, choice)
-                                                  : plan_once(world->map, world->start, world->goal, choice,
-                                                              world->robot.unreachable_goal));
+    reports.push_back(arguments.world.map.empty()
+                          ? drive(*world, choice)
+                          : plan_once(world->map, world->start, world->goal, choice, world->robot));
     if (arguments.cells) reports.back().frame.reset();
     succeeded &= reports.back().succeeded();
   }

@@ -80,9 +80,10 @@ std::span<const Parameter> lattice_parameters() {
   return all;
 }
 
-MoveRules move_rules(const Settings& settings) {
+MoveRules move_rules(const Settings& settings, double radius) {
   return {.corners = static_cast<CornerRule>(static_cast<int>(settings.get(parameters::kCorners))),
-          .diagonals = settings.get(parameters::kMoves) == 0};
+          .diagonals = settings.get(parameters::kMoves) == 0,
+          .radius = radius};
 }
 
 }  // namespace replan

@@ -74,7 +74,7 @@ Heuristic heuristic_of(const PlannerInfo& info, const Settings& settings);
 
 /// The parameters `moves` and `corners`, which every lattice planner has.
 std::span<const Parameter> lattice_parameters();
-/// The rules that these settings ask for.
-MoveRules move_rules(const Settings& settings);
+/// The rules that these settings ask for, for a robot of that radius.
+MoveRules move_rules(const Settings& settings, double radius = 0);
 
 }  // namespace replan

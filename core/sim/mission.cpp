@@ -73,7 +73,7 @@ Mission::Mission(const Scenario& scenario, const PlannerChoice& choice, Recorder
       crowd_(scenario),
       box_(scenario.map.box()),
       truth_(initial_truth(scenario).plain()),
-      navigator_(make_navigator(choice, box_, initial_knowledge(scenario), recorder)),
+      navigator_(make_navigator(choice, box_, initial_knowledge(scenario), scenario.robot.radius, recorder)),
       start_(box_.node(scenario.start)),
       goal_(box_.node(scenario.goal)),
       aim_(goal_) {

@@ -110,6 +110,10 @@ class MissionLog {
 /// plans again; when it has waited as long as its patience lasts and nothing scripted is to come, it gives
 /// up.
 ///
+/// A robot with a size plans over what its radius leaves free, and nothing that moves comes nearer to it than that. It
+/// collides where its body would touch an obstacle on its way, unless it only drives away from one that has come too
+/// near; see Navigator::begin() and core/sim/body.hpp.
+///
 /// An obstacle that comes onto the robot's own cell is not on its map while it stands there, unless
 /// RobotSetup::robot_cell_blocks: it drives out, and then learns of it. A robot that starts in a wall or is
 /// put into one stays there.
@@ -195,6 +199,7 @@ class Mission {
   void wait_on_goal(std::int64_t clock);
   void wait_until(std::int64_t clock);
   void advance_clock(std::int64_t steps, SimTime time, NodeId left);
+  [[nodiscard]] std::vector<Cell> covered_cells(NodeId left) const;
   [[nodiscard]] SimTime step_time(double way) const;
   void put_robot(NodeId cell);
   void follow(const Path& path, PlanStatus status);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/sim/body.hpp"
 #include "core/sim/mission.hpp"
 
 namespace replan {
@@ -86,7 +87,7 @@ void Mission::advance_clock(std::int64_t steps, SimTime time, NodeId left) {
   now_.clock += steps;
   now_.time += std::min(time, kEndOfTime - now_.time);
   if (crowd_.empty()) return;
-  const Cell keep_clear[] = {box_.position(robot_), box_.position(left)};
+  const std::vector<Cell> keep_clear = covered_cells(left);
   for (const Crowd::Change& change : crowd_.advance(now_.movers, now_.time, now_.clock, keep_clear)) {
     const NodeId node = box_.node(change.cell);
     const auto value = static_cast<std::uint8_t>(truth_[node] + change.by * kMoverUnit);
@@ -102,9 +103,23 @@ void Mission::step_along(std::size_t cells) {
     return give_up(MissionState::endless);
   const std::size_t last = std::min(now_.next + cells, route_.cells.size()) - 1;
   tr_.line(107);
-  for (std::size_t i = now_.next; i <= last; ++i)
-    if (truth_[route_.cells[i]] != 0) return collide(route_.cells[i]);
+  Point at = now_.at;
+  for (std::size_t i = now_.next; i <= last; at = route_.points[i++])
+    if (truth_[route_.cells[i]] != 0 || hits(box_, truth_, robot_setup_.radius, at, route_.points[i]))
+      return collide(route_.cells[i]);
   enter(last);
+}
+
+/// The cells that the robot takes up on its way from the cell `left` to its own: nothing comes onto them. It may plan
+/// from the middle of its cell next, so that its body there is counted too.
+std::vector<Cell> Mission::covered_cells(NodeId left) const {
+  std::vector<Cell> cells = {box_.position(robot_), box_.position(left)};
+  const Point middle = point(robot_);
+  for (const auto& [from, to] : {std::pair{now_.before, now_.at}, std::pair{now_.at, middle}})
+    Body(box_, robot_setup_.radius, from, to).each_cell([&](NodeId node, double) {
+      cells.push_back(box_.position(node));
+    });
+  return cells;
 }
 
 void Mission::collide(NodeId cell) {

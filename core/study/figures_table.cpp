@@ -22,6 +22,11 @@ constexpr FigureInfo kFigures[] = {
      "From the path to the nearest obstacle's edge, at the narrowest place."},
     {"mean_clearance", first_plan, "mean clearance", "cells", higher, 3, false,
      "The mean over the whole path, sampled every tenth of a cell."},
+    {"min_edge_clearance", first_plan, "least clearance of the edge", "cells", higher, 3, false,
+     "The same from the edge of a robot with a size; negative where it drives out from too near an "
+     "obstacle."},
+    {"mean_edge_clearance", first_plan, "mean clearance of the edge", "cells", higher, 3, false,
+     "The mean of that over the whole path."},
     {"last_expansions", latest_plan, "expansions", "", lower, 0, false,
      "Cells that the latest plan or replan took from the open list and settled or raised."},
     {"last_queue_operations", latest_plan, "queue operations", "", lower, 0, false,
@@ -71,6 +76,11 @@ std::optional<double> value_of(std::span<const NamedFigure> figures, std::string
 /// The value as it is printed.
 double printed(const FigureInfo& info, double value) {
   return std::strtod(figure_text(info, value).c_str(), nullptr);
+}
+
+/// Whether only a robot with a size has it.
+bool of_size(const FigureInfo& info) {
+  return info.key == "min_edge_clearance" || info.key == "mean_edge_clearance";
 }
 
 /// How far the runs have come.
@@ -258,8 +268,10 @@ FiguresTable figures_table(std::span<const RunReport> reports) {
       row.values.push_back(value_of(figures[i], info.key));
       if (auto& value = row.values.back(); value && in_metres) value = reports[i].frame->metres(*value);
       // A figure that a run could have stays in the table, so that its rows do not come and go.
-      any |= row.values.back().has_value() || info.group == first_plan || info.group == FigureGroup::run;
+      any |= row.values.back().has_value() ||
+             ((info.group == first_plan || info.group == FigureGroup::run) && !of_size(info));
     }
+    for (const RunReport& report : reports) any |= of_size(info) && report.radius > 0;
     if (any) table.rows.push_back(std::move(row));
   }
   return table;

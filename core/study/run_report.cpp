@@ -13,11 +13,11 @@ namespace replan {
 namespace {
 
 /// Whether the path leads through cells that are known to be free.
-bool is_free(const Navigator& navigator, const PlannerChoice& choice, const Path& path) {
+bool is_free(const Navigator& navigator, const PlannerChoice& choice, double radius, const Path& path) {
   return with_dimensions(navigator.box(), [&](auto d) {
     const auto known = navigator.known();
     const BoxLattice<d()> lattice(navigator.box().template sides<d()>(), {known.begin(), known.end()},
-                                  move_rules(choice.settings));
+                                  move_rules(choice.settings, radius));
     return path_is_free(lattice, path);
   });
 }
@@ -25,17 +25,18 @@ bool is_free(const Navigator& navigator, const PlannerChoice& choice, const Path
 /// Status, path and the figures of its shape. A plan that was made with unchecked parents is looked at here,
 /// so that nobody takes it for a path that can be driven.
 void report_plan(RunReport& report, const Navigator& navigator, const PlannerChoice& choice, const Path& path,
-                 PlanStatus status) {
+                 PlanStatus status, double radius) {
   report.status = status_name(status);
   if (path.loops)
     report.status = mission_state_name(MissionState::loop);
-  else if (path.unchecked && !is_free(navigator, choice, path))
+  else if (path.unchecked && !is_free(navigator, choice, radius, path))
     report.status = mission_state_name(MissionState::collision);
   report.path = path;
   for (const PlanNumber& number : find_planner(choice.id)->values.numbers)
     report.plan_numbers.push_back(navigator.number(number.which).to_double());
   report.solid = navigator.box().solid();
   report.figures = path_figures(navigator.box(), navigator.known(), path);
+  report.radius = radius;
 }
 
 std::optional<double> finite(double value) {
@@ -54,11 +55,17 @@ RobotReport robot_report(const Decision& decision) {
 /// Why the robot did not arrive, where its ending alone does not say it: how things stood in the end.
 std::string_view why_without_a_path(const RunReport& report) {
   const PlanStatus last = report.robot->last_plan;
-  if (report.status == status_name(last)) return status_sentence(last);  // it was so from the start
+  const bool has_size = report.radius > 0;
+  if (report.status == status_name(last)) return status_sentence(last, has_size);  // it was so from the start
   if (last == PlanStatus::start_blocked)
-    return "The robot did not arrive: its own cell is an obstacle, and it cannot leave it.";
+    return has_size ? "The robot did not arrive: its own cell is an obstacle or too near one, and no way "
+                      "leads out."
+                    : "The robot did not arrive: its own cell is an obstacle, and it cannot leave it.";
   if (last == PlanStatus::goal_blocked)
-    return "The robot did not arrive: the goal's cell has become an obstacle.";
+    return has_size ? "The robot did not arrive: the goal's cell has become an obstacle, or has one nearer "
+                      "to it than "
+                      "the robot's radius."
+                    : "The robot did not arrive: the goal's cell has become an obstacle.";
   if (report.robot->covered)
     return "The robot did not arrive: an obstacle covers its own cell, and no way leads out of it.";
   return "The robot did not arrive: the way to the goal was cut off while it drove.";
@@ -113,8 +120,8 @@ std::vector<std::pair<std::string, NamedFigure>> metric_columns(const RunReport&
 }  // namespace
 
 RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice,
-                    UnreachableGoal unreachable) {
-  const auto navigator = make_navigator(choice, map.box(), map.blocked);
+                    const RobotSetup& robot) {
+  const auto navigator = make_navigator(choice, map.box(), map.blocked, robot.radius);
   RunReport report;
   report.planner = choice.id;
   const auto begin = std::chrono::steady_clock::now();
@@ -122,7 +129,7 @@ RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoi
   PlanStatus status = finish(*navigator);
   Counters in_vain;
   const bool blocked = status == PlanStatus::goal_blocked;
-  if (unreachable == UnreachableGoal::nearest && (blocked || status == PlanStatus::no_path)) {
+  if (robot.unreachable_goal == UnreachableGoal::nearest && (blocked || status == PlanStatus::no_path)) {
     in_vain = navigator->counters();
     const NodeId nearest = navigator->nearest_reachable(map.box().node(start), map.box().node(goal));
     navigator->begin(centre_of(start), centre_of(map.box().position(nearest)));
@@ -130,7 +137,7 @@ RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoi
   }
   report.plan_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  report_plan(report, *navigator, choice, navigator->path(), status);
+  report_plan(report, *navigator, choice, navigator->path(), status, robot.radius);
   report.frame = metric_frame(map);
   report.counters = in_vain + navigator->counters();
   report.memory_bytes = static_cast<std::int64_t>(navigator->memory_bytes());
@@ -145,7 +152,8 @@ RunReport drive(const Scenario& scenario, const PlannerChoice& choice) {
   report.frame = metric_frame(scenario.map);
   while (!mission->standing() && mission->advance(kSlice)) {
   }
-  report_plan(report, mission->navigator(), choice, *mission->plan().path, mission->plan().status);
+  report_plan(report, mission->navigator(), choice, *mission->plan().path, mission->plan().status,
+              scenario.robot.radius);
   while (mission->advance(kSlice)) {
   }
   const MissionFigures& figures = mission->now().figures;
@@ -178,16 +186,17 @@ std::string explanation(const RunReport& report) {
            cell_text(cell_of(report.path.point(report.path.size() - 1)), report.solid) +
            ", the reachable cell nearest to it.";
   for (const PlanStatus status : {PlanStatus::no_path, PlanStatus::start_blocked, PlanStatus::goal_blocked})
-    if (report.status == status_name(status)) return status_sentence(status);
+    if (report.status == status_name(status)) return status_sentence(status, report.radius > 0);
   return {};
 }
 
 RunReport report_at(const Decision& decision, const Plan& first, const PathFigures& figures,
-                    const PlannerChoice& choice) {
+                    const PlannerChoice& choice, double radius) {
   RunReport report;
   report.planner = choice.id;
   report.status = status_name(first.status);
   report.figures = figures;
+  report.radius = radius;
   report.plan_ms = decision.figures.plan_ms;
   report.replan_ms = decision.figures.replan_ms;
   report.replans = decision.figures.replans;
@@ -207,19 +216,26 @@ std::vector<NamedFigure> named_figures(const RunReport& report) {
     if (report.figures.nodes == 0) figure.value.reset();
     return figure;
   };
-  return {of_path(whole("nodes", report.figures.nodes)),
-          of_path(real("length", report.figures.length)),
-          of_path(whole("turns", report.figures.turns)),
-          of_path(real("turning_angle_deg", report.figures.turning_angle_deg)),
-          of_path(real("min_clearance", report.figures.min_clearance)),
-          of_path(real("mean_clearance", report.figures.mean_clearance)),
-          real("plan_ms", report.plan_ms),
-          real("replan_ms", report.replan_ms),
-          whole("replans", report.replans),
-          whole("expansions", report.counters.expansions),
-          whole("queue_operations", report.counters.queue_operations),
-          whole("sight_checks", report.counters.sight_checks),
-          whole("memory_bytes", report.memory_bytes)};
+  std::vector<NamedFigure> figures = {of_path(whole("nodes", report.figures.nodes)),
+                                      of_path(real("length", report.figures.length)),
+                                      of_path(whole("turns", report.figures.turns)),
+                                      of_path(real("turning_angle_deg", report.figures.turning_angle_deg)),
+                                      of_path(real("min_clearance", report.figures.min_clearance)),
+                                      of_path(real("mean_clearance", report.figures.mean_clearance)),
+                                      real("plan_ms", report.plan_ms),
+                                      real("replan_ms", report.replan_ms),
+                                      whole("replans", report.replans),
+                                      whole("expansions", report.counters.expansions),
+                                      whole("queue_operations", report.counters.queue_operations),
+                                      whole("sight_checks", report.counters.sight_checks),
+                                      whole("memory_bytes", report.memory_bytes)};
+  if (report.radius > 0) {
+    const auto after = figures.begin() + 6;
+    figures.insert(after,
+                   {of_path(real("min_edge_clearance", report.figures.min_clearance - report.radius)),
+                    of_path(real("mean_edge_clearance", report.figures.mean_clearance - report.radius))});
+  }
+  return figures;
 }
 
 std::vector<NamedFigure> named_figures(const RobotReport& robot) {
@@ -234,6 +250,8 @@ std::vector<NamedFigure> in_metres(std::span<const NamedFigure> figures, const M
       {"length", "length_m"},
       {"min_clearance", "min_clearance_m"},
       {"mean_clearance", "mean_clearance_m"},
+                                                                        {"min_edge_clearance", "min_edge_clearance_m"},
+                                                                        {"mean_edge_clearance", "mean_edge_clearance_m"},
       {"travelled", "travelled_m"}};
   std::vector<NamedFigure> lengths;
   for (const NamedFigure& figure : figures)
@@ -273,7 +291,9 @@ std::string runs_csv(std::span<const RunReport> reports) {
   const bool robots = !reports.empty() && reports.front().robot.has_value();
   const bool metric = !reports.empty() && reports.front().frame.has_value();
   std::string names = "planner,status", lines;
-  for (const NamedFigure& figure : named_figures(RunReport{})) names += "," + std::string(figure.key);
+  RunReport some;
+  if (!reports.empty()) some.radius = reports.front().radius;  // one robot has one size, whoever plans for it
+  for (const NamedFigure& figure : named_figures(some)) names += "," + std::string(figure.key);
   if (robots) {
     names += ",robot_reached,robot_ending";
     for (const NamedFigure& figure : named_figures(RobotReport{}))

@@ -36,8 +36,9 @@ struct RunReport {
   std::string_view status =
       "no-path";  ///< status_name(), or "loop" or "collision" for a plan that cannot be driven
   Path path;
-  bool solid = false;  ///< in space: its places have a z
-  PathFigures figures;
+  bool solid = false;    ///< in space: its places have a z
+  PathFigures figures;   ///< clearances are those of the robot's centre
+  double radius = 0;     ///< of the robot
   double plan_ms = 0;    ///< wall time of the first plan
   double replan_ms = 0;  ///< of all replans together
   std::int64_t replans = 0;
@@ -54,10 +55,10 @@ struct RunReport {
   [[nodiscard]] bool succeeded() const { return robot ? robot->reached() : status == "found"; }
 };
 
-/// Plans once; with UnreachableGoal::nearest to the reachable cell nearest to the goal if there is no path to
-/// the goal. Start and goal must be on the map, the planner in the registry.
+/// Plans once, for a robot of that radius; with UnreachableGoal::nearest to the reachable cell nearest to the goal if
+/// there is no path to the goal. Start and goal must be on the map, the planner in the registry.
 RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice,
-                    UnreachableGoal unreachable = UnreachableGoal::wait);
+                    const RobotSetup& robot = {});
 /// Drives the scenario's robot with one planner until there is nothing more to do.
 RunReport drive(const Scenario& scenario, const PlannerChoice& choice);
 
@@ -67,7 +68,7 @@ std::string explanation(const RunReport& report);
 /// How a run stands at a decision: its first plan with the figures of its path, as everywhere, and the work until then.
 /// The path itself is left out.
 RunReport report_at(const Decision& decision, const Plan& first, const PathFigures& figures,
-                    const PlannerChoice& choice);
+                    const PlannerChoice& choice, double radius);
 
 /// A figure by its fixed name in JSON and CSV.
 struct NamedFigure {
@@ -75,7 +76,8 @@ struct NamedFigure {
   std::optional<double> value;  ///< always finite; nothing for the shape of a path that there is not
   bool whole = false;           ///< counts; times and lengths are not
 };
-/// The 13 figures of a run: nodes, length, ... memory_bytes; lengths in cells.
+/// The 13 figures of a run: nodes, length, ... memory_bytes; and of a robot with a size the clearance of its edge
+/// besides, behind that of its centre. Lengths are in cells.
 std::vector<NamedFigure> named_figures(const RunReport& report);
 /// moves, travelled, collisions, replans.
 std::vector<NamedFigure> named_figures(const RobotReport& robot);

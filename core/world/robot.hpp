@@ -57,6 +57,7 @@ struct RobotSetup {
   double patience = 60;  ///< seconds that it waits for obstacles to move out of its way before it gives up
   UnreachableGoal unreachable_goal = UnreachableGoal::wait;
   bool robot_cell_blocks = false;  ///< an obstacle that comes onto the robot's own cell keeps it there
+  double radius = 0;               ///< of its body, in cells, up to MoveRules::kMostRadius; 0: a point
   std::string kind = "cells";      ///< a registry id: how it moves
   Settings settings = {};          ///< of its kind, those that differ from its defaults
   friend bool operator==(const RobotSetup&, const RobotSetup&) = default;

@@ -119,8 +119,8 @@ class ScenarioReader {
   }
 
   void read_robot(const JsonNode& node) {
-    if (!node.expect_object({"knowledge", "sensor_radius", "sensor_blocked", "motion", "speed", "patience",
-                             "unreachable_goal", "robot_cell_blocks", "kind", "settings"}))
+    if (!node.expect_object({"knowledge", "sensor_radius", "sensor_blocked", "radius", "motion", "speed",
+                             "patience", "unreachable_goal", "robot_cell_blocks", "kind", "settings"}))
       return;
     RobotSetup& robot = scenario_.robot;
     if (const auto kind = node.find("kind")) {
@@ -133,6 +133,7 @@ class ScenarioReader {
       robot.knowledge = static_cast<Knowledge>(item->one_of({"all", "map", "nothing"}));
     if (const auto item = node.find("sensor_radius")) robot.sensor_radius = item->number(0, kMaxReach);
     if (const auto item = node.find("sensor_blocked")) robot.sensor_blocked = item->toggle();
+    if (const auto item = node.find("radius")) robot.radius = item->number(0, MoveRules::kMostRadius);
     if (const auto item = node.find("motion"))
       robot.motion = static_cast<Motion>(item->one_of({"steps", "smooth"}));
     if (const auto item = node.find("speed")) robot.speed = item->number(kMinSpeed, kMaxSpeed);

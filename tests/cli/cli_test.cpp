@@ -184,6 +184,31 @@ TEST_F(CommandLine, unreachableGoalSaysHowNearTheRobotComes) {
             "replan: --unreachable-goal cannot be 'nearst'; did you mean 'nearest'?\n");
 }
 
+TEST_F(CommandLine, radiusGivesTheRobotASize) {
+  const auto gap = folder_.with("gap.json", R"({"replan": 1,
+ "map": {"rows": [".......", "...@...", ".......", ".......", ".......", "...@...", "...@..."]},
+ "start": [0, 3], "goal": [6, 3], "planners": [{"id": "astar"}, {"id": "dld-star-lite"}]})");
+  for (const char* radius : {"0", "1.5"}) EXPECT_EQ(run_program({"run", gap, "--radius", radius}).code, 0);
+  EXPECT_EQ(run_program({"run", gap, "--radius", "1.51", "--json"}).json()["runs"][0]["status"], "no-path");
+  const Outcome told = run_program({"run", gap, "--radius", "1.25"});
+  EXPECT_NE(told.out.find("astar: clearance of the edge of a robot of radius 1.25: min 0.25, mean "),
+            std::string::npos)
+      << told.out;
+  EXPECT_EQ(run_program({"run", gap}).out.find("edge"), std::string::npos);
+  const json figures = run_program({"run", gap, "--radius", "1.25", "--json"}).json()["runs"][1]["figures"];
+  EXPECT_EQ(figures["min_edge_clearance"].get<double>(), figures["min_clearance"].get<double>() - 1.25);
+  const auto start = folder_.with("near.json", R"({"replan": 1, "map": {"rows": [".....", "..@..", "....."]},
+ "start": [0, 0], "goal": [2, 0], "planners": [{"id": "astar"}], "robot": {"radius": 1}})");
+  EXPECT_NE(run_program({"run", start})
+                .out.find("The goal is inside an obstacle, or nearer to one than the robot's "
+                          "radius: move it, clear cells, or make the radius smaller."),
+            std::string::npos);
+  for (const char* wrong : {"-1", "33", "wide", "1m"})
+    EXPECT_EQ(
+        run_program({"run", gap, std::string("--radius=") + wrong}).err,
+        std::string("replan: --radius cannot be '") + wrong + "': give a number of cells from 0 to 32\n");
+}
+
 TEST_F(CommandLine, setGoesToEachPlannerThatHasTheSetting) {
   const auto length = [](const json& run) { return run["figures"]["length"].get<double>(); };
   const json all =

@@ -13,12 +13,10 @@ namespace {
 class Bench {
  public:
   explicit Bench(const LogView& view)
-      : view_(view),
-        rules_(move_rules(view.settings)),
-        state_(view.log.state_at(0)),
-        f_(view.info.key.f(view.settings)) {
+      : view_(view), rules_(view.rules()), state_(view.log.state_at(0)), f_(view.info.key.f(view.settings)) {
     world_.size = {view.lattice.width(), view.lattice.height(), 1};
     world_.blocked.resize(state_.node_count());
+    if (view.radius > 0) rules_.corners = CornerRule::none;  // with a size it cuts no corners
     map_changed();
   }
 
@@ -54,6 +52,7 @@ class Bench {
 
   void map_changed() {
     for (NodeId n = 0; n < world_.blocked.size(); ++n) world_.blocked[n] = state_.known_blocked(n) ? 1 : 0;
+    if (view_.radius > 0) world_.blocked = grown(world_, view_.radius);
     successors_.clear();
     for (NodeId n = 0; n < world_.blocked.size(); ++n) {
       successors_.emplace_back();
@@ -198,8 +197,7 @@ class Bench {
     if (has_path(status) != (free && promised < kNever)) return end;
     if (!has_path(status)) return std::nullopt;
     for (NodeId s = end; any_angle() && s != start; s = state_.rp(s))
-      if (!on_map(state_.rp(s)) || !sees(world_, world_.blocked, rules_.corners, rule, state_.rp(s), s) ||
-          state_.g(state_.rp(s)) >= state_.g(s))
+      if (!on_map(state_.rp(s)) || !in_sight(rule, state_.rp(s), s) || state_.g(state_.rp(s)) >= state_.g(s))
         return s;
     if (any_angle()) return std::nullopt;
     const NodeId other_end = view_.info.from_goal ? goal : start;
@@ -227,7 +225,7 @@ class Bench {
                           : remote != seen_.end() ? remote->second
                                                   : state_.lp(s);
       if (!on_map(next)) return s;
-      if (!is_move(s, next) && !sees(world_, world_.blocked, rules_.corners, sight, s, next)) return s;
+      if (!is_move(s, next) && !in_sight(sight, s, next)) return s;
       length += segment(s, next);
       s = next;
     }
@@ -235,6 +233,10 @@ class Bench {
     return std::nullopt;
   }
 
+  [[nodiscard]] bool in_sight(SightRule rule, NodeId a, NodeId b) const {
+    return view_.radius > 0 ? sees_wide(world_, world_.blocked, a, b)
+                            : sees(world_, world_.blocked, rules_.corners, rule, a, b);
+  }
   /// The length of a straight segment, rounded down.
   [[nodiscard]] Raw segment(NodeId a, NodeId b) const { return root_floor(step_squared(a, b)); }
   [[nodiscard]] std::int64_t step_squared(NodeId a, NodeId b) const {

@@ -148,18 +148,24 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
     return {};
   if (decision->plan->status == PlanStatus::found_nearest)
     return {status_sentence(decision->plan->status), false};
+  const bool has_size = run.scenario().robot.radius > 0;
   const SearchState& state = run.timeline().state();
   const NodeId robot = state.node(Scalar::robot);
   const bool away = robot != run.lattice().node(run.scenario().start);
   if (decision->plan->status == PlanStatus::start_blocked && away)
-    return {"The robot stands in an obstacle: clear its cell, or put it elsewhere.", true};
+    return {
+        has_size
+            ? "The robot stands in an obstacle, or so near to one that no way leads out: clear cells, or put "
+              "it elsewhere."
+            : "The robot stands in an obstacle: clear its cell, or put it elsewhere.",
+        true};
   if (decision->plan->status == PlanStatus::no_path && state.truly_blocked(robot))
     return {"An obstacle stands on the robot's cell, and no way leads out of it.", true};
   const bool start = decision->plan->status == PlanStatus::start_blocked;
   if (start || decision->plan->status == PlanStatus::goal_blocked)
     if (std::string unknown = unknown_end_sentence(run.scenario(), start); !unknown.empty())
       return {std::move(unknown), true};
-  return {status_sentence(decision->plan->status), true};
+  return {status_sentence(decision->plan->status, has_size), true};
 }
 
 float pane_title_height(const Look& look) {

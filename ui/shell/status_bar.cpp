@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "core/debug/offers.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
@@ -73,7 +74,9 @@ std::string cell_state(const Frame& frame, Cell cell) {
   const SearchState& state = run.timeline().state();
   const NodeId node = run.lattice().node(cell);
   const bool truth = state.truly_blocked(node), known = state.known_blocked(node);
-  const std::string what = truth ? "obstacle" : "free";
+  const std::string what = truth                                   ? "obstacle"
+                           : too_near(run.log_view(), state, node) ? "free, but too near"
+                                                                   : "free";
   if (truth == known) return what + " · known";
   return what + (truth ? " · not seen yet" : " · believed blocked");
 }

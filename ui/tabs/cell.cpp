@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/debug/offers.hpp"
 #include "core/debug/open_order.hpp"
 #include "core/trace/search_state.hpp"
 #include "ui/icons.hpp"
@@ -20,6 +21,7 @@ namespace {
 std::pair<const char*, ImU32> consistency(const Theme& theme, const CellView& view) {
   const Cost g = view.state.g(view.node), rhs = view.state.rhs(view.node);
   if (view.state.known_blocked(view.node)) return {"obstacle", theme.dim};
+  if (too_near(view.run.log_view(), view.state, view.node)) return {"too near", theme.dim};
   if (!view.lookahead)
     return g.is_infinite()                ? std::pair{"not seen", theme.dim}
            : view.state.queued(view.node) ? std::pair{"open", theme.accent}

@@ -160,7 +160,8 @@ std::vector<RunReport> FiguresTab::as_known(const Session& session, const ViewSt
       reports.back().planner = run.choice().id;
       reports.back().status = status_name(PlanStatus::searching);
     } else {
-      reports.push_back(report_at(*decision, *run.decisions().front().plan, *figures, run.choice()));
+      reports.push_back(report_at(*decision, *run.decisions().front().plan, *figures, run.choice(),
+                                  run.scenario().robot.radius));
       reports.back().frame = shown_frame(view, run.scenario().map);
     }
   }
