@@ -8,11 +8,16 @@
 namespace replan {
 namespace {
 
+/// Braking ends at a stand, and not at what roundings leave of a speed.
+double settled(double speed) {
+  return std::abs(speed) < 1e-12 ? 0 : speed;
+}
+
 /// The least and the greatest value within reach of `now`: rising from 0 at one rate, falling to 0 at another.
 std::pair<double, double> within_reach(double now, double rise, double fall, double period) {
   const double up = now >= 0 ? now + rise * period : std::min(now + fall * period, rise * period);
   const double down = now <= 0 ? now - rise * period : std::max(now - fall * period, -rise * period);
-  return {down, up};
+  return {settled(down), settled(up)};
 }
 
 /// What the speed can fall by in a second if the turn rate falls in the same measure.
@@ -233,7 +238,7 @@ Twist braked(const Twist& motion, const DriveSettings& settings) {
     const double less = std::max(std::abs(motion.w) - settings.limits.angular_brake * settings.period, 0.0);
     return {0, motion.w < 0 ? -less : less};
   }
-  const double v = std::max(motion.v - common_brake(motion, settings.limits) * settings.period, 0.0);
+  const double v = settled(std::max(motion.v - common_brake(motion, settings.limits) * settings.period, 0.0));
   return {v, motion.w * (v / motion.v)};
 }
 
@@ -249,11 +254,12 @@ double time_to_contact(const Arc& arc, const LocalObstacles& obstacles, const Dr
     return std::min(time + std::max(0.0, time - settings.period), to_stand);
   };
   constexpr double kLeastStep = 0.001;  // m
-  double kept = settings.margin;
+  double kept = settings.margin, last = 0;
   for (double time = 0; time < most;) {
     const double gap = obstacles.to_any(arc.spot(time), braking(time), far) - radius;
     if (time == 0) kept = std::min(kept, gap - 1e-9);
-    if (gap < kept) return time;
+    if (gap < kept) return last;
+    last = time;
     time += std::max(gap - kept, kLeastStep) / approach;
   }
   return most;

@@ -94,6 +94,7 @@ struct DriveDecision {
   std::optional<std::size_t> winner;  ///< the sample whose motion it is
   double score = 0;                   ///< of the winner
   double turned = 0;                  ///< DriveState::turned after the period
+  friend bool operator==(const DriveDecision&, const DriveDecision&) = default;
 };
 
 /// A decision with all that it came from.
@@ -118,8 +119,8 @@ Sample assess(const DriveState& state, const LocalObstacles& obstacles, Spot goa
 /// The way that it needs to stop in after a period at that motion, as the time that the motion itself would take for
 /// it.
 double stopping_time(const Twist& motion, const DriveSettings& settings);
-/// How long the robot can drive along an arc before it touches something, at most `most` seconds. What moves comes
-/// nearer while a robot on that arc brakes.
+/// How long the robot can drive along an arc before it touches something, at most `most` seconds; at most a millimetre
+/// of its way too short. What moves comes nearer while a robot on that arc brakes.
 double time_to_contact(const Arc& arc, const LocalObstacles& obstacles, const DriveSettings& settings,
                        double most);
 /// The motion after a period of braking.
