@@ -1,0 +1,306 @@
+#include "core/drive/dynamic_window.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+namespace replan {
+namespace {
+
+/// Braking ends at a stand, and not at what roundings leave of a speed.
+double settled(double speed) {
+  return std::abs(speed) < 1e-12 ? 0 : speed;
+}
+
+/// The least and the greatest value within reach of `now`: rising from 0 at one rate, falling to 0 at another.
+std::pair<double, double> within_reach(double now, double rise, double fall, double period) {
+  const double up = now >= 0 ? now + rise * period : std::min(now + fall * period, rise * period);
+  const double down = now <= 0 ? now - rise * period : std::max(now - fall * period, -rise * period);
+  return {settled(down), settled(up)};
+}
+
+/// What the speed can fall by in a second if the turn rate falls in the same measure.
+double common_brake(const Twist& motion, const DriveLimits& limits) {
+  const double turn = std::abs(motion.w);
+  if (turn * limits.brake <= motion.v * limits.angular_brake) return limits.brake;
+  return motion.v * limits.angular_brake / turn;
+}
+
+/// Values spread evenly from low to high.
+double spread(double low, double high, int i, int count) {
+  return i == count - 1 ? high : low + (high - low) * i / (count - 1);
+}
+
+/// The turn rates that are tried, in order.
+std::vector<double> turn_rates(const Window& window, int count) {
+  std::vector<double> rates(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i)
+    rates[static_cast<std::size_t>(i)] = spread(window.w_low, window.w_high, i, count);
+  if (window.w_low <= 0 && window.w_high >= 0)
+    *std::min_element(rates.begin(), rates.end(),
+                      [](double a, double b) { return std::abs(a) < std::abs(b); }) = 0;
+  return rates;
+}
+
+/// The angle between the direction that a robot looks in and that to the goal, 0 .. pi.
+double bearing_error(const Spot& at, const SineCosine& heading, Spot goal) {
+  const double x = goal.x - at.x, y = goal.y - at.y;
+  const double across = heading.cosine * y - heading.sine * x, along = heading.cosine * x + heading.sine * y;
+  return std::abs(arc_tangent(across, along));
+}
+
+/// One decision at work.
+class Judge {
+ public:
+  Judge(const DriveState& state, const LocalObstacles& obstacles, Spot goal, const DriveSettings& settings)
+      : state_(state), obstacles_(obstacles), goal_(goal), settings_(settings) {}
+
+  [[nodiscard]] Sample assess(const Twist& motion) const;
+  [[nodiscard]] std::vector<Sample> samples(const Window& window) const;
+  void score(std::vector<Sample>& samples) const;
+  [[nodiscard]] DriveDecision decide(const std::vector<Sample>& samples,
+                                     std::optional<std::size_t> best) const;
+
+ private:
+  [[nodiscard]] Terms terms(const Arc& arc, double time) const;
+  [[nodiscard]] DriveDecision turn_in_place() const;
+  [[nodiscard]] double free_straight(double by) const;
+  [[nodiscard]] double freer_side() const;
+
+  const DriveState& state_;
+  const LocalObstacles& obstacles_;
+  Spot goal_;
+  const DriveSettings& settings_;
+};
+
+Sample Judge::assess(const Twist& motion) const {
+  Sample sample;
+  sample.motion = motion;
+  const Arc arc(state_.pose, motion);
+  sample.stopping = stopping_time(motion, settings_);
+  double span = settings_.horizon;
+  if (motion.v > 0) span = std::min(span, distance(state_.pose.spot(), goal_) / motion.v);
+  const double looked_at = std::max(span, sample.stopping);
+  const double contact = time_to_contact(arc, obstacles_, settings_, looked_at);
+  sample.hits = contact < span;
+  sample.time = std::min(contact, span);
+  if (motion.v == 0 && motion.w == 0) {
+    sample.rejection = Rejection::stands;
+  } else if (contact < sample.stopping) {
+    DriveSettings turning_free = settings_;
+    turning_free.limits.angular_brake =
+        settings_.limits.brake * std::abs(motion.w) / std::max(motion.v, 1e-9);
+    sample.rejection =
+        contact < stopping_time(motion, turning_free) ? Rejection::too_fast : Rejection::turns_too_fast;
+  }
+  sample.end = arc.pose(sample.time);
+  sample.raw = terms(arc, sample.time);
+  return sample;
+}
+
+Terms Judge::terms(const Arc& arc, double time) const {
+  const Spot end = arc.spot(time);
+  const double radius = settings_.limits.radius, most = radius + settings_.reach;
+  return {kPi - bearing_error(end, arc.heading(time), goal_), arc.motion().v,
+          std::max(obstacles_.to_known(end, most) - radius, 0.0),
+          std::max(obstacles_.to_unknown(end, most) - radius, 0.0)};
+}
+
+std::vector<Sample> Judge::samples(const Window& window) const {
+  const std::vector<double> rates = turn_rates(window, settings_.turns);
+  std::vector<Sample> samples;
+  samples.reserve(static_cast<std::size_t>(settings_.speeds) * rates.size());
+  for (int i = 0; i < settings_.speeds; ++i)
+    for (const double w : rates)
+      samples.push_back(assess({spread(window.v_low, window.v_high, i, settings_.speeds), w}));
+  return samples;
+}
+
+void Judge::score(std::vector<Sample>& samples) const {
+  Terms least{}, divisor{kPi, settings_.limits.v_max, settings_.reach, settings_.reach};
+  if (settings_.normalise != Normalise::limits) {
+    const bool by_range = settings_.normalise == Normalise::range;
+    Terms most{}, sum{};
+    least.fill(std::numeric_limits<double>::infinity());
+    for (const Sample& sample : samples) {
+      if (!sample.admissible()) continue;
+      for (std::size_t i = 0; i < kTerms; ++i) {
+        least[i] = std::min(least[i], sample.raw[i]);
+        most[i] = std::max(most[i], sample.raw[i]);
+        sum[i] += sample.raw[i];
+      }
+    }
+    for (std::size_t i = 0; i < kTerms; ++i) {
+      divisor[i] = by_range ? most[i] - least[i] : sum[i];
+      if (!by_range) least[i] = 0;
+    }
+  }
+  for (Sample& sample : samples) {
+    if (!sample.admissible()) continue;
+    for (std::size_t i = 0; i < kTerms; ++i) {
+      sample.normalised[i] = divisor[i] > 0 ? (sample.raw[i] - least[i]) / divisor[i] : 0;
+      sample.weighted[i] = settings_.weights[i] * sample.normalised[i];
+      sample.score += sample.weighted[i];
+    }
+  }
+}
+
+/// Whether a is to be chosen before b; both admissible. Of equals the faster, then the straighter.
+bool before(const Sample& a, const Sample& b) {
+  return std::tuple(a.score, a.motion.v, -std::abs(a.motion.w)) >
+         std::tuple(b.score, b.motion.v, -std::abs(b.motion.w));
+}
+
+/// The best admissible sample but for one that is left out; the first of equals.
+std::optional<std::size_t> best_of(const std::vector<Sample>& samples, std::optional<std::size_t> but = {}) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (samples[i].admissible() && i != but && (!best || before(samples[i], samples[*best]))) best = i;
+  return best;
+}
+
+Term largest_lead(const Sample& winner, const Sample& other) {
+  std::size_t term = 0;
+  const auto lead = [&](std::size_t i) { return winner.weighted[i] - other.weighted[i]; };
+  for (std::size_t i = 1; i < kTerms; ++i)
+    if (lead(i) > lead(term)) term = i;
+  return static_cast<Term>(term);
+}
+
+DriveDecision Judge::decide(const std::vector<Sample>& samples, std::optional<std::size_t> best) const {
+  if (!best) {
+    if (state_.motion.v > 0) return {Deed::brake, braked(state_.motion, settings_), {}, 0, 0};
+    return turn_in_place();
+  }
+  const Sample& winner = samples[*best];
+  if (winner.motion.v == 0) {
+    const bool could_drive = std::any_of(samples.begin(), samples.end(), [](const Sample& sample) {
+      return sample.admissible() && sample.motion.v > 0;
+    });
+    if (!could_drive) return turn_in_place();
+  }
+  const double turned = winner.motion.v > 0 ? 0 : state_.turned + winner.motion.w * settings_.period;
+  return {Deed::drive, winner.motion, best, winner.score, turned};
+}
+
+/// It goes on turning the way that it began.
+DriveDecision Judge::turn_in_place() const {
+  if (std::abs(state_.turned) >= 2 * kPi)
+    return {Deed::stuck, braked(state_.motion, settings_), {}, 0, state_.turned};
+  const double side = state_.turned != 0 ? (state_.turned > 0 ? 1 : -1) : freer_side();
+  const Window window = dynamic_window(state_.motion, settings_);
+  const double w = side > 0 ? window.w_high : window.w_low;
+  return {Deed::turn, {0, w}, {}, 0, state_.turned + w * settings_.period};
+}
+
+/// How far it could go straight on if it looked in another direction, in metres.
+double Judge::free_straight(double by) const {
+  Pose turned = state_.pose;
+  turned.heading += by;
+  return time_to_contact(Arc(turned, {1, 0}), obstacles_, settings_, settings_.reach);
+}
+
+/// The side, 1 or -1, to which it has to turn less until it has room to go; of equals that of the goal.
+double Judge::freer_side() const {
+  const double to_goal = arc_tangent(goal_.y - state_.pose.y, goal_.x - state_.pose.x);
+  const double side = wrapped(to_goal - state_.pose.heading) < 0 ? -1 : 1;
+  constexpr int kDirections = 8;
+  double best = side, farthest = 0;
+  for (int i = 1; i <= kDirections; ++i)
+    for (const double way : {side, -side}) {
+      const double free = free_straight(way * i * kPi / kDirections);
+      if (free >= settings_.reach) return way;
+      if (free > farthest) std::tie(best, farthest) = std::tuple(way, free);
+    }
+  return best;
+}
+
+}  // namespace
+
+Window dynamic_window(const Twist& now, const DriveSettings& settings) {
+  const DriveLimits& limits = settings.limits;
+  const auto [v_down, v_up] = within_reach(now.v, limits.acceleration, limits.brake, settings.period);
+  const auto [w_down, w_up] =
+      within_reach(now.w, limits.angular_acceleration, limits.angular_brake, settings.period);
+  const double v_low = std::clamp(v_down, limits.v_min, limits.v_max);
+  const double w_low = std::clamp(w_down, -limits.w_max, limits.w_max);
+  return {v_low, std::clamp(v_up, v_low, limits.v_max), w_low, std::clamp(w_up, w_low, limits.w_max)};
+}
+
+double stopping_time(const Twist& motion, const DriveSettings& settings) {
+  if (motion.v <= 0) return 0;
+  return settings.period + motion.v / (2 * common_brake(motion, settings.limits));
+}
+
+Twist braked(const Twist& motion, const DriveSettings& settings) {
+  if (motion.v <= 0) {
+    const double less = std::max(std::abs(motion.w) - settings.limits.angular_brake * settings.period, 0.0);
+    return {0, motion.w < 0 ? -less : less};
+  }
+  const double v = settled(std::max(motion.v - common_brake(motion, settings.limits) * settings.period, 0.0));
+  return {v, motion.w * (v / motion.v)};
+}
+
+double time_to_contact(const Arc& arc, const LocalObstacles& obstacles, const DriveSettings& settings,
+                       double most) {
+  const double v = arc.motion().v;
+  if (v <= 0) return most;
+  const double radius = settings.limits.radius, far = radius + settings.reach + settings.margin;
+  const double stopping = stopping_time(arc.motion(), settings), approach = v + 2 * obstacles.speed_of_moving;
+  // What braking takes altogether, and at most until the robot is where the arc is after `time` (see the test).
+  const double to_stand = 2 * stopping - settings.period;
+  const auto braking = [&](double time) {
+    return std::min(time + std::max(0.0, time - settings.period), to_stand);
+  };
+  constexpr double kLeastStep = 0.001;  // m
+  double kept = settings.margin, last = 0;
+  for (double time = 0; time < most;) {
+    const double gap = obstacles.to_any(arc.spot(time), braking(time), far) - radius;
+    if (time == 0) kept = std::min(kept, gap - 1e-9);
+    if (gap < kept) return last;
+    last = time;
+    time += std::max(gap - kept, kLeastStep) / approach;
+  }
+  return most;
+}
+
+std::string_view rejection_name(Rejection rejection) {
+  constexpr std::array<std::string_view, 5> kNames = {"none", "outside", "too-fast", "turns-too-fast",
+                                                      "stands"};
+  return kNames[static_cast<std::size_t>(rejection)];
+}
+
+std::string_view deed_name(Deed deed) {
+  constexpr std::array<std::string_view, 4> kNames = {"drive", "brake", "turn", "stuck"};
+  return kNames[static_cast<std::size_t>(deed)];
+}
+
+Explanation explain(const DriveState& state, const LocalObstacles& obstacles, Spot goal,
+                    const DriveSettings& settings) {
+  const Judge judge(state, obstacles, goal, settings);
+  Explanation why;
+  why.window = dynamic_window(state.motion, settings);
+  why.samples = judge.samples(why.window);
+  judge.score(why.samples);
+  const auto best = best_of(why.samples);
+  why.decision = judge.decide(why.samples, best);
+  if (!best) return why;
+  why.runner_up = best_of(why.samples, best);
+  if (why.runner_up) why.lost_by = largest_lead(why.samples[*best], why.samples[*why.runner_up]);
+  return why;
+}
+
+DriveDecision decide(const DriveState& state, const LocalObstacles& obstacles, Spot goal,
+                     const DriveSettings& settings) {
+  return explain(state, obstacles, goal, settings).decision;
+}
+
+Sample assess(const DriveState& state, const LocalObstacles& obstacles, Spot goal,
+              const DriveSettings& settings, const Twist& motion) {
+  Sample sample = Judge(state, obstacles, goal, settings).assess(motion);
+  if (!dynamic_window(state.motion, settings).contains(motion)) sample.rejection = Rejection::outside;
+  return sample;
+}
+
+}  // namespace replan
