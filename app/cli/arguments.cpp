@@ -13,6 +13,7 @@
 #include "core/world/formats/text_lines.hpp"
 #include "core/world/generators/list.hpp"
 #include "core/world/map_file.hpp"
+#include "core/world/map_frame.hpp"
 
 namespace replan::cli {
 namespace {
@@ -122,6 +123,20 @@ Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids,
   if (result.empty())
     return Error{"no planner is named: give --planner ID[,ID...]; 'replan list planners' shows them"};
   return result;
+}
+
+/// Of "2.5", in cells, or "0.3m" on a map that says how large its cells are.
+Result<double> radius_in_cells(std::string_view typed, const GridMap& map) {
+  const MapFrame frame(map);
+  const bool in_metres = typed.ends_with('m');
+  if (in_metres && !frame.metric())
+    return Error{"--radius " + std::string(typed) +
+                 " is in metres, but the map does not say how large its cells are: give a number of cells"};
+  auto cells = number_from<double>(typed.substr(0, typed.size() - (in_metres ? 1 : 0)));
+  if (cells && in_metres) *cells /= frame.metres_per_cell();
+  if (cells && *cells >= 0 && *cells <= MoveRules::kMostRadius) return *cells;
+  return Error{"--radius cannot be '" + std::string(typed) + "': give a number of cells from 0 to " +
+               kMostRadius + (frame.metric() ? ", or metres as 0.3m" : "")};
 }
 
 /// The world on a map, whose start and goal must be given or stand in its file.
@@ -263,7 +278,7 @@ void WorldArguments::declare(CLI::App& command) {
       ->type_name("KIND");
   command
       .add_option("--radius", radius,
-                  "The radius of its body in cells, 0 to " + kMostRadius +
+                  "The radius of its body in cells, 0 to " + kMostRadius + ", or in metres of the map's (0.3m)" +
                       ": its centre keeps so far away from obstacles (0: a point)")
       ->type_name("CELLS");
   reading.declare(command);
@@ -321,13 +336,12 @@ Result<Scenario> WorldArguments::load() const {
     world->robot.unreachable_goal = static_cast<UnreachableGoal>(found - std::begin(kUnreachableGoals));
   }
   if (!robot.empty()) {
-    if (const auto known = require_robot(robot); !known) return Error{"--robot: " + known.error()};
+    if (const auto known = require_robot(robot, world->map.box()); !known) return Error{"--robot: " + known.error()};
     world->robot.kind = robot;
   }
   if (!radius.empty()) {
-    const auto cells = number_from<double>(radius);
-    if (!cells || !(*cells >= 0 && *cells <= MoveRules::kMostRadius))
-      return Error{"--radius cannot be '" + radius + "': give a number of cells from 0 to " + kMostRadius};
+    const auto cells = radius_in_cells(radius, world->map);
+    if (!cells) return Error{cells.error()};
     world->robot.radius = *cells;
   }
   auto choices = planners.choose(world->planners, &world->map);

@@ -33,7 +33,7 @@ double spread(double low, double high, int i, int count) {
 }
 
 /// The turn rates that are tried, in order.
-std::vector<double> turn_rates(const Window& window, int count) {
+std::vector<double> turn_rates(const SpeedWindow& window, int count) {
   std::vector<double> rates(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     rates[static_cast<std::size_t>(i)] = spread(window.w_low, window.w_high, i, count);
@@ -56,14 +56,14 @@ class Judge {
   Judge(const DriveState& state, const LocalObstacles& obstacles, Spot goal, const DriveSettings& settings)
       : state_(state), obstacles_(obstacles), goal_(goal), settings_(settings) {}
 
-  [[nodiscard]] Sample assess(const Twist& motion) const;
-  [[nodiscard]] std::vector<Sample> samples(const Window& window) const;
-  void score(std::vector<Sample>& samples) const;
-  [[nodiscard]] DriveDecision decide(const std::vector<Sample>& samples,
+  [[nodiscard]] DriveSample assess(const Twist& motion) const;
+  [[nodiscard]] std::vector<DriveSample> samples(const SpeedWindow& window) const;
+  void score(std::vector<DriveSample>& samples) const;
+  [[nodiscard]] DriveDecision decide(const std::vector<DriveSample>& samples,
                                      std::optional<std::size_t> best) const;
 
  private:
-  [[nodiscard]] Terms terms(const Arc& arc, double time) const;
+  [[nodiscard]] ScoreTerms terms(const Arc& arc, double time) const;
   [[nodiscard]] DriveDecision turn_in_place() const;
   [[nodiscard]] double free_straight(double by) const;
   [[nodiscard]] double freer_side() const;
@@ -74,8 +74,8 @@ class Judge {
   const DriveSettings& settings_;
 };
 
-Sample Judge::assess(const Twist& motion) const {
-  Sample sample;
+DriveSample Judge::assess(const Twist& motion) const {
+  DriveSample sample;
   sample.motion = motion;
   const Arc arc(state_.pose, motion);
   sample.stopping = stopping_time(motion, settings_);
@@ -99,7 +99,7 @@ Sample Judge::assess(const Twist& motion) const {
   return sample;
 }
 
-Terms Judge::terms(const Arc& arc, double time) const {
+ScoreTerms Judge::terms(const Arc& arc, double time) const {
   const Spot end = arc.spot(time);
   const double radius = settings_.limits.radius, most = radius + settings_.reach;
   return {kPi - bearing_error(end, arc.heading(time), goal_), arc.motion().v,
@@ -107,9 +107,9 @@ Terms Judge::terms(const Arc& arc, double time) const {
           std::max(obstacles_.to_unknown(end, most) - radius, 0.0)};
 }
 
-std::vector<Sample> Judge::samples(const Window& window) const {
+std::vector<DriveSample> Judge::samples(const SpeedWindow& window) const {
   const std::vector<double> rates = turn_rates(window, settings_.turns);
-  std::vector<Sample> samples;
+  std::vector<DriveSample> samples;
   samples.reserve(static_cast<std::size_t>(settings_.speeds) * rates.size());
   for (int i = 0; i < settings_.speeds; ++i)
     for (const double w : rates)
@@ -117,28 +117,28 @@ std::vector<Sample> Judge::samples(const Window& window) const {
   return samples;
 }
 
-void Judge::score(std::vector<Sample>& samples) const {
-  Terms least{}, divisor{kPi, settings_.limits.v_max, settings_.reach, settings_.reach};
+void Judge::score(std::vector<DriveSample>& samples) const {
+  ScoreTerms least{}, divisor{kPi, settings_.limits.v_max, settings_.reach, settings_.reach};
   if (settings_.normalise != Normalise::limits) {
     const bool by_range = settings_.normalise == Normalise::range;
-    Terms most{}, sum{};
+    ScoreTerms most{}, sum{};
     least.fill(std::numeric_limits<double>::infinity());
-    for (const Sample& sample : samples) {
+    for (const DriveSample& sample : samples) {
       if (!sample.admissible()) continue;
-      for (std::size_t i = 0; i < kTerms; ++i) {
+      for (std::size_t i = 0; i < kScoreTerms; ++i) {
         least[i] = std::min(least[i], sample.raw[i]);
         most[i] = std::max(most[i], sample.raw[i]);
         sum[i] += sample.raw[i];
       }
     }
-    for (std::size_t i = 0; i < kTerms; ++i) {
+    for (std::size_t i = 0; i < kScoreTerms; ++i) {
       divisor[i] = by_range ? most[i] - least[i] : sum[i];
       if (!by_range) least[i] = 0;
     }
   }
-  for (Sample& sample : samples) {
+  for (DriveSample& sample : samples) {
     if (!sample.admissible()) continue;
-    for (std::size_t i = 0; i < kTerms; ++i) {
+    for (std::size_t i = 0; i < kScoreTerms; ++i) {
       sample.normalised[i] = divisor[i] > 0 ? (sample.raw[i] - least[i]) / divisor[i] : 0;
       sample.weighted[i] = settings_.weights[i] * sample.normalised[i];
       sample.score += sample.weighted[i];
@@ -147,51 +147,51 @@ void Judge::score(std::vector<Sample>& samples) const {
 }
 
 /// Whether a is to be chosen before b; both admissible. Of equals the faster, then the straighter.
-bool before(const Sample& a, const Sample& b) {
+bool before(const DriveSample& a, const DriveSample& b) {
   return std::tuple(a.score, a.motion.v, -std::abs(a.motion.w)) >
          std::tuple(b.score, b.motion.v, -std::abs(b.motion.w));
 }
 
 /// The best admissible sample but for one that is left out; the first of equals.
-std::optional<std::size_t> best_of(const std::vector<Sample>& samples, std::optional<std::size_t> but = {}) {
+std::optional<std::size_t> best_of(const std::vector<DriveSample>& samples, std::optional<std::size_t> but = {}) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < samples.size(); ++i)
     if (samples[i].admissible() && i != but && (!best || before(samples[i], samples[*best]))) best = i;
   return best;
 }
 
-Term largest_lead(const Sample& winner, const Sample& other) {
+ScoreTerm largest_lead(const DriveSample& winner, const DriveSample& other) {
   std::size_t term = 0;
   const auto lead = [&](std::size_t i) { return winner.weighted[i] - other.weighted[i]; };
-  for (std::size_t i = 1; i < kTerms; ++i)
+  for (std::size_t i = 1; i < kScoreTerms; ++i)
     if (lead(i) > lead(term)) term = i;
-  return static_cast<Term>(term);
+  return static_cast<ScoreTerm>(term);
 }
 
-DriveDecision Judge::decide(const std::vector<Sample>& samples, std::optional<std::size_t> best) const {
+DriveDecision Judge::decide(const std::vector<DriveSample>& samples, std::optional<std::size_t> best) const {
   if (!best) {
-    if (state_.motion.v > 0) return {Deed::brake, braked(state_.motion, settings_), {}, 0, 0};
+    if (state_.motion.v > 0) return {DriveDeed::brake, braked(state_.motion, settings_), {}, 0, 0};
     return turn_in_place();
   }
-  const Sample& winner = samples[*best];
+  const DriveSample& winner = samples[*best];
   if (winner.motion.v == 0) {
-    const bool could_drive = std::any_of(samples.begin(), samples.end(), [](const Sample& sample) {
+    const bool could_drive = std::any_of(samples.begin(), samples.end(), [](const DriveSample& sample) {
       return sample.admissible() && sample.motion.v > 0;
     });
     if (!could_drive) return turn_in_place();
   }
   const double turned = winner.motion.v > 0 ? 0 : state_.turned + winner.motion.w * settings_.period;
-  return {Deed::drive, winner.motion, best, winner.score, turned};
+  return {DriveDeed::drive, winner.motion, best, winner.score, turned};
 }
 
 /// It goes on turning the way that it began.
 DriveDecision Judge::turn_in_place() const {
   if (std::abs(state_.turned) >= 2 * kPi)
-    return {Deed::stuck, braked(state_.motion, settings_), {}, 0, state_.turned};
+    return {DriveDeed::stuck, braked(state_.motion, settings_), {}, 0, state_.turned};
   const double side = state_.turned != 0 ? (state_.turned > 0 ? 1 : -1) : freer_side();
-  const Window window = dynamic_window(state_.motion, settings_);
+  const SpeedWindow window = dynamic_window(state_.motion, settings_);
   const double w = side > 0 ? window.w_high : window.w_low;
-  return {Deed::turn, {0, w}, {}, 0, state_.turned + w * settings_.period};
+  return {DriveDeed::turn, {0, w}, {}, 0, state_.turned + w * settings_.period};
 }
 
 /// How far it could go straight on if it looked in another direction, in metres.
@@ -218,7 +218,7 @@ double Judge::freer_side() const {
 
 }  // namespace
 
-Window dynamic_window(const Twist& now, const DriveSettings& settings) {
+SpeedWindow dynamic_window(const Twist& now, const DriveSettings& settings) {
   const DriveLimits& limits = settings.limits;
   const auto [v_down, v_up] = within_reach(now.v, limits.acceleration, limits.brake, settings.period);
   const auto [w_down, w_up] =
@@ -271,7 +271,7 @@ std::string_view rejection_name(Rejection rejection) {
   return kNames[static_cast<std::size_t>(rejection)];
 }
 
-std::string_view deed_name(Deed deed) {
+std::string_view drive_deed_name(DriveDeed deed) {
   constexpr std::array<std::string_view, 4> kNames = {"drive", "brake", "turn", "stuck"};
   return kNames[static_cast<std::size_t>(deed)];
 }
@@ -296,9 +296,9 @@ DriveDecision decide(const DriveState& state, const LocalObstacles& obstacles, S
   return explain(state, obstacles, goal, settings).decision;
 }
 
-Sample assess(const DriveState& state, const LocalObstacles& obstacles, Spot goal,
+DriveSample assess(const DriveState& state, const LocalObstacles& obstacles, Spot goal,
               const DriveSettings& settings, const Twist& motion) {
-  Sample sample = Judge(state, obstacles, goal, settings).assess(motion);
+  DriveSample sample = Judge(state, obstacles, goal, settings).assess(motion);
   if (!dynamic_window(state.motion, settings).contains(motion)) sample.rejection = Rejection::outside;
   return sample;
 }

@@ -40,7 +40,7 @@ struct DriveState {
 };
 
 /// The motions within reach.
-struct Window {
+struct SpeedWindow {
   double v_low = 0, v_high = 0;
   double w_low = 0, w_high = 0;
   [[nodiscard]] bool contains(const Twist& motion) const {
@@ -49,7 +49,7 @@ struct Window {
 };
 
 /// The speed limits, cut down to what can be reached from this motion within a period.
-Window dynamic_window(const Twist& now, const DriveSettings& settings);
+SpeedWindow dynamic_window(const Twist& now, const DriveSettings& settings);
 
 /// Why a motion is not to be chosen.
 enum class Rejection : std::uint8_t {
@@ -63,33 +63,33 @@ enum class Rejection : std::uint8_t {
 std::string_view rejection_name(Rejection rejection);
 
 /// One motion that was tried.
-struct Sample {
+struct DriveSample {
   Twist motion;
   Rejection rejection = Rejection::none;
   bool hits = false;    ///< its arc meets an obstacle before the horizon
   double time = 0;      ///< s until then, or the horizon
   double stopping = 0;  ///< s that this has to be at least
   Pose end;             ///< where it is then
-  Terms raw{};          ///< rad, m/s, m, m: larger is better
-  Terms normalised{};   ///< of an admissible sample, 0 .. 1
-  Terms weighted{};     ///< times its weight
+  ScoreTerms raw{};          ///< rad, m/s, m, m: larger is better
+  ScoreTerms normalised{};   ///< of an admissible sample, 0 .. 1
+  ScoreTerms weighted{};     ///< times its weight
   double score = 0;     ///< the sum of these
 
   [[nodiscard]] bool admissible() const { return rejection == Rejection::none; }
 };
 
 /// What a robot does for the next period.
-enum class Deed : std::uint8_t {
+enum class DriveDeed : std::uint8_t {
   drive,  ///< it takes the best sample's motion
   brake,  ///< no sample is admissible
   turn,   ///< it stands and could drive nowhere: it turns towards the nearer free side
   stuck   ///< it has turned all the way round like that: it stands, and needs another plan
 };
 /// As its fixed name in texts and conditions.
-std::string_view deed_name(Deed deed);
+std::string_view drive_deed_name(DriveDeed deed);
 
 struct DriveDecision {
-  Deed deed = Deed::brake;
+  DriveDeed deed = DriveDeed::brake;
   Twist motion;
   std::optional<std::size_t> winner;  ///< the sample whose motion it is
   double score = 0;                   ///< of the winner
@@ -100,10 +100,10 @@ struct DriveDecision {
 /// A decision with all that it came from.
 struct Explanation {
   DriveDecision decision;
-  Window window;
-  std::vector<Sample> samples;  ///< speed by speed from the lowest, each from the lowest turn rate on
+  SpeedWindow window;
+  std::vector<DriveSample> samples;  ///< speed by speed from the lowest, each from the lowest turn rate on
   std::optional<std::size_t> runner_up;  ///< the next best sample
-  Term lost_by = Term::heading;          ///< the term that put the winner before it, by most
+  ScoreTerm lost_by = ScoreTerm::heading;          ///< the term that put the winner before it, by most
 };
 
 /// What a robot with these obstacles about it does on its way to `goal`.
@@ -113,7 +113,7 @@ DriveDecision decide(const DriveState& state, const LocalObstacles& obstacles, S
 Explanation explain(const DriveState& state, const LocalObstacles& obstacles, Spot goal,
                     const DriveSettings& settings);
 /// Any motion as if it had been among the samples, its normalised terms and score left out.
-Sample assess(const DriveState& state, const LocalObstacles& obstacles, Spot goal,
+DriveSample assess(const DriveState& state, const LocalObstacles& obstacles, Spot goal,
               const DriveSettings& settings, const Twist& motion);
 
 /// The way that it needs to stop in after a period at that motion, as the time that the motion itself would take for

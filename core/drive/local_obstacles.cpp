@@ -12,7 +12,7 @@ constexpr int kMostBins = 256;      // along a side: what is farther out shares 
 
 }  // namespace
 
-ObstacleSet::ObstacleSet(Shape shape, std::span<const Spot> centres)
+ObstacleSet::ObstacleSet(ObstacleShape shape, std::span<const Spot> centres)
     : shape_(shape), bin_(std::max(kLeastBin, 2 * shape.half)) {
   if (centres.empty()) return;
   corner_ = centres.front();

@@ -14,7 +14,7 @@ namespace replan {
 
 /// The shape of an obstacle: a square with sides along the axes, grown by a radius. A cell has no radius, a disc no
 /// square.
-struct Shape {
+struct ObstacleShape {
   double half = 0;    ///< m, of the square's side
   double radius = 0;  ///< m
 };
@@ -24,10 +24,10 @@ class ObstacleSet {
  public:
   ObstacleSet() = default;
   /// Around these centres.
-  ObstacleSet(Shape shape, std::span<const Spot> centres);
+  ObstacleSet(ObstacleShape shape, std::span<const Spot> centres);
 
   [[nodiscard]] bool empty() const { return centres_.empty(); }
-  [[nodiscard]] const Shape& shape() const { return shape_; }
+  [[nodiscard]] const ObstacleShape& shape() const { return shape_; }
   [[nodiscard]] std::span<const Spot> centres() const { return centres_; }
   /// The distance from there to the nearest obstacle, or `most` if that is nearer. Below 0 inside a disc; 0 inside a
   /// square.
@@ -38,7 +38,7 @@ class ObstacleSet {
   [[nodiscard]] int row(double y) const;
   void look_at(int column, int row, Spot at, double& least) const;
 
-  Shape shape_;
+  ObstacleShape shape_;
   std::vector<Spot> centres_;         // bin by bin
   std::vector<std::uint32_t> first_;  // of each bin; one more for the end
   Spot corner_;

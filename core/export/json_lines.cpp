@@ -1,5 +1,7 @@
 #include "core/export/json_lines.hpp"
 
+#include <bit>
+
 #include "core/base/words.hpp"
 #include "core/export/trace_text.hpp"
 #include "core/plan/planner.hpp"
@@ -201,6 +203,12 @@ void JsonLines::scalar(std::string& out, Scalar which, std::uint64_t raw) const 
     case Scalar::replans:
       append_whole(out, raw);
       return;
+    case Scalar::x:
+    case Scalar::y:
+    case Scalar::heading:
+    case Scalar::speed:
+    case Scalar::turning:
+      return append_real(out, std::bit_cast<double>(raw));
     default:
       return cell(out, static_cast<NodeId>(raw) - 1u);
   }

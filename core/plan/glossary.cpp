@@ -195,6 +195,9 @@ constexpr GlossaryTerm kTerms[] = {
     {"truth", "The true world", "What really stands there, whether the robot knows it or not."},
     {"moving-obstacle", "Moving obstacle",
      "A box of cells that goes along a drawn way. It waits for the robot rather than run into it."},
+    {"stuck", "Stuck",
+     "A robot that drives has a plan, but none of the arcs that it can take up leads along it: it has turned all the way "
+     "round in vain, or come no nearer to its goal for as long as its patience lasts."},
     {"robot-moves", "Moves", "How many cells the robot has entered."},
     {"robot", "Robot",
      "What drives along the plan. It plans on the map that it believes in, which its sensor corrects within "

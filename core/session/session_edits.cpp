@@ -227,7 +227,7 @@ Result<void> Session::run_command(const SetStages& command) {
 
 Result<void> Session::run_command(const SetRobot& command) {
   if (command.robot == scenario_->robot) return {};
-  if (const auto known = require_robot(command.robot.kind); !known) return Error{known.error()};
+  if (const auto known = require_robot(command.robot.kind, box()); !known) return Error{known.error()};
   Scenario changed = *scenario_;
   changed.robot = command.robot;
   commit("change the robot", 0, std::move(changed));

@@ -114,12 +114,41 @@ void Mission::step_along(std::size_t cells) {
 /// from the middle of its cell next, so that its body there is counted too.
 std::vector<Cell> Mission::covered_cells(NodeId left) const {
   std::vector<Cell> cells = {box_.position(robot_), box_.position(left)};
-  const Point middle = point(robot_);
-  for (const auto& [from, to] : {std::pair{now_.before, now_.at}, std::pair{now_.at, middle}})
+  const auto add = [&](const Point& from, const Point& to) {
     Body(box_, robot_setup_.radius, from, to).each_cell([&](NodeId node, double) {
       cells.push_back(box_.position(node));
     });
+  };
+  add(now_.before, now_.at);
+  add(now_.at, point(robot_));
+  Point at = now_.at;
+  for (const Point& next : stopping_way()) {
+    cells.push_back(cell_of(next));
+    add(at, next);
+    at = next;
+  }
   return cells;
+}
+
+void Mission::drive_on(std::span<const Point> points, double way, SimTime time) {
+  tr_.line(107);
+  const NodeId left = robot_;
+  Point at = now_.at;
+  for (const Point& next : points) {
+    if (!box_.contains(cell_of(next))) return collide(robot_);
+    const NodeId cell = box_.node(cell_of(next));
+    if (truth_[cell] != 0 || hits(box_, truth_, robot_setup_.radius, at, next)) return collide(cell);
+    at = next;
+  }
+  const NodeId cell = box_.node(cell_of(at));
+  tr_.note(EventKind::move, cell);
+  put_robot(cell);
+  now_.figures.travelled += way;
+  ++now_.figures.moves;
+  now_.before = now_.at;
+  now_.at = at;
+  now_.waited = 0;
+  advance_clock(1, time, left);
 }
 
 void Mission::collide(NodeId cell) {

@@ -68,7 +68,7 @@ void Guide::plan(Spot robot) {
   const auto start = free_cell_near(robot, 2 * settings_.drive.limits.radius);
   if (!start) return;
   if (!navigator_) {
-    navigator_ = make_navigator(settings_.global, frame.box, SharedBytes(map_.closed()));
+    navigator_ = make_navigator(settings_.global, frame.box, SharedBytes(map_.closed()), 0);
     navigator_->begin(centre_of(*start), centre_of(frame.cell(world_.goal)));
   } else {
     navigator_->learn(pending_);
@@ -160,7 +160,7 @@ LocalObstacles BarnRun::obstacles() const {
     return cells_around(wide_.map().frame(), state_.pose.spot(), reach, false,
                         [&](NodeId node) { return marked[node] != 0 && (planned_[node] != 0) == planned; });
   };
-  const Shape cell{settings_.cell / 2, 0};
+  const ObstacleShape cell{settings_.cell / 2, 0};
   LocalObstacles obstacles;
   obstacles.known = ObstacleSet(cell, around(true));
   obstacles.unknown = ObstacleSet(cell, around(false));
@@ -185,9 +185,9 @@ bool BarnRun::move(const Twist& motion) {
 }
 
 void BarnRun::count(const DriveDecision& decision) {
-  drive_.brakes += decision.deed == Deed::brake ? 1 : 0;
-  drive_.turns += decision.deed == Deed::turn ? 1 : 0;
-  if (decision.deed != Deed::stuck) return;
+  drive_.brakes += decision.deed == DriveDeed::brake ? 1 : 0;
+  drive_.turns += decision.deed == DriveDeed::turn ? 1 : 0;
+  if (decision.deed != DriveDeed::stuck) return;
   ++drive_.stuck;
   must_replan_ = true;
   state_.turned = 0;

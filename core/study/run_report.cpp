@@ -49,7 +49,8 @@ RobotReport robot_report(const Decision& decision) {
           .travelled = decision.figures.travelled,
           .collisions = decision.figures.collisions,
           .replans = decision.figures.replans,
-          .last_plan = decision.plan->status};
+          .last_plan = decision.plan->status,
+          .drives = decision.drive.begun};
 }
 
 /// Why the robot did not arrive, where its ending alone does not say it: how things stood in the end.
@@ -173,6 +174,10 @@ std::string explanation(const RunReport& report) {
   const std::string_view ending = report.robot ? mission_state_name(report.robot->ending) : report.status;
   if (ending == mission_state_name(MissionState::loop))
     return "The plan leads round in a circle: set remote_parents=checked.";
+  if (ending == mission_state_name(MissionState::stuck))
+    return "The robot did not arrive: it has a plan, and finds no arc that leads along it.";
+  if (ending == mission_state_name(MissionState::collision) && report.robot && report.robot->drives)
+    return "The robot hit something that came nearer than it can stop.";
   if (ending == mission_state_name(MissionState::collision))
     return "The plan leads into an obstacle: set remote_parents=checked.";
   if (ending == mission_state_name(MissionState::endless))
@@ -250,8 +255,8 @@ std::vector<NamedFigure> in_metres(std::span<const NamedFigure> figures, const M
       {"length", "length_m"},
       {"min_clearance", "min_clearance_m"},
       {"mean_clearance", "mean_clearance_m"},
-                                                                        {"min_edge_clearance", "min_edge_clearance_m"},
-                                                                        {"mean_edge_clearance", "mean_edge_clearance_m"},
+      {"min_edge_clearance", "min_edge_clearance_m"},
+      {"mean_edge_clearance", "mean_edge_clearance_m"},
       {"travelled", "travelled_m"}};
   std::vector<NamedFigure> lengths;
   for (const NamedFigure& figure : figures)

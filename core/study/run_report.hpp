@@ -24,6 +24,7 @@ struct RobotReport {
   std::int64_t collisions = 0;
   std::int64_t replans = 0;
   PlanStatus last_plan = PlanStatus::searching;  ///< how the latest plan stands
+  bool drives = false;                           ///< on wheels, not from cell to cell
   bool covered = false;                          ///< an obstacle stands on its cell
   std::optional<double> short_of_goal = {};      ///< cells from where it ends to its goal, as the crow flies
   [[nodiscard]] bool reached() const { return ending == MissionState::arrived; }

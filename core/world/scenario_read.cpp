@@ -125,7 +125,7 @@ class ScenarioReader {
     RobotSetup& robot = scenario_.robot;
     if (const auto kind = node.find("kind")) {
       robot.kind = kind->text();
-      if (const auto known = require_robot(robot.kind); !known) return kind->fail(known.error());
+      if (const auto known = require_robot(robot.kind, scenario_.map.box()); !known) return kind->fail(known.error());
     }
     if (const auto settings = node.find("settings"))
       read_settings(*settings, find_robot(robot.kind)->parameters, robot.settings);

@@ -1,6 +1,7 @@
 // Traces for other programs: JSON Lines that the run can be rebuilt from, and Posthoc's format to the letter.
 #include "core/session/trace_export.hpp"
 
+#include <bit>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <yaml-cpp/yaml.h>
@@ -187,6 +188,8 @@ class Rebuilt {
       return value.get<std::uint64_t>();
     const auto which = static_cast<Scalar>(event.node);
     const bool cost = which == Scalar::km || which == Scalar::weight || which == Scalar::share;
+    if (event.kind == EventKind::scalar && is_real(which))
+      return std::bit_cast<std::uint64_t>(value.get<double>());
     if (event.kind == EventKind::scalar && !cost) return value.get<std::uint64_t>();
     return static_cast<std::uint64_t>(cost_of(value).raw) + (event.kind == EventKind::queue ? 1 : 0);
   }

@@ -43,6 +43,8 @@ Verdict verdict(const Theme& theme, const Run& run) {
       return {theme.bad, "would hit an obstacle", "collision"};
     case MissionState::loop:
       return {theme.bad, "goes round in a circle", "unchecked-parent"};
+    case MissionState::stuck:
+      return {theme.bad, "stuck: no arc leads on", "stuck"};
     case MissionState::endless:
       return {theme.bad, "turned back again and again", "moving-obstacle"};
     case MissionState::nearest:
