@@ -38,7 +38,7 @@ Result<WorldEdit> with_map(const Scenario& scenario, std::string label, std::str
     if (end && !made.map.contains(*end)) return Error{"start and goal must lie on the map"};
   for (const PlannerChoice& choice : scenario.planners)
     if (const auto fit = fits(*find_planner(choice.id), made.map.box()); !fit) return Error{fit.error()};
-  if (const auto robot = require_robot(made.robot.kind, made.map.box()); !robot) return Error{robot.error()};
+  if (const auto robot = require_robot(scenario.robot.kind, made.map.box()); !robot) return Error{robot.error()};
   Scenario changed = scenario;
   changed.map = std::move(made.map);
   changed.map_file.clear();
