@@ -1,8 +1,10 @@
 // What a robot does once it has decided: it takes a step, waits, or gives up; and with each the time that goes by.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "core/lattice/inflation.hpp"
 #include "core/sim/body.hpp"
 #include "core/sim/mission.hpp"
 
@@ -111,7 +113,7 @@ void Mission::step_along(std::size_t cells) {
 }
 
 /// The cells that the robot takes up on its way from the cell `left` to its own: nothing comes onto them. It may plan
-/// from the middle of its cell next, so that its body there is counted too.
+/// from the middle of its cell next, so that its body there is counted too, and exactly, as its map is grown.
 std::vector<Cell> Mission::covered_cells(NodeId left) const {
   std::vector<Cell> cells = {box_.position(robot_), box_.position(left)};
   const auto add = [&](const Point& from, const Point& to) {
@@ -120,13 +122,20 @@ std::vector<Cell> Mission::covered_cells(NodeId left) const {
     });
   };
   add(now_.before, now_.at);
-  add(now_.at, point(robot_));
   Point at = now_.at;
   for (const Point& next : stopping_way()) {
     cells.push_back(cell_of(next));
     add(at, next);
     at = next;
   }
+  if (robot_setup_.radius <= 0) return cells;
+  const std::int64_t limit = limit_of(robot_setup_.radius);
+  const Cell own = cells.front();
+  box_.each_cell_around(own, static_cast<int>(std::ceil(robot_setup_.radius)), [&](NodeId node) {
+    const Cell cell = box_.position(node);
+    if (quarters_of(std::array{cell.x - own.x, cell.y - own.y, cell.z - own.z}) < limit)
+      cells.push_back(cell);
+  });
   return cells;
 }
 
