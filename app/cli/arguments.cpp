@@ -278,7 +278,8 @@ void WorldArguments::declare(CLI::App& command) {
       ->type_name("KIND");
   command
       .add_option("--radius", radius,
-                  "The radius of its body in cells, 0 to " + kMostRadius + ", or in metres of the map's (0.3m)" +
+                  "The radius of its body in cells, 0 to " + kMostRadius +
+                      ", or in metres of the map's (0.3m)" +
                       ": its centre keeps so far away from obstacles (0: a point)")
       ->type_name("CELLS");
   reading.declare(command);
@@ -336,7 +337,8 @@ Result<Scenario> WorldArguments::load() const {
     world->robot.unreachable_goal = static_cast<UnreachableGoal>(found - std::begin(kUnreachableGoals));
   }
   if (!robot.empty()) {
-    if (const auto known = require_robot(robot, world->map.box()); !known) return Error{"--robot: " + known.error()};
+    if (const auto known = require_robot(robot, world->map.box()); !known)
+      return Error{"--robot: " + known.error()};
     world->robot.kind = robot;
   }
   if (!radius.empty()) {

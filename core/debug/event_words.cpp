@@ -1,7 +1,7 @@
 #include "core/debug/event_words.hpp"
 
-#include <bit>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdio>
 
@@ -79,8 +79,8 @@ std::string value_name(const Field& field) {
 
 const char* value_name(Scalar scalar) {
   static constexpr std::array<const char*, static_cast<std::size_t>(Scalar::count)> kNames = {
-      "km", "s_start", "s_last", "s_goal", "the robot", "moves", "replans", "the goal", "the weight", "K",
-      "x", "y", "the heading", "the speed", "the turn rate"};
+      "km",         "s_start", "s_last", "s_goal", "the robot",   "moves",     "replans",      "the goal",
+      "the weight", "K",       "x",      "y",      "the heading", "the speed", "the turn rate"};
   return scalar < Scalar::count ? kNames[static_cast<std::size_t>(scalar)] : "";
 }
 

@@ -23,14 +23,15 @@
 #include <memory>
 #include <vector>
 
-#include "core/drive/local_obstacles.hpp"
-#include "core/sim/mission.hpp"
+#include "core/robots/drive_sense.hpp"
 
 namespace replan {
 
 class DwaRobot final : public Mission {
  public:
   static RobotInfo describe();
+  /// How near a node of its plan it makes for the next one, in metres.
+  static const Parameter& near_parameter();
   DwaRobot(const Scenario& scenario, const PlannerChoice& choice, Recorder* recorder);
 
  private:
@@ -41,25 +42,15 @@ class DwaRobot final : public Mission {
 
   void take_up_pose();
   [[nodiscard]] Spot sub_goal();
-  [[nodiscard]] bool sees(Spot from, Spot to) const;
   [[nodiscard]] bool has_strayed(Spot goal);
-  [[nodiscard]] DriveSettings settings_towards(Spot goal) const;
-  [[nodiscard]] LocalObstacles obstacles() const;
-  void add_edge(std::vector<Spot>& walls, Spot at, double reach) const;
   [[nodiscard]] bool comes_nearer(double to_go);
   void turn_round_in_vain();
   void keep(const Twist& motion);
   void tell(const DriveState& before) const;
-  [[nodiscard]] Point in_cells(Spot spot) const {
-    return {spot.x / frame_.side, spot.y / frame_.side, 0.5};
-  }
 
-  CellFrame frame_;
-  DriveSettings settings_;
+  DriveSense sense_;
   double heading_;    // rad, that it sets out with
-  double near_;       // m; so near a sub-goal the next one follows
   double tolerance_;  // m, to the goal
-  SharedBytes mapped_;  // its map before it set out
   // The nodes of the plan in metres, made anew where the plan's path is another one.
   std::shared_ptr<const Path> path_;
   std::vector<Spot> nodes_;

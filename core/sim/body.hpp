@@ -42,11 +42,12 @@ class Body {
           if (const double squared = squared_distance(from_, to_, {x, y, z}); squared < reach * reach)
             visit(world_.node({x, y, z}), squared);
   }
-  /// How near the way comes to what is not free (nonzero) in the world, squared; the radius' square if no nearer.
-  [[nodiscard]] double nearest(std::span<const std::uint8_t> truth) const {
+  /// How near the way comes to the cells that are not free (cells[node] is nonzero), squared; the radius' square if no nearer.
+  template <class Cells>
+  [[nodiscard]] double nearest(const Cells& cells) const {
     double least = radius_ * radius_;
     each_cell([&](NodeId node, double squared) {
-      if (truth[node] != 0) least = std::min(least, squared);
+      if (cells[node] != 0) least = std::min(least, squared);
     });
     return least;
   }

@@ -141,6 +141,7 @@ std::string cause_sentence(const ReplanCause& cause) {
   if (cause.blocked > 0 && cause.freed > 0)
     return cells(cause.blocked) + " blocked, " + grouped(cause.freed) + " free again.";
   if (cause.freed > 0) return cells(cause.freed) + " free again.";
+  if (cause.blocked == 0) return "The robot had left its plan: planned again from where it is.";
   return cells(cause.blocked) + " blocked.";
 }
 

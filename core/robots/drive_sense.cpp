@@ -1,0 +1,83 @@
+#include "core/robots/drive_sense.hpp"
+
+#include <cmath>
+
+#include "core/robots/dwa_robot.hpp"
+
+namespace replan {
+namespace {
+
+/// The robot's map at a moment of its log.
+struct MapAt {
+  const SearchState& state;
+  bool operator[](NodeId node) const { return state.known_blocked(node); }
+};
+
+}  // namespace
+
+DriveSense::DriveSense(const Scenario& scenario)
+    : frame_{scenario.map.box(), scenario.map.resolution},
+      settings_(drive_settings(scenario.robot.settings)),
+      radius_(scenario.robot.radius),
+      near_(std::max(scenario.robot.settings.get(DwaRobot::near_parameter()), frame_.side / 2)),
+      mapped_(initial_knowledge(scenario)) {
+  settings_.limits.radius = radius_ * frame_.side;
+}
+
+/// A robot that is too fast to turn to its sub-goal drives round it for ever: the arc that leads there from its heading
+/// has the radius d^2 / (2 |across|), and a sub-goal behind it is turned to on the spot.
+DriveSettings DriveSense::settings_towards(const DriveState& state, Spot goal) const {
+  const auto [sine, cosine] = sine_cosine(state.pose.heading);
+  const double x = goal.x - state.pose.x, y = goal.y - state.pose.y;
+  const double along = cosine * x + sine * y, across = std::abs(cosine * y - sine * x);
+  DriveSettings settings = settings_;
+  DriveLimits& limits = settings.limits;
+  double most = limits.v_max;
+  if (along <= 0)
+    most = 0;
+  else if (across > 0)
+    most = std::min(most, limits.w_max * (along * along + across * across) / (2 * across));
+  limits.v_max = std::max({most, limits.v_min, state.motion.v - limits.brake * settings.period});
+  return settings;
+}
+
+std::vector<Spot> DriveSense::nodes_of(const Path& path) const {
+  std::vector<Spot> nodes;
+  for (std::size_t i = 0; i < path.size(); ++i)
+    nodes.push_back({path.point(i).x * frame_.side, path.point(i).y * frame_.side});
+  return nodes;
+}
+
+/// Squares so far outside the map that a robot which keeps away from them keeps its centre on the map.
+void DriveSense::add_edge(std::vector<Spot>& walls, Spot at) const {
+  const double away = settings_.limits.radius + settings_.margin, half = frame_.side / 2, far = reach();
+  const double right = frame_.box.width() * frame_.side, bottom = frame_.box.height() * frame_.side;
+  const auto each = [&](double middle, double most, auto&& add) {
+    const double first = std::max(-away, middle - far), last = std::min(most + away, middle + far);
+    for (double along = first; along <= last + frame_.side; along += frame_.side) add(along);
+  };
+  each(at.x, right, [&](double x) {
+    if (at.y < far) walls.push_back({x, -away - half});
+    if (bottom - at.y < far) walls.push_back({x, bottom + away + half});
+  });
+  each(at.y, bottom, [&](double y) {
+    if (at.x < far) walls.push_back({-away - half, y});
+    if (right - at.x < far) walls.push_back({right + away + half, y});
+  });
+}
+
+std::optional<DriveWhy> why_it_drives(const Scenario& scenario, const Decision& decision,
+                                      const SearchState& state) {
+  const Path& path = *decision.plan->path;
+  if (!decision.drive.begun || path.empty()) return std::nullopt;
+  const DriveSense sense(scenario);
+  const MapAt known{state};
+  const DriveState& now = decision.drive.state;
+  const std::vector<Spot> nodes = sense.nodes_of(path);
+  const Spot goal = nodes[sense.sub_goal(nodes, decision.drive.sub_goal, now.pose.spot(), known)];
+  const DriveSettings settings = sense.settings_towards(now, goal);
+  return DriveWhy{now, goal, sense.frame(), settings,
+                  explain(now, sense.obstacles(now, known), goal, settings)};
+}
+
+}  // namespace replan
