@@ -72,7 +72,7 @@ const Parameter kMargin =
 
 }  // namespace
 
-std::string_view term_name(Term term) {
+std::string_view term_name(ScoreTerm term) {
   constexpr std::array<std::string_view, kTerms> kNames = {"heading", "speed", "known", "unknown"};
   return kNames[static_cast<std::size_t>(term)];
 }

@@ -23,11 +23,11 @@ struct DriveLimits {
 };
 
 /// The terms of the score, in the order of the paper's formula.
-enum class Term : std::uint8_t { heading, speed, known, unknown };
+enum class ScoreTerm : std::uint8_t { heading, speed, known, unknown };
 inline constexpr std::size_t kTerms = 4;
 using Terms = std::array<double, kTerms>;
 /// Its fixed name, in texts and conditions.
-std::string_view term_name(Term term);
+std::string_view term_name(ScoreTerm term);
 
 /// What a term is divided by, so that terms of different units can be added.
 enum class Normalise : std::uint8_t {

@@ -33,7 +33,7 @@ double spread(double low, double high, int i, int count) {
 }
 
 /// The turn rates that are tried, in order.
-std::vector<double> turn_rates(const Window& window, int count) {
+std::vector<double> turn_rates(const SpeedWindow& window, int count) {
   std::vector<double> rates(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     rates[static_cast<std::size_t>(i)] = spread(window.w_low, window.w_high, i, count);
@@ -50,19 +50,29 @@ double bearing_error(const Spot& at, const SineCosine& heading, Spot goal) {
   return std::abs(arc_tangent(across, along));
 }
 
+/// A robot that faces its goal so well does not turn in place.
+constexpr double kFacing = kPi / 12;
+
 /// One decision at work.
 class Judge {
  public:
   Judge(const DriveState& state, const LocalObstacles& obstacles, Spot goal, const DriveSettings& settings)
-      : state_(state), obstacles_(obstacles), goal_(goal), settings_(settings) {}
+      : state_(state), obstacles_(obstacles), goal_(goal), settings_(settings) {
+    error_ = bearing_error(state.pose.spot(), sine_cosine(state.pose.heading), goal);
+    const double far = distance(state.pose.spot(), goal);
+    const double across = error_ < kPi / 2 ? sine(error_) : 1;
+    homing_ = across > 0 ? settings.limits.w_max * far / (2 * across) : settings.limits.v_max;
+    homing_ = std::max(homing_, dynamic_window(state.motion, settings).v_low);
+  }
 
   [[nodiscard]] Sample assess(const Twist& motion) const;
-  [[nodiscard]] std::vector<Sample> samples(const Window& window) const;
+  [[nodiscard]] std::vector<Sample> samples(const SpeedWindow& window) const;
   void score(std::vector<Sample>& samples) const;
   [[nodiscard]] DriveDecision decide(const std::vector<Sample>& samples,
                                      std::optional<std::size_t> best) const;
 
  private:
+  [[nodiscard]] Rejection reason(const Twist& motion, double contact) const;
   [[nodiscard]] Terms terms(const Arc& arc, double time) const;
   [[nodiscard]] DriveDecision turn_in_place() const;
   [[nodiscard]] double free_straight(double by) const;
@@ -72,6 +82,8 @@ class Judge {
   const LocalObstacles& obstacles_;
   Spot goal_;
   const DriveSettings& settings_;
+  double error_ = 0;   // of the bearing now
+  double homing_ = 0;  // the fastest that it can go and still turn in on the goal
 };
 
 Sample Judge::assess(const Twist& motion) const {
@@ -85,18 +97,19 @@ Sample Judge::assess(const Twist& motion) const {
   const double contact = time_to_contact(arc, obstacles_, settings_, looked_at);
   sample.hits = contact < span;
   sample.time = std::min(contact, span);
-  if (motion.v == 0 && motion.w == 0) {
-    sample.rejection = Rejection::stands;
-  } else if (contact < sample.stopping) {
-    DriveSettings turning_free = settings_;
-    turning_free.limits.angular_brake =
-        settings_.limits.brake * std::abs(motion.w) / std::max(motion.v, 1e-9);
-    sample.rejection =
-        contact < stopping_time(motion, turning_free) ? Rejection::too_fast : Rejection::turns_too_fast;
-  }
+  sample.rejection = reason(motion, contact);
   sample.end = arc.pose(sample.time);
   sample.raw = terms(arc, sample.time);
   return sample;
+}
+
+Rejection Judge::reason(const Twist& motion, double contact) const {
+  if (motion.v == 0) return motion.w == 0 || error_ < kFacing ? Rejection::stands : Rejection::none;
+  if (contact < stopping_time(motion, settings_)) {
+    const bool slow_enough = contact >= settings_.period + motion.v / (2 * settings_.limits.brake);
+    return slow_enough ? Rejection::turns_too_fast : Rejection::too_fast;
+  }
+  return motion.v > homing_ ? Rejection::circles : Rejection::none;
 }
 
 Terms Judge::terms(const Arc& arc, double time) const {
@@ -107,7 +120,7 @@ Terms Judge::terms(const Arc& arc, double time) const {
           std::max(obstacles_.to_unknown(end, most) - radius, 0.0)};
 }
 
-std::vector<Sample> Judge::samples(const Window& window) const {
+std::vector<Sample> Judge::samples(const SpeedWindow& window) const {
   const std::vector<double> rates = turn_rates(window, settings_.turns);
   std::vector<Sample> samples;
   samples.reserve(static_cast<std::size_t>(settings_.speeds) * rates.size());
@@ -160,17 +173,17 @@ std::optional<std::size_t> best_of(const std::vector<Sample>& samples, std::opti
   return best;
 }
 
-Term largest_lead(const Sample& winner, const Sample& other) {
+ScoreTerm largest_lead(const Sample& winner, const Sample& other) {
   std::size_t term = 0;
   const auto lead = [&](std::size_t i) { return winner.weighted[i] - other.weighted[i]; };
   for (std::size_t i = 1; i < kTerms; ++i)
     if (lead(i) > lead(term)) term = i;
-  return static_cast<Term>(term);
+  return static_cast<ScoreTerm>(term);
 }
 
 DriveDecision Judge::decide(const std::vector<Sample>& samples, std::optional<std::size_t> best) const {
   if (!best) {
-    if (state_.motion.v > 0) return {Deed::brake, braked(state_.motion, settings_), {}, 0, 0};
+    if (state_.motion.v > 0) return {DriveDeed::brake, braked(state_.motion, settings_), {}, 0, 0};
     return turn_in_place();
   }
   const Sample& winner = samples[*best];
@@ -181,17 +194,17 @@ DriveDecision Judge::decide(const std::vector<Sample>& samples, std::optional<st
     if (!could_drive) return turn_in_place();
   }
   const double turned = winner.motion.v > 0 ? 0 : state_.turned + winner.motion.w * settings_.period;
-  return {Deed::drive, winner.motion, best, winner.score, turned};
+  return {DriveDeed::drive, winner.motion, best, winner.score, turned};
 }
 
 /// It goes on turning the way that it began.
 DriveDecision Judge::turn_in_place() const {
   if (std::abs(state_.turned) >= 2 * kPi)
-    return {Deed::stuck, braked(state_.motion, settings_), {}, 0, state_.turned};
+    return {DriveDeed::stuck, braked(state_.motion, settings_), {}, 0, state_.turned};
   const double side = state_.turned != 0 ? (state_.turned > 0 ? 1 : -1) : freer_side();
-  const Window window = dynamic_window(state_.motion, settings_);
+  const SpeedWindow window = dynamic_window(state_.motion, settings_);
   const double w = side > 0 ? window.w_high : window.w_low;
-  return {Deed::turn, {0, w}, {}, 0, state_.turned + w * settings_.period};
+  return {DriveDeed::turn, {0, w}, {}, 0, state_.turned + w * settings_.period};
 }
 
 /// How far it could go straight on if it looked in another direction, in metres.
@@ -204,7 +217,7 @@ double Judge::free_straight(double by) const {
 /// The side, 1 or -1, to which it has to turn less until it has room to go; of equals that of the goal.
 double Judge::freer_side() const {
   const double to_goal = arc_tangent(goal_.y - state_.pose.y, goal_.x - state_.pose.x);
-  const double side = wrapped(to_goal - state_.pose.heading) < 0 ? -1 : 1;
+  const double side = wrapped_angle(to_goal - state_.pose.heading) < 0 ? -1 : 1;
   constexpr int kDirections = 8;
   double best = side, farthest = 0;
   for (int i = 1; i <= kDirections; ++i)
@@ -218,7 +231,7 @@ double Judge::freer_side() const {
 
 }  // namespace
 
-Window dynamic_window(const Twist& now, const DriveSettings& settings) {
+SpeedWindow dynamic_window(const Twist& now, const DriveSettings& settings) {
   const DriveLimits& limits = settings.limits;
   const auto [v_down, v_up] = within_reach(now.v, limits.acceleration, limits.brake, settings.period);
   const auto [w_down, w_up] =
@@ -256,7 +269,10 @@ double time_to_contact(const Arc& arc, const LocalObstacles& obstacles, const Dr
   constexpr double kLeastStep = 0.001;  // m
   double kept = settings.margin, last = 0;
   for (double time = 0; time < most;) {
-    const double gap = obstacles.to_any(arc.spot(time), braking(time), far) - radius;
+    const Spot at = arc.spot(time);
+    double gap = obstacles.to_still(at, far) - radius;
+    if (!obstacles.moving.empty())
+      gap = std::min(gap, obstacles.to_moving(at, arc.heading(time), braking(time), far) - radius);
     if (time == 0) kept = std::min(kept, gap - 1e-9);
     if (gap < kept) return last;
     last = time;
@@ -266,12 +282,12 @@ double time_to_contact(const Arc& arc, const LocalObstacles& obstacles, const Dr
 }
 
 std::string_view rejection_name(Rejection rejection) {
-  constexpr std::array<std::string_view, 5> kNames = {"none", "outside", "too-fast", "turns-too-fast",
-                                                      "stands"};
+  constexpr std::array<std::string_view, 6> kNames = {"none",           "outside", "too-fast",
+                                                      "turns-too-fast", "circles", "stands"};
   return kNames[static_cast<std::size_t>(rejection)];
 }
 
-std::string_view deed_name(Deed deed) {
+std::string_view deed_name(DriveDeed deed) {
   constexpr std::array<std::string_view, 4> kNames = {"drive", "brake", "turn", "stuck"};
   return kNames[static_cast<std::size_t>(deed)];
 }

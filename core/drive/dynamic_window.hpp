@@ -15,7 +15,12 @@
 // - A robot nearer to an obstacle than its margin may go anywhere that is no nearer.
 // - A term is taken at the end of the arc: at the horizon, or where the arc meets an obstacle or is as long as the goal
 //   is far.
-// - Of the turn rates tried the one nearest to 0 is 0. Standing still is no choice; turning in place is.
+// - What may move and is wholly behind the robot is not in its way: it may be run into, but does not run into anything.
+// - The circle through the goal that the robot's heading touches has the radius d / (2 sin e), with d the goal's
+//   distance and e the bearing's error, at least d / 2. A speed for which that is too tight a turn is not chosen while
+//   there is a lower one: the speed's term would let the robot circle round its goal for ever.
+// - Of the turn rates tried the one nearest to 0 is 0. Standing still is no choice; turning in place is, unless the
+//   robot faces its goal: near obstacles a slow start would always score less.
 //
 // A decision is a function of its arguments alone: who keeps pose and motion of a moment can ask for its reasons later.
 #pragma once
@@ -40,7 +45,7 @@ struct DriveState {
 };
 
 /// The motions within reach.
-struct Window {
+struct SpeedWindow {
   double v_low = 0, v_high = 0;
   double w_low = 0, w_high = 0;
   [[nodiscard]] bool contains(const Twist& motion) const {
@@ -49,7 +54,7 @@ struct Window {
 };
 
 /// The speed limits, cut down to what can be reached from this motion within a period.
-Window dynamic_window(const Twist& now, const DriveSettings& settings);
+SpeedWindow dynamic_window(const Twist& now, const DriveSettings& settings);
 
 /// Why a motion is not to be chosen.
 enum class Rejection : std::uint8_t {
@@ -57,7 +62,8 @@ enum class Rejection : std::uint8_t {
   outside,         ///< it cannot be taken up within a period
   too_fast,        ///< it could not stop before it touches something
   turns_too_fast,  ///< as too_fast, but its turn rate alone is what falls too slowly
-  stands           ///< it neither drives nor turns
+  circles,         ///< at that speed it cannot turn in on the goal, but would circle round it
+  stands           ///< it does not drive, nor turn to face a goal that it does not face
 };
 /// As its fixed name in texts and conditions.
 std::string_view rejection_name(Rejection rejection);
@@ -79,17 +85,17 @@ struct Sample {
 };
 
 /// What a robot does for the next period.
-enum class Deed : std::uint8_t {
+enum class DriveDeed : std::uint8_t {
   drive,  ///< it takes the best sample's motion
   brake,  ///< no sample is admissible
   turn,   ///< it stands and could drive nowhere: it turns towards the nearer free side
   stuck   ///< it has turned all the way round like that: it stands, and needs another plan
 };
 /// As its fixed name in texts and conditions.
-std::string_view deed_name(Deed deed);
+std::string_view deed_name(DriveDeed deed);
 
 struct DriveDecision {
-  Deed deed = Deed::brake;
+  DriveDeed deed = DriveDeed::brake;
   Twist motion;
   std::optional<std::size_t> winner;  ///< the sample whose motion it is
   double score = 0;                   ///< of the winner
@@ -100,10 +106,10 @@ struct DriveDecision {
 /// A decision with all that it came from.
 struct Explanation {
   DriveDecision decision;
-  Window window;
+  SpeedWindow window;
   std::vector<Sample> samples;  ///< speed by speed from the lowest, each from the lowest turn rate on
-  std::optional<std::size_t> runner_up;  ///< the next best sample
-  Term lost_by = Term::heading;          ///< the term that put the winner before it, by most
+  std::optional<std::size_t> runner_up;    ///< the next best sample
+  ScoreTerm lost_by = ScoreTerm::heading;  ///< the term that put the winner before it, by most
 };
 
 /// What a robot with these obstacles about it does on its way to `goal`.

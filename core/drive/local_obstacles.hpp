@@ -14,7 +14,7 @@ namespace replan {
 
 /// The shape of an obstacle: a square with sides along the axes, grown by a radius. A cell has no radius, a disc no
 /// square.
-struct Shape {
+struct ObstacleShape {
   double half = 0;    ///< m, of the square's side
   double radius = 0;  ///< m
 };
@@ -24,10 +24,10 @@ class ObstacleSet {
  public:
   ObstacleSet() = default;
   /// Around these centres.
-  ObstacleSet(Shape shape, std::span<const Spot> centres);
+  ObstacleSet(ObstacleShape shape, std::span<const Spot> centres);
 
   [[nodiscard]] bool empty() const { return centres_.empty(); }
-  [[nodiscard]] const Shape& shape() const { return shape_; }
+  [[nodiscard]] const ObstacleShape& shape() const { return shape_; }
   [[nodiscard]] std::span<const Spot> centres() const { return centres_; }
   /// The distance from there to the nearest obstacle, or `most` if that is nearer. Below 0 inside a disc; 0 inside a
   /// square.
@@ -36,9 +36,9 @@ class ObstacleSet {
  private:
   [[nodiscard]] int column(double x) const;
   [[nodiscard]] int row(double y) const;
-  void look_at(int column, int row, Spot at, double& least) const;
+  void look_at(int row, int left, int right, Spot at, double& least) const;
 
-  Shape shape_;
+  ObstacleShape shape_;
   std::vector<Spot> centres_;         // bin by bin
   std::vector<std::uint32_t> first_;  // of each bin; one more for the end
   Spot corner_;
@@ -58,13 +58,12 @@ struct LocalObstacles {
   [[nodiscard]] double to_unknown(Spot at, double most) const {
     return moving.distance(at, unknown.distance(at, most));
   }
-  /// To anything at all, after what moves has had `time` seconds to come nearer.
-  [[nodiscard]] double to_any(Spot at, double time, double most) const {
-    const double still = unknown.distance(at, known.distance(at, most));
-    if (moving.empty()) return still;
-    const double come_nearer = speed_of_moving * time;
-    return moving.distance(at, still + come_nearer) - come_nearer;
+  [[nodiscard]] double to_still(Spot at, double most) const {
+    return unknown.distance(at, known.distance(at, most));
   }
+  /// To what may move, after it has had `time` seconds to come nearer. What lies behind a robot that looks that way even
+  /// then is left out: what comes from there would run into the robot, not the robot into it.
+  [[nodiscard]] double to_moving(Spot at, const SineCosine& heading, double time, double most) const;
 };
 
 /// Where the cells of a map lie in metres: cell (x, y) covers x .. x + 1 times the side, y likewise.

@@ -1,9 +1,10 @@
 #include "core/study/barn.hpp"
 
 #include <algorithm>
-#include <array>
+#include <atomic>
 #include <cmath>
 #include <memory>
+#include <thread>
 
 #include "core/drive/sub_goals.hpp"
 #include "core/plan/navigator.hpp"
@@ -160,7 +161,7 @@ LocalObstacles BarnRun::obstacles() const {
     return cells_around(wide_.map().frame(), state_.pose.spot(), reach, false,
                         [&](NodeId node) { return marked[node] != 0 && (planned_[node] != 0) == planned; });
   };
-  const Shape cell{settings_.cell / 2, 0};
+  const ObstacleShape cell{settings_.cell / 2, 0};
   LocalObstacles obstacles;
   obstacles.known = ObstacleSet(cell, around(true));
   obstacles.unknown = ObstacleSet(cell, around(false));
@@ -185,9 +186,9 @@ bool BarnRun::move(const Twist& motion) {
 }
 
 void BarnRun::count(const DriveDecision& decision) {
-  drive_.brakes += decision.deed == Deed::brake ? 1 : 0;
-  drive_.turns += decision.deed == Deed::turn ? 1 : 0;
-  if (decision.deed != Deed::stuck) return;
+  drive_.brakes += decision.deed == DriveDeed::brake ? 1 : 0;
+  drive_.turns += decision.deed == DriveDeed::turn ? 1 : 0;
+  if (decision.deed != DriveDeed::stuck) return;
   ++drive_.stuck;
   must_replan_ = true;
   state_.turned = 0;
@@ -224,43 +225,40 @@ BarnDrive drive_barn(const BarnWorld& world, const BarnSettings& settings) {
   return BarnRun(world, settings).drive();
 }
 
-BarnSettings barn_settings() {
-  BarnSettings settings;
-  settings.drive = drive_settings({});
-  settings.drive.limits = {.radius = 0.267,
-                           .v_min = 0,
-                           .v_max = 0.5,
-                           .w_max = 1.57,
-                           .acceleration = 10,
-                           .brake = 10,
-                           .angular_acceleration = 20,
-                           .angular_brake = 20};
-  settings.drive.period = 0.05;
-  settings.drive.horizon = 1;
-  settings.drive.reach = 0.3;
-  settings.global = {"adaptive-astar", {}, {{"floyd", {}}}};
+Settings barn_drive() {
+  Settings settings;
+  const auto set = [&settings](std::string_view key, double value) { settings.set(key, value); };
+  set("radius", 0.267);
+  set("w_max", 1.57);
+  for (const char* key : {"acceleration", "brake"}) set(key, 10);
+  for (const char* key : {"angular_acceleration", "angular_brake"}) set(key, 20);
+  set("period", 0.05);
+  set("horizon", 1);
+  set("reach", 0.3);
   return settings;
 }
 
-std::string_view barn_end_name(BarnEnd end) {
-  constexpr std::array<std::string_view, 3> kNames = {"success", "collision", "timeout"};
-  return kNames[static_cast<std::size_t>(end)];
+BarnSettings barn_settings(const Settings& drive, const std::string& global) {
+  Settings all = barn_drive();
+  for (const auto& [key, value] : drive.values()) all.set(key, value);
+  BarnSettings settings;
+  settings.drive = drive_settings(all);
+  settings.global.id = global;
+  settings.global.stages = {{"floyd", {}}};
+  return settings;
 }
 
-BarnSummary summary_of(const std::vector<BarnDrive>& drives) {
-  BarnSummary sum;
-  sum.worlds = drives.size();
-  for (const BarnDrive& drive : drives) {
-    sum.success += drive.end == BarnEnd::success ? 1 : 0;
-    sum.collision += drive.end == BarnEnd::collision ? 1 : 0;
-    sum.timeout += drive.end == BarnEnd::timeout ? 1 : 0;
-    sum.time += drive.end == BarnEnd::success ? drive.time : 0;
-    sum.score += drive.score;
-  }
-  const auto all = static_cast<double>(std::max<std::size_t>(drives.size(), 1));
-  sum.time /= std::max(sum.success, 1.0);
-  for (double* share : {&sum.success, &sum.collision, &sum.timeout, &sum.score}) *share /= all;
-  return sum;
+std::vector<BarnDrive> drive_barn(const std::vector<BarnWorld>& worlds, const BarnSettings& settings) {
+  std::vector<BarnDrive> drives(worlds.size());
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < worlds.size(); i = next++) drives[i] = drive_barn(worlds[i], settings);
+  };
+  std::vector<std::jthread> threads;
+  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) threads.emplace_back(work);
+  work();
+  threads.clear();
+  return drives;
 }
 
 }  // namespace replan
