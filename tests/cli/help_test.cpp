@@ -11,7 +11,7 @@
 namespace replan::test::help_test {
 namespace {
 
-const std::vector<std::string> kCommands = {"run", "batch", "render", "convert", "show", "list"};
+const std::vector<std::string> kCommands = {"run", "batch", "barn", "render", "convert", "show", "list"};
 
 /// The options of a help text: the words that begin with "-" in its first column.
 std::set<std::string> options_in(const std::string& help) {
@@ -52,7 +52,7 @@ TEST(Help, isThereForEachCommand) {
 }
 
 TEST(Help, namesEverySettingOfEveryPlanner) {
-  for (const char* command : {"run", "batch", "render"}) {
+  for (const char* command : {"run", "batch", "barn", "render"}) {
     const std::string help = run_program({command, "--help"}).out;
     for (const PlannerInfo& info : planners()) {
       EXPECT_TRUE(names(help, std::string(info.id)) || info.parameters.size() == lattice_parameters().size())
