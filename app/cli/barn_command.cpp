@@ -74,6 +74,21 @@ Result<int> barn(const BarnArguments& arguments) {
   return kDone;
 }
 
+/// The drive's settings with this benchmark's defaults.
+std::string drive_settings_help() {
+  const Settings defaults = barn_drive();
+  std::string text = "\nSettings of the drive:\n";
+  for (const Parameter& parameter : drive_parameters()) {
+    const std::string key =
+        std::string(parameter.key) + "=" + format_value(parameter, defaults.get(parameter));
+    const std::string unit = parameter.unit.empty() ? "" : " " + std::string(parameter.unit);
+    std::string start = "  " + key + unit;
+    start.resize(std::max(start.size() + 1, std::size_t{32}), ' ');
+    text += start + wrapped(parameter.help, 32) + "\n";
+  }
+  return text;
+}
+
 std::string barn_footer() {
   return "Examples:\n"
          "  replan barn data/barn --csv worlds.csv\n"
@@ -85,7 +100,8 @@ std::string barn_footer() {
          "& "
          "Stone,\n"
          "\"Benchmarking metric ground navigation\", 2020, as a folder with index.json and a .map for "
-         "each.\n";
+         "each.\n" +
+         drive_settings_help();
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ TEST(Help, isThereForEachCommand) {
 }
 
 TEST(Help, namesEverySettingOfEveryPlanner) {
-  for (const char* command : {"run", "batch", "barn", "render"}) {
+  for (const char* command : {"run", "batch", "render"}) {
     const std::string help = run_program({command, "--help"}).out;
     for (const PlannerInfo& info : planners()) {
       EXPECT_TRUE(names(help, std::string(info.id)) || info.parameters.size() == lattice_parameters().size())
@@ -106,7 +106,8 @@ TEST(Manual, namesNothingThatIsNotThere) {
 /// Planners and their settings come and go; the page says who lists them.
 TEST(Manual, leadsToPlannersAndTheirSettings) {
   const std::string page = manual();
-  for (const char* command : {"replan list planners", "replan list stages", "replan list robots", "replan run"})
+  for (const char* command :
+       {"replan list planners", "replan list stages", "replan list robots", "replan run"})
     EXPECT_NE(page.find(command), std::string::npos) << command;
 }
 
