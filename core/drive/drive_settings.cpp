@@ -72,8 +72,8 @@ const Parameter kMargin =
 
 }  // namespace
 
-std::string_view term_name(ScoreTerm term) {
-  constexpr std::array<std::string_view, kTerms> kNames = {"heading", "speed", "known", "unknown"};
+std::string_view score_term_name(ScoreTerm term) {
+  constexpr std::array<std::string_view, kScoreTerms> kNames = {"heading", "speed", "known", "unknown"};
   return kNames[static_cast<std::size_t>(term)];
 }
 

@@ -24,10 +24,10 @@ struct DriveLimits {
 
 /// The terms of the score, in the order of the paper's formula.
 enum class ScoreTerm : std::uint8_t { heading, speed, known, unknown };
-inline constexpr std::size_t kTerms = 4;
-using Terms = std::array<double, kTerms>;
+inline constexpr std::size_t kScoreTerms = 4;
+using ScoreTerms = std::array<double, kScoreTerms>;
 /// Its fixed name, in texts and conditions.
-std::string_view term_name(ScoreTerm term);
+std::string_view score_term_name(ScoreTerm term);
 
 /// What a term is divided by, so that terms of different units can be added.
 enum class Normalise : std::uint8_t {
@@ -39,11 +39,11 @@ enum class Normalise : std::uint8_t {
 /// All that a decision depends on besides where things are.
 struct DriveSettings {
   DriveLimits limits;
-  double period = 0;   ///< s, from one decision to the next
-  double horizon = 0;  ///< s, how far ahead an arc is looked at
-  int speeds = 0;      ///< samples of v
-  int turns = 0;       ///< samples of w
-  Terms weights{};     ///< alpha, beta, gamma, phi
+  double period = 0;     ///< s, from one decision to the next
+  double horizon = 0;    ///< s, how far ahead an arc is looked at
+  int speeds = 0;        ///< samples of v
+  int turns = 0;         ///< samples of w
+  ScoreTerms weights{};  ///< alpha, beta, gamma, phi
   Normalise normalise = Normalise::limits;
   double reach = 0;   ///< m; an obstacle farther away than this from the robot's edge is as good as none
   double margin = 0;  ///< m, kept from obstacles by the robot's edge

@@ -47,15 +47,15 @@ class Judge {
     homing_ = std::max(homing_, dynamic_window(state.motion, settings).v_low);
   }
 
-  [[nodiscard]] Sample assess(const Twist& motion) const;
-  [[nodiscard]] std::vector<Sample> samples(const SpeedWindow& window) const;
-  void score(std::vector<Sample>& samples) const;
-  [[nodiscard]] DriveDecision decide(const std::vector<Sample>& samples,
+  [[nodiscard]] DriveSample assess(const Twist& motion) const;
+  [[nodiscard]] std::vector<DriveSample> samples(const SpeedWindow& window) const;
+  void score(std::vector<DriveSample>& samples) const;
+  [[nodiscard]] DriveDecision decide(const std::vector<DriveSample>& samples,
                                      std::optional<std::size_t> best) const;
 
  private:
   [[nodiscard]] Rejection reason(const Twist& motion, double contact) const;
-  [[nodiscard]] Terms terms(const Arc& arc, double time) const;
+  [[nodiscard]] ScoreTerms terms(const Arc& arc, double time) const;
   [[nodiscard]] DriveDecision turn_in_place() const;
   [[nodiscard]] double free_straight(double by) const;
   [[nodiscard]] double freer_side() const;
@@ -68,8 +68,8 @@ class Judge {
   double homing_ = 0;  // the fastest that it can go and still turn in on the goal
 };
 
-Sample Judge::assess(const Twist& motion) const {
-  Sample sample;
+DriveSample Judge::assess(const Twist& motion) const {
+  DriveSample sample;
   sample.motion = motion;
   const Arc arc(state_.pose, motion);
   sample.stopping = stopping_time(motion, settings_);
@@ -94,7 +94,7 @@ Rejection Judge::reason(const Twist& motion, double contact) const {
   return motion.v > homing_ ? Rejection::circles : Rejection::none;
 }
 
-Terms Judge::terms(const Arc& arc, double time) const {
+ScoreTerms Judge::terms(const Arc& arc, double time) const {
   const Spot end = arc.spot(time);
   const double radius = settings_.limits.radius, most = radius + settings_.reach;
   return {kPi - bearing_error(end, arc.heading(time), goal_), arc.motion().v,
@@ -102,9 +102,9 @@ Terms Judge::terms(const Arc& arc, double time) const {
           std::max(obstacles_.to_unknown(end, most) - radius, 0.0)};
 }
 
-std::vector<Sample> Judge::samples(const SpeedWindow& window) const {
+std::vector<DriveSample> Judge::samples(const SpeedWindow& window) const {
   const std::vector<double> rates = turn_rates(window, settings_.turns);
-  std::vector<Sample> samples;
+  std::vector<DriveSample> samples;
   samples.reserve(static_cast<std::size_t>(settings_.speeds) * rates.size());
   for (int i = 0; i < settings_.speeds; ++i)
     for (const double w : rates)
@@ -112,28 +112,28 @@ std::vector<Sample> Judge::samples(const SpeedWindow& window) const {
   return samples;
 }
 
-void Judge::score(std::vector<Sample>& samples) const {
-  Terms least{}, divisor{kPi, settings_.limits.v_max, settings_.reach, settings_.reach};
+void Judge::score(std::vector<DriveSample>& samples) const {
+  ScoreTerms least{}, divisor{kPi, settings_.limits.v_max, settings_.reach, settings_.reach};
   if (settings_.normalise != Normalise::limits) {
     const bool by_range = settings_.normalise == Normalise::range;
-    Terms most{}, sum{};
+    ScoreTerms most{}, sum{};
     least.fill(std::numeric_limits<double>::infinity());
-    for (const Sample& sample : samples) {
+    for (const DriveSample& sample : samples) {
       if (!sample.admissible()) continue;
-      for (std::size_t i = 0; i < kTerms; ++i) {
+      for (std::size_t i = 0; i < kScoreTerms; ++i) {
         least[i] = std::min(least[i], sample.raw[i]);
         most[i] = std::max(most[i], sample.raw[i]);
         sum[i] += sample.raw[i];
       }
     }
-    for (std::size_t i = 0; i < kTerms; ++i) {
+    for (std::size_t i = 0; i < kScoreTerms; ++i) {
       divisor[i] = by_range ? most[i] - least[i] : sum[i];
       if (!by_range) least[i] = 0;
     }
   }
-  for (Sample& sample : samples) {
+  for (DriveSample& sample : samples) {
     if (!sample.admissible()) continue;
-    for (std::size_t i = 0; i < kTerms; ++i) {
+    for (std::size_t i = 0; i < kScoreTerms; ++i) {
       sample.normalised[i] = divisor[i] > 0 ? (sample.raw[i] - least[i]) / divisor[i] : 0;
       sample.weighted[i] = settings_.weights[i] * sample.normalised[i];
       sample.score += sample.weighted[i];
@@ -142,35 +142,36 @@ void Judge::score(std::vector<Sample>& samples) const {
 }
 
 /// Whether a is to be chosen before b; both admissible. Of equals the faster, then the straighter.
-bool before(const Sample& a, const Sample& b) {
+bool before(const DriveSample& a, const DriveSample& b) {
   return std::tuple(a.score, a.motion.v, -std::abs(a.motion.w)) >
          std::tuple(b.score, b.motion.v, -std::abs(b.motion.w));
 }
 
 /// The best admissible sample but for one that is left out; the first of equals.
-std::optional<std::size_t> best_of(const std::vector<Sample>& samples, std::optional<std::size_t> but = {}) {
+std::optional<std::size_t> best_of(const std::vector<DriveSample>& samples,
+                                   std::optional<std::size_t> but = {}) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < samples.size(); ++i)
     if (samples[i].admissible() && i != but && (!best || before(samples[i], samples[*best]))) best = i;
   return best;
 }
 
-ScoreTerm largest_lead(const Sample& winner, const Sample& other) {
+ScoreTerm largest_lead(const DriveSample& winner, const DriveSample& other) {
   std::size_t term = 0;
   const auto lead = [&](std::size_t i) { return winner.weighted[i] - other.weighted[i]; };
-  for (std::size_t i = 1; i < kTerms; ++i)
+  for (std::size_t i = 1; i < kScoreTerms; ++i)
     if (lead(i) > lead(term)) term = i;
   return static_cast<ScoreTerm>(term);
 }
 
-DriveDecision Judge::decide(const std::vector<Sample>& samples, std::optional<std::size_t> best) const {
+DriveDecision Judge::decide(const std::vector<DriveSample>& samples, std::optional<std::size_t> best) const {
   if (!best) {
     if (state_.motion.v > 0) return {DriveDeed::brake, braked(state_.motion, settings_), {}, 0, 0};
     return turn_in_place();
   }
-  const Sample& winner = samples[*best];
+  const DriveSample& winner = samples[*best];
   if (winner.motion.v == 0) {
-    const bool could_drive = std::any_of(samples.begin(), samples.end(), [](const Sample& sample) {
+    const bool could_drive = std::any_of(samples.begin(), samples.end(), [](const DriveSample& sample) {
       return sample.admissible() && sample.motion.v > 0;
     });
     if (!could_drive) return turn_in_place();
@@ -219,7 +220,7 @@ std::string_view rejection_name(Rejection rejection) {
   return kNames[static_cast<std::size_t>(rejection)];
 }
 
-std::string_view deed_name(DriveDeed deed) {
+std::string_view drive_deed_name(DriveDeed deed) {
   constexpr std::array<std::string_view, 4> kNames = {"drive", "brake", "turn", "stuck"};
   return kNames[static_cast<std::size_t>(deed)];
 }
@@ -244,9 +245,9 @@ DriveDecision decide(const DriveState& state, const LocalObstacles& obstacles, S
   return explain(state, obstacles, goal, settings).decision;
 }
 
-Sample assess(const DriveState& state, const LocalObstacles& obstacles, Spot goal,
-              const DriveSettings& settings, const Twist& motion) {
-  Sample sample = Judge(state, obstacles, goal, settings).assess(motion);
+DriveSample assess(const DriveState& state, const LocalObstacles& obstacles, Spot goal,
+                   const DriveSettings& settings, const Twist& motion) {
+  DriveSample sample = Judge(state, obstacles, goal, settings).assess(motion);
   if (!dynamic_window(state.motion, settings).contains(motion)) sample.rejection = Rejection::outside;
   return sample;
 }

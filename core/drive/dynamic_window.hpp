@@ -58,17 +58,17 @@ enum class Rejection : std::uint8_t {
 std::string_view rejection_name(Rejection rejection);
 
 /// One motion that was tried.
-struct Sample {
+struct DriveSample {
   Twist motion;
   Rejection rejection = Rejection::none;
-  bool hits = false;    ///< its arc meets an obstacle before the horizon
-  double time = 0;      ///< s until then, or the horizon
-  double stopping = 0;  ///< s that this has to be at least
-  Pose end;             ///< where it is then
-  Terms raw{};          ///< rad, m/s, m, m: larger is better
-  Terms normalised{};   ///< of an admissible sample, 0 .. 1
-  Terms weighted{};     ///< times its weight
-  double score = 0;     ///< the sum of these
+  bool hits = false;        ///< its arc meets an obstacle before the horizon
+  double time = 0;          ///< s until then, or the horizon
+  double stopping = 0;      ///< s that this has to be at least
+  Pose end;                 ///< where it is then
+  ScoreTerms raw{};         ///< rad, m/s, m, m: larger is better
+  ScoreTerms normalised{};  ///< of an admissible sample, 0 .. 1
+  ScoreTerms weighted{};    ///< times its weight
+  double score = 0;         ///< the sum of these
 
   [[nodiscard]] bool admissible() const { return rejection == Rejection::none; }
 };
@@ -81,7 +81,7 @@ enum class DriveDeed : std::uint8_t {
   stuck   ///< it has turned all the way round like that: it stands, and needs another plan
 };
 /// As its fixed name in texts and conditions.
-std::string_view deed_name(DriveDeed deed);
+std::string_view drive_deed_name(DriveDeed deed);
 
 struct DriveDecision {
   DriveDeed deed = DriveDeed::brake;
@@ -96,7 +96,7 @@ struct DriveDecision {
 struct Explanation {
   DriveDecision decision;
   SpeedWindow window;
-  std::vector<Sample> samples;  ///< speed by speed from the lowest, each from the lowest turn rate on
+  std::vector<DriveSample> samples;  ///< speed by speed from the lowest, each from the lowest turn rate on
   std::optional<std::size_t> runner_up;    ///< the next best sample
   ScoreTerm lost_by = ScoreTerm::heading;  ///< the term that put the winner before it, by most
 };
@@ -108,7 +108,7 @@ DriveDecision decide(const DriveState& state, const LocalObstacles& obstacles, S
 Explanation explain(const DriveState& state, const LocalObstacles& obstacles, Spot goal,
                     const DriveSettings& settings);
 /// Any motion as if it had been among the samples, its normalised terms and score left out.
-Sample assess(const DriveState& state, const LocalObstacles& obstacles, Spot goal,
-              const DriveSettings& settings, const Twist& motion);
+DriveSample assess(const DriveState& state, const LocalObstacles& obstacles, Spot goal,
+                   const DriveSettings& settings, const Twist& motion);
 
 }  // namespace replan

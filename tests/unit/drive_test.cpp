@@ -172,7 +172,7 @@ TEST(DynamicWindow, LeavesRoomToStop) {
     const LocalObstacles obstacles = any_obstacles(random, 60, 30);
     DriveState state{{between(random, 1, 5), between(random, 1, 5), between(random, -3, 3)}, {}, 0};
     if (obstacles.to_still(state.pose.spot(), 10) < settings.limits.radius + settings.margin) continue;
-    for (Sample& sample : explain(state, obstacles, {5, 5}, settings).samples) {
+    for (DriveSample& sample : explain(state, obstacles, {5, 5}, settings).samples) {
       if (!sample.admissible()) continue;
       Twist motion = sample.motion;
       for (Pose pose = state.pose; motion.v > 0; motion = braked(motion, settings)) {
@@ -198,11 +198,11 @@ TEST(DynamicWindow, KeepsEveryTermAndItsReason) {
   ASSERT_TRUE(why.decision.winner && why.runner_up);
   ASSERT_EQ(why.samples.size(), 200u);
   int too_fast = 0;
-  for (const Sample& sample : why.samples) {
+  for (const DriveSample& sample : why.samples) {
     too_fast += sample.rejection == Rejection::too_fast ? 1 : 0;
     EXPECT_TRUE(why.window.contains(sample.motion));
     double sum = 0;
-    for (std::size_t i = 0; i < kTerms; ++i) {
+    for (std::size_t i = 0; i < kScoreTerms; ++i) {
       EXPECT_EQ(sample.weighted[i], settings.weights[i] * sample.normalised[i]);
       sum += sample.weighted[i];
     }
@@ -213,12 +213,12 @@ TEST(DynamicWindow, KeepsEveryTermAndItsReason) {
     }
   }
   EXPECT_GT(too_fast, 0);
-  const Sample &winner = why.samples[*why.decision.winner], &other = why.samples[*why.runner_up];
+  const DriveSample &winner = why.samples[*why.decision.winner], &other = why.samples[*why.runner_up];
   const auto lost = static_cast<std::size_t>(why.lost_by);
-  for (std::size_t i = 0; i < kTerms; ++i)
+  for (std::size_t i = 0; i < kScoreTerms; ++i)
     EXPECT_GE(winner.weighted[lost] - other.weighted[lost], winner.weighted[i] - other.weighted[i]);
   EXPECT_EQ(assess(state, obstacles, {3, 0}, settings, {0.5, 0}).rejection, Rejection::outside);
-  const Sample ahead = assess(state, obstacles, {3, 0}, settings, {0.28, 0});
+  const DriveSample ahead = assess(state, obstacles, {3, 0}, settings, {0.28, 0});
   EXPECT_EQ(ahead.rejection, Rejection::too_fast);
   EXPECT_TRUE(ahead.hits);
   EXPECT_NEAR(ahead.time * 0.28, 0.31 - settings.limits.radius - settings.margin, 0.002);
@@ -231,11 +231,11 @@ TEST(DynamicWindow, NormalisesTheThreeWaysThatItSays) {
   for (const Normalise how : {Normalise::limits, Normalise::range, Normalise::sum}) {
     DriveSettings settings = nimble();
     settings.normalise = how;
-    Terms least, most{}, sum{};
+    ScoreTerms least, most{}, sum{};
     least.fill(2);
     const Explanation why = explain(state, obstacles, {5, 5}, settings);
-    for (const Sample& sample : why.samples)
-      for (std::size_t i = 0; i < kTerms && sample.admissible(); ++i) {
+    for (const DriveSample& sample : why.samples)
+      for (std::size_t i = 0; i < kScoreTerms && sample.admissible(); ++i) {
         least[i] = std::min(least[i], sample.normalised[i]);
         most[i] = std::max(most[i], sample.normalised[i]);
         sum[i] += sample.normalised[i];
@@ -266,7 +266,7 @@ TEST(DynamicWindow, DecidesAsItExplainsAndTheSameEverywhere) {
     EXPECT_EQ(decision, why.decision);
     for (const double value : {decision.motion.v, decision.motion.w, decision.score, decision.turned})
       hash = hash_combine(hash, std::bit_cast<std::uint64_t>(value));
-    for (const Sample& sample : why.samples)
+    for (const DriveSample& sample : why.samples)
       hash = hash_combine(hash, std::bit_cast<std::uint64_t>(sample.score));
   }
   EXPECT_EQ(hash, 0xd8fe42a4d196985du);
@@ -282,7 +282,7 @@ TEST(DynamicWindow, BrakesThenTurnsThenSaysThatItIsStuck) {
   std::string deeds;
   for (int tick = 0; tick < 60; ++tick) {
     const DriveDecision decision = decide(state, obstacles, {3, 1}, settings);
-    const std::string deed(deed_name(decision.deed));
+    const std::string deed(drive_deed_name(decision.deed));
     if (!deeds.ends_with(deed)) deeds += " " + deed;
     state = {driven(state.pose, {0, decision.motion.w}, settings.period), decision.motion, decision.turned};
   }
