@@ -41,9 +41,10 @@ Result<void> FilmMaker::begin(const ui::CaptureRequest& request, FilmSet set, Se
   lead_ = session.lead();
   cursor_ = session.run().timeline().cursor();
   log_ = session.run().log_id();
-  static_cast<void>(session.apply(Play{0}));
-  if (!ui::is_complete(request_.film.part, session.run()))
+  if (!ui::is_complete(request_.film.part, session.run())) {
     if (Result<void> sent = session.apply(RunToEnd{}); !sent) return sent;
+    if (Result<void> stayed = session.apply(Seek{cursor_, session.run().travel()}); !stayed) return stayed;
+  }
   at_work_ = true;
   return {};
 }
@@ -51,8 +52,8 @@ Result<void> FilmMaker::begin(const ui::CaptureRequest& request, FilmSet set, Se
 /// The part of the run is there: what is drawn with, and what is written into.
 Result<void> FilmMaker::open(Session& session) {
   // Where the playhead stood says which replan was meant.
-  if (Result<void> back = session.apply(Seek{cursor_}); !back) return back;
-  auto frames = ui::film_frames(request_.film, session.run());
+  Result<std::vector<FilmFrame>> frames = std::vector<FilmFrame>{};
+  session.glance(cursor_, 1, [&] { frames = ui::film_frames(request_.film, session.run()); });
   if (!frames) return Error{frames.error()};
   frames_ = std::move(*frames);
   ui::ViewState state = std::move(set_.view);
@@ -71,8 +72,8 @@ Result<void> FilmMaker::open(Session& session) {
 
 Result<void> FilmMaker::shoot(Session& session) {
   const FilmFrame& frame = frames_[next_];
-  if (Result<void> sought = session.apply(Seek{frame.position, frame.travel}); !sought) return sought;
-  ui::Image picture = studio_->shoot(session);
+  ui::Image picture;
+  session.glance(frame.position, frame.travel, [&] { picture = studio_->shoot(session); });
   const ui::PixelArea all{{0, 0}, {static_cast<float>(picture.width), static_cast<float>(picture.height)}};
   recording_.take(picture, all);
   if (!recording_.on()) return Error{""};  // the recording tells why
@@ -84,7 +85,7 @@ Result<void> FilmMaker::go_on(Session& session, void (*woken)()) {
   if (!at_work_) return {};
   const Run& run = session.run();
   const auto fail = [&](std::string sentence) -> Result<void> {
-    cancel(session);
+    cancel();
     return Error{std::move(sentence)};
   };
   if (run.log_id() != log_ || session.lead() != lead_)
@@ -101,20 +102,18 @@ Result<void> FilmMaker::go_on(Session& session, void (*woken)()) {
   if (Result<void> shot = shoot(session); !shot) return fail(shot.error());
   if (next_ < frames_.size()) return {};
   recording_.stop(woken);
-  leave(session);
+  leave();
   return {};
 }
 
-void FilmMaker::cancel(Session& session) {
+void FilmMaker::cancel() {
   recording_.give_up();
-  leave(session);
+  leave();
 }
 
-/// The playhead goes back to where the user left it.
-void FilmMaker::leave(Session& session) {
+void FilmMaker::leave() {
   at_work_ = false;
   studio_.reset();
-  if (session.run().log_id() == log_) static_cast<void>(session.apply(Seek{cursor_}));
 }
 
 double FilmMaker::share() const {

@@ -1,5 +1,5 @@
 // A film of a part of the run, drawn anew at any size: a frame at a time between the frames of the window, which
-// shows on its own canvas what is being filmed.
+// goes on showing the moment that its user looks at.
 #pragma once
 
 #include <memory>
@@ -34,7 +34,7 @@ class FilmMaker {
   /// One frame more; `woken` is called once the file is complete. An Error: no film is left.
   Result<void> go_on(Session& session, void (*woken)());
   /// Gives the film up: none is left.
-  void cancel(Session& session);
+  void cancel();
 
   [[nodiscard]] bool on() const { return at_work_; }
   /// How much of it is made, 0 to 1.
@@ -43,7 +43,7 @@ class FilmMaker {
  private:
   Result<void> open(Session& session);
   Result<void> shoot(Session& session);
-  void leave(Session& session);
+  void leave();
 
   Recording& recording_;
   ui::CaptureRequest request_;
@@ -51,7 +51,7 @@ class FilmMaker {
   std::vector<FilmFrame> frames_;
   std::size_t next_ = 0;
   std::unique_ptr<Studio> studio_;
-  std::size_t lead_ = 0, cursor_ = 0;  // of the session before
+  std::size_t lead_ = 0, cursor_ = 0;  // of the session when the film was asked for
   std::uint64_t log_ = 0;              // Run::log_id()
   bool at_work_ = false;
 };

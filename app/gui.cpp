@@ -155,6 +155,7 @@ Result<void> Program::open() {
   looks.panels = remembered_.panels;
   looks.legend = remembered_.legend;
   looks.view.range = remembered_.colours_so_far ? FieldSpan::so_far : FieldSpan::whole_run;
+  looks.metres = remembered_.metres;
   looks.minimap = remembered_.minimap;
   looks.colours = remembered_.colours;
   looks.brush = remembered_.brush;
@@ -219,7 +220,7 @@ void Program::capture() {
       window_->pace(0);
       recording_.stop(Window::wake);
     } else if (request->kind == ui::CaptureRequest::Kind::give_up) {
-      maker_.cancel(session_);
+      maker_.cancel();
       shell_->tell("The film was not made", false);
     } else {
       wanted_ = request;
@@ -321,7 +322,7 @@ void Program::report_slow_frame(double update_ms, double draw_ms) {
 }
 
 Result<void> Program::close() {
-  if (maker_.on()) maker_.cancel(session_);
+  if (maker_.on()) maker_.cancel();
   if (recording_.state().busy()) {
     window_->hide();
     if (const auto outcome = recording_.end(); outcome && outcome->bad)
@@ -335,6 +336,7 @@ Result<void> Program::close() {
   remembered_.panels = looks.panels;
   remembered_.legend = looks.legend;
   remembered_.colours_so_far = looks.view.range == FieldSpan::so_far;
+  remembered_.metres = looks.metres;
   remembered_.minimap = looks.minimap;
   remembered_.colours = looks.colours;
   remembered_.brush = looks.brush;

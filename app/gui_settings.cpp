@@ -72,6 +72,7 @@ Remembered read_settings(const std::string& path) {
   result.panels = flag(json, "panels", true);
   result.legend = flag(json, "legend", true);
   result.colours_so_far = flag(json, "colours_so_far", false);
+  result.metres = flag(json, "metres", true);
   result.minimap = flag(json, "minimap", true);
   result.colours = colours(json);
   result.brush = whole(json, "brush", 1, 64, 1);
@@ -97,6 +98,7 @@ Result<void> write_settings(const Remembered& settings, const std::string& path)
                      {"panels", settings.panels},
                      {"legend", settings.legend},
                      {"colours_so_far", settings.colours_so_far},
+                     {"metres", settings.metres},
                      {"minimap", settings.minimap},
                      {"colours", ui::info_of(settings.colours).id},
                      {"brush", settings.brush},

@@ -19,6 +19,7 @@ struct Remembered {
   int size_step = 0;  ///< of words, buttons and panels
   bool dark = true, panels = true, legend = true;
   bool colours_so_far = false;  ///< FieldSpan::so_far
+  bool metres = true;
   bool minimap = true;
   ui::FieldColours colours = ui::FieldColours::viridis;
   int brush = 1;

@@ -27,6 +27,10 @@ void KeyboardFocus::take_keys() {
   if (io.KeyCtrl || io.KeyAlt || io.KeySuper) return;
   const bool has_tab = tab_owner_ != 0 && ImGui::GetActiveID() == tab_owner_;
   if (ImGui::IsKeyPressed(key::kTab) && !has_tab) move(io.KeyShift ? -1 : 1);
+  if (in_menu() && !io.WantTextInput) {
+    if (ImGui::IsKeyPressed(key::kDown)) move(1);
+    if (ImGui::IsKeyPressed(key::kUp)) move(-1);
+  }
   if (!shown_ || io.WantTextInput) return;
   if (ImGui::IsKeyPressed(key::kSpace, false)) ImGui::ActivateItem(at_);
   // A dialog's own Enter must not answer otherwise than the button that the ring is around.
@@ -60,6 +64,14 @@ bool KeyboardFocus::in_reach() {
   return top != nullptr && window->RootWindow == top->RootWindow;
 }
 
+/// What lies over the window is a menu or a list of choices; a dialog's arrows are its own.
+bool KeyboardFocus::in_menu() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (context.OpenPopupStack.Size == 0) return false;
+  const ImGuiWindow* top = context.OpenPopupStack.back().Window;
+  return top != nullptr && (top->Flags & ImGuiWindowFlags_Modal) == 0;
+}
+
 void KeyboardFocus::note(ImGuiID id) {
   if (in_reach()) order_.push_back(id);
 }
@@ -85,6 +97,16 @@ void KeyboardFocus::offer(ImU32 ring, float rounding, float width) {
 bool KeyboardFocus::takes_arrows() {
   if (here()) arrows_of_ = at_;
   return here();
+}
+
+void KeyboardFocus::begin_at_item() {
+  at_ = ImGui::GetItemID();
+  shown_ = false;
+}
+
+void KeyboardFocus::come_back_to_item() {
+  at_ = ImGui::GetItemID();
+  shown_ = !ImGui::IsMouseReleased(0) && !ImGui::IsMouseClicked(0);
 }
 
 void KeyboardFocus::leave_tab_to_it() {

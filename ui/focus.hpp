@@ -8,8 +8,9 @@
 
 namespace replan::ui {
 
-/// Tab goes to the next control, Shift+Tab to the one before; Space and Enter press it; Escape or a click gives the keyboard back
-/// to the window's own keys. While something lies over the window, Tab goes through that alone.
+/// Tab goes to the next control, Shift+Tab to the one before; Space and Enter press it; Escape or a click gives the
+/// keyboard back to the window's own keys. While something lies over the window, Tab goes through that alone, and
+/// through a menu or a list of choices so do Down and Up.
 class KeyboardFocus {
  public:
   /// At the beginning of ImGui's frame.
@@ -18,6 +19,10 @@ class KeyboardFocus {
   void offer(ImU32 ring, float rounding, float width);
   /// A field for text, about to be drawn under that name: gives it the keyboard when Tab comes to it.
   void offer_field(const char* id);
+  /// The last item, in a list that has just opened over the window, is where Up and Down begin.
+  void begin_at_item();
+  /// The list that the last item had opened has been closed: it has the keyboard again, if it was closed by a key.
+  void come_back_to_item();
   /// The last item is a field in which Tab means something else while it has the keyboard.
   void leave_tab_to_it();
 
@@ -34,6 +39,7 @@ class KeyboardFocus {
   void take_keys();
   void move(int by);
   [[nodiscard]] static bool in_reach();
+  [[nodiscard]] static bool in_menu();
   void note(ImGuiID id);
 
   std::vector<ImGuiID> order_, before_;             // of this frame and of the last one

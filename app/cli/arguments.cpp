@@ -13,12 +13,14 @@
 #include "core/world/formats/text_lines.hpp"
 #include "core/world/generators/list.hpp"
 #include "core/world/map_file.hpp"
+#include "core/world/map_frame.hpp"
 
 namespace replan::cli {
 namespace {
 
 /// In the order of UnreachableGoal.
 constexpr std::string_view kUnreachableGoals[] = {"wait", "nearest"};
+const std::string kMostRadius = std::to_string(static_cast<int>(MoveRules::kMostRadius));
 
 /// One `--set [PLANNER.]KEY=VALUE`, taken apart.
 struct Assignment {
@@ -97,16 +99,22 @@ Result<void> add_stage(std::string_view typed, std::vector<PlannerChoice>& choic
                "' is not among the planners here; add it with --planner"};
 }
 
+/// "all" are all that can plan in that world; who is named and cannot is refused.
 Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids,
-                                          std::span<const PlannerChoice> own) {
+                                          std::span<const PlannerChoice> own, const GridMap* world) {
+  const auto can_plan = [world](const PlannerInfo& info) {
+    return world == nullptr ? Result<void>() : fits(info, world->box());
+  };
   std::vector<PlannerChoice> result;
   for (const std::string& id : ids) {
     if (id == "all") {
-      for (const PlannerInfo& info : sound_planners()) result.push_back({std::string(info.id), {}});
+      for (const PlannerInfo& info : sound_planners())
+        if (can_plan(info)) result.push_back({std::string(info.id), {}});
       continue;
     }
     const auto info = require_planner(id);
     if (!info) return Error{"--planner: " + info.error()};
+    if (const auto can = can_plan(**info); !can) return Error{"--planner: " + can.error()};
     const auto kept =
         std::find_if(own.begin(), own.end(), [&](const PlannerChoice& c) { return c.id == id; });
     result.push_back(kept != own.end() ? *kept : PlannerChoice{id, {}});
@@ -115,6 +123,20 @@ Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids,
   if (result.empty())
     return Error{"no planner is named: give --planner ID[,ID...]; 'replan list planners' shows them"};
   return result;
+}
+
+/// Of "2.5", in cells, or "0.3m" on a map that says how large its cells are.
+Result<double> radius_in_cells(std::string_view typed, const GridMap& map) {
+  const MapFrame frame(map);
+  const bool in_metres = typed.ends_with('m');
+  if (in_metres && !frame.metric())
+    return Error{"--radius " + std::string(typed) +
+                 " is in metres, but the map does not say how large its cells are: give a number of cells"};
+  auto cells = number_from<double>(typed.substr(0, typed.size() - (in_metres ? 1 : 0)));
+  if (cells && in_metres) *cells /= frame.metres_per_cell();
+  if (cells && *cells >= 0 && *cells <= MoveRules::kMostRadius) return *cells;
+  return Error{"--radius cannot be '" + std::string(typed) + "': give a number of cells from 0 to " +
+               kMostRadius + (frame.metric() ? ", or metres as 0.3m" : "")};
 }
 
 /// The world on a map, whose start and goal must be given or stand in its file.
@@ -175,8 +197,9 @@ void PlannerArguments::declare(CLI::App& command) {
       ->allow_extra_args(false);
 }
 
-Result<std::vector<PlannerChoice>> PlannerArguments::choose(std::span<const PlannerChoice> own) const {
-  auto choices = chosen(split_list(ids), own);
+Result<std::vector<PlannerChoice>> PlannerArguments::choose(std::span<const PlannerChoice> own,
+                                                            const GridMap* world) const {
+  auto choices = chosen(split_list(ids), own, world);
   if (!choices) return choices;
   for (const std::string& typed : settings) {
     const auto set = take_apart(typed);
@@ -242,8 +265,10 @@ void WorldArguments::declare(CLI::App& command) {
                   "A map instead: " + map_extensions(MapUse::read) +
                       ", or generator:ID?KEY=VALUE&... ('replan list generators')")
       ->type_name("FILE");
-  command.add_option("--start", start, "Where the robot starts")->type_name("X,Y[,Z]");
-  command.add_option("--goal", goal, "Where it is to go")->type_name("X,Y[,Z]");
+  command
+      .add_option("--start", start, "Where the robot starts: a cell, or metres in the map's frame (1.5m,2m)")
+      ->type_name("X,Y[,Z]");
+  command.add_option("--goal", goal, "Where it is to go, likewise")->type_name("X,Y[,Z]");
   command
       .add_option("--unreachable-goal", unreachable_goal,
                   "What it does where the goal cannot be reached: wait, or nearest: go to the reachable cell "
@@ -251,6 +276,11 @@ void WorldArguments::declare(CLI::App& command) {
       ->type_name("WHAT");
   command.add_option("--robot", robot, "The kind of robot; 'replan list robots' shows them")
       ->type_name("KIND");
+  command
+      .add_option("--radius", radius,
+                  "The radius of its body in cells, 0 to " + kMostRadius + ", or in metres of the map's (0.3m)" +
+                      ": its centre keeps so far away from obstacles (0: a point)")
+      ->type_name("CELLS");
   reading.declare(command);
   planners.declare(command);
 }
@@ -270,7 +300,7 @@ Result<MapFile> WorldArguments::load_map() const {
   for (const auto& [option, text, cell] :
        {std::tuple{"--start", &start, &file->start}, std::tuple{"--goal", &goal, &file->goal}}) {
     if (text->empty()) continue;
-    const auto given = parse_cell_in(file->map.box(), option, *text, "the map " + map);
+    const auto given = parse_cell_in(file->map, option, *text, "the map " + map);
     if (!given) return Error{given.error()};
     *cell = *given;
   }
@@ -293,7 +323,7 @@ Result<Scenario> WorldArguments::load() const {
   for (const auto& [option, text, cell] :
        {std::tuple{"--start", &start, &world->start}, std::tuple{"--goal", &goal, &world->goal}}) {
     if (!map.empty() || text->empty()) continue;
-    const auto given = parse_cell_in(world->map.box(), option, *text, "the map " + source());
+    const auto given = parse_cell_in(world->map, option, *text, "the map " + source());
     if (!given) return Error{given.error()};
     *cell = *given;
   }
@@ -306,10 +336,15 @@ Result<Scenario> WorldArguments::load() const {
     world->robot.unreachable_goal = static_cast<UnreachableGoal>(found - std::begin(kUnreachableGoals));
   }
   if (!robot.empty()) {
-    if (const auto known = require_robot(robot); !known) return Error{"--robot: " + known.error()};
+    if (const auto known = require_robot(robot, world->map.box()); !known) return Error{"--robot: " + known.error()};
     world->robot.kind = robot;
   }
-  auto choices = planners.choose(world->planners);
+  if (!radius.empty()) {
+    const auto cells = radius_in_cells(radius, world->map);
+    if (!cells) return Error{cells.error()};
+    world->robot.radius = *cells;
+  }
+  auto choices = planners.choose(world->planners, &world->map);
   if (!choices) return Error{choices.error()};
   world->planners = std::move(choices.value());
   return world;

@@ -26,7 +26,8 @@ struct PlannerArguments {
   void declare(CLI::App& command);
   /// The planners asked for, in that order; those of `own` (a scenario's) if none is asked for. A planner
   /// keeps the settings and stages that it has in `own`; `--set` changes them, `--stage` adds to them.
-  [[nodiscard]] Result<std::vector<PlannerChoice>> choose(std::span<const PlannerChoice> own = {}) const;
+  [[nodiscard]] Result<std::vector<PlannerChoice>> choose(std::span<const PlannerChoice> own = {},
+                                                          const GridMap* world = nullptr) const;
 };
 
 /// `--threshold`, `--invert`, `--unknown` and `--occupied`: how a map file is read, as typed.
@@ -54,6 +55,7 @@ struct WorldArguments {
   std::string goal;
   std::string unreachable_goal;
   std::string robot;
+  std::string radius;
   ReadingArguments reading;
   PlannerArguments planners;
 
@@ -71,8 +73,9 @@ struct WorldArguments {
 std::string cell_wanted(const Box& world);
 /// Reads "X,Y", or "X,Y,Z" if the world is `solid`: has more than one layer. `option` names it in errors.
 Result<Cell> parse_cell(std::string_view option, std::string_view text, bool solid);
-/// As parse_cell(); the cell must lie in `world`, which errors call `where`: "the map arena.map".
-Result<Cell> parse_cell_in(const Box& world, std::string_view option, std::string_view text,
+/// As parse_cell(), or of a place in metres of the map's own frame ("1.5m,2m") the cell that it lies in. It must lie on
+/// the map, which errors call `where`: "the map arena.map".
+Result<Cell> parse_cell_in(const GridMap& map, std::string_view option, std::string_view text,
                            const std::string& where);
 /// Reads a whole number of at least `low`.
 Result<std::int64_t> parse_count(std::string_view option, std::string_view text, std::int64_t low);

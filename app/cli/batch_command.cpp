@@ -105,6 +105,9 @@ Result<BatchInput> load(const BatchArguments& arguments) {
   if (!map) return Error{map.error()};
   input.map = std::move(map.value());
   if (const auto fits = check_scen_fits(input.scen, input.map, *path); !fits) return Error{fits.error()};
+  auto fitting = arguments.planners.choose({}, &input.map);
+  if (!fitting) return Error{fitting.error()};
+  input.planners = std::move(fitting.value());
   input.problems = even_sample(input.scen.problems, static_cast<std::size_t>(*limit));
   return input;
 }

@@ -68,6 +68,8 @@ Result<Listing> list_planners() {
                                         {"summary", info.summary},
                                         {"source", info.source},
                                         {"incremental", info.incremental},
+                                        {"keeps_start", info.keeps_start},
+                                        {"planar", info.planar},
                                         {"any_angle", info.any_angle},
                                         {"clearance", info.clearance},
                                         {"exercise", info.exercise},

@@ -96,7 +96,8 @@ Result<void> read_looks(const RenderArguments& arguments, app::RenderRequest& re
 Result<void> read_place(const RenderArguments& arguments, app::RenderRequest& request) {
   if (!arguments.pin.empty()) {
     const Box world = request.scenario.map.box();
-    const auto cell = parse_cell_in(world, "--pin", arguments.pin, "the world of " + size_text(world));
+    const auto cell =
+        parse_cell_in(request.scenario.map, "--pin", arguments.pin, "the world of " + size_text(world));
     if (!cell) return Error{cell.error()};
     request.pinned = *cell;
   }

@@ -22,20 +22,27 @@ struct RunArguments {
   WorldArguments world;
   bool json = false;
   bool check = false;
+  bool cells = false;
   std::string csv, markdown, latex;  // files; "-" prints
   TraceArguments trace;
   BreakArguments stops;
 };
 
+/// A length in the unit of its run's map.
+std::string length_text(const RunReport& report, double cells, int decimals_shown) {
+  return decimals(report.frame ? report.frame->metres(cells) : cells, decimals_shown);
+}
+
 std::string plans_table(std::span<const RunReport> reports) {
   using enum Table::Align;
+  const bool metric = reports.front().frame.has_value();
   Table table({{"planner", left},
                {"status", left},
                {"nodes"},
-               {"length"},
+               {metric ? "length m" : "length"},
                {"turns"},
                {"turning deg"},
-               {"clearance min"},
+               {metric ? "clearance min m" : "clearance min"},
                {"mean"},
                {"plan ms"},
                {"expansions"},
@@ -45,9 +52,10 @@ std::string plans_table(std::span<const RunReport> reports) {
   for (const RunReport& report : reports) {
     const PathFigures& figures = report.figures;
     table.add({report.planner, std::string(report.status), std::to_string(figures.nodes),
-               decimals(figures.length, 3), std::to_string(figures.turns),
-               decimals(figures.turning_angle_deg, 1), decimals(figures.min_clearance, 2),
-               decimals(figures.mean_clearance, 2), decimals(report.plan_ms, 3),
+               length_text(report, figures.length, 3), std::to_string(figures.turns),
+               decimals(figures.turning_angle_deg, 1),
+               length_text(report, figures.min_clearance, metric ? 3 : 2),
+               length_text(report, figures.mean_clearance, metric ? 3 : 2), decimals(report.plan_ms, 3),
                std::to_string(report.counters.expansions), std::to_string(report.counters.queue_operations),
                std::to_string(report.counters.sight_checks),
                decimals(static_cast<double>(report.memory_bytes) / 1000, 0)});
@@ -68,19 +76,30 @@ std::string plan_numbers(std::span<const RunReport> reports) {
   return text;
 }
 
+/// Of a robot with a size, one line for each planner that has a path.
+std::string edge_clearances(std::span<const RunReport> reports, double radius) {
+  std::string text;
+  for (const RunReport& report : reports)
+    if (report.figures.nodes > 0)
+      text += report.planner + ": clearance of the edge of a robot of radius " + decimals(radius, 2) +
+              ": min " + decimals(report.figures.min_clearance - radius, 2) + ", mean " +
+              decimals(report.figures.mean_clearance - radius, 2) + "\n";
+  return text;
+}
+
 std::string robots_table(std::span<const RunReport> reports) {
   using enum Table::Align;
   Table table({{"planner", left},
                {"robot", left},
                {"moves"},
-               {"travelled"},
+               {reports.front().frame ? "travelled m" : "travelled"},
                {"collisions"},
                {"replans"},
                {"replan ms"}});
   for (const RunReport& report : reports)
     if (const auto& robot = report.robot)
       table.add({report.planner, mission_state_name(robot->ending), std::to_string(robot->moves),
-                 decimals(robot->travelled, 3), std::to_string(robot->collisions),
+                 length_text(report, robot->travelled, 3), std::to_string(robot->collisions),
                  std::to_string(robot->replans), decimals(report.replan_ms, 3)});
   return table.text();
 }
@@ -100,6 +119,8 @@ std::string summary(const WorldArguments& arguments, const Scenario& world,
                      cell_text(world.start, box.solid()) + " to " + cell_text(world.goal, box.solid()) +
                      "\n\n" + plans_table(reports);
   if (const std::string numbers = plan_numbers(reports); !numbers.empty()) text += "\n" + numbers;
+  if (const double radius = reports.front().radius; radius > 0)
+    text += "\n" + edge_clearances(reports, radius);
   if (reports.front().robot) text += "\n" + robots_table(reports);
   std::string failures;
   for (const RunReport& report : reports)
@@ -171,9 +192,10 @@ Result<int> run(const RunArguments& arguments) {
   std::vector<RunReport> reports;
   bool succeeded = true;
   for (const PlannerChoice& choice : world->planners) {
-    reports.push_back(arguments.world.map.empty() ? drive(*world, choice)
-                                                  : plan_once(world->map, world->start, world->goal, choice,
-                                                              world->robot.unreachable_goal));
+    reports.push_back(arguments.world.map.empty()
+                          ? drive(*world, choice)
+                          : plan_once(world->map, world->start, world->goal, choice, world->robot));
+    if (arguments.cells) reports.back().frame.reset();
     succeeded &= reports.back().succeeded();
   }
   if (const auto written = write_tables(arguments, reports); !written) return Error{written.error()};
@@ -220,6 +242,8 @@ Command add_run(CLI::App& program) {
       ->type_name("FILE");
   app->add_option("--latex", arguments->latex, "Write the figures as a LaTeX table (booktabs); '-' prints it")
       ->type_name("FILE");
+  app->add_flag("--cells", arguments->cells,
+                "Lengths in cells alone, also on a map that says how large its cells are");
   arguments->trace.declare(*app);
   arguments->stops.declare(*app);
   app->add_flag("--check", arguments->check,

@@ -20,7 +20,7 @@ struct ShowArguments {
 
 Result<std::optional<Cell>> pinned_cell(const ShowArguments& arguments, const GridMap& map) {
   if (arguments.cell.empty()) return std::optional<Cell>();
-  const auto cell = parse_cell_in(map.box(), "--cell", arguments.cell, "the world");
+  const auto cell = parse_cell_in(map, "--cell", arguments.cell, "the world");
   if (!cell) return Error{cell.error()};
   return std::optional<Cell>(*cell);
 }

@@ -5,7 +5,7 @@
 // written; if the remote parent's falls later, it need not follow.
 #include <bit>
 
-#include "core/debug/law_book.hpp"
+#include "core/debug/parent_laws.hpp"
 #include "core/lattice/sight.hpp"
 #include "core/plan/common_parameters.hpp"
 
@@ -13,42 +13,39 @@ namespace replan {
 namespace {
 
 template <int D, bool kAnyAngle>
-class BestFirstLaws final : public LawBook<D> {
-  using Laws = LawBook<D>;
+class BestFirstLaws final : public ParentLaws<D> {
+  using Laws = ParentLaws<D>;
   using Laws::cell;
   using Laws::direction;
   using Laws::find;
-  using Laws::follow;
+  using Laws::goal_;
   using Laws::hold;
-  using Laws::hold_status;
+  using Laws::hold_key;
+  using Laws::hold_parent;
   using Laws::named;
+  using Laws::start_;
   using Laws::values_;
-  enum Bit : std::uint8_t { kParent = 1, kSpread = 2, kKey = 4, kStraight = 8 };
+  enum Bit : std::uint8_t { kSpread = Laws::kFirstOwn, kStraight = kSpread * 2 };
 
-  static constexpr const char* kStartLaw = "g(start) is 0";
-  static constexpr const char* kParentLaw =
-      "g(s) is its parent's g and the move, or more while the parent's g has yet to spread";
   static constexpr const char* kStraightLaw =
       "g(s) is its remote parent's g and the straight way, when it is written";
   static constexpr const char* kSpreadLaw =
       "a cell that was taken from the list has offered its g to all neighbours";
-  static constexpr const char* kWayLaw =
-      "parents lead from the goal to the start, by moves along which g falls";
   static constexpr const char* kSightWayLaw =
       "remote parents lead from the goal to the start, along lines of sight on which g falls";
 
  public:
   BestFirstLaws(const LogView& view, LawValues<D>& values)
-      : LawBook<D>(values),
-        key_law_(view.info.key.law),
-        f_(view.info.key.f(view.settings)),
+      : Laws(view, values,
+             {.parent_law =
+                  "g(s) is its parent's g and the move, or more while the parent's g has yet to spread",
+              .way_law = "parents lead from the goal to the start, by moves along which g falls",
+              .hop = "move"}),
         sight_rule_(static_cast<SightRule>(static_cast<int>(view.settings.get(parameters::kSight)))),
-        takes_once_(view.info.key.once),
-        start_(values.start()),
-        goal_(values.goal()) {}
+        takes_once_(view.info.key.once) {}
 
   void step() override {
-    follow(start_, values_.start());
+    this->follow(start_, values_.start());
     const bool other_goal = goal_ != values_.goal();
     goal_ = values_.goal();
     for (const typename LawValues<D>::Touched& each : values_.touched()) {
@@ -65,12 +62,6 @@ class BestFirstLaws final : public LawBook<D> {
       values_.for_each_page([this](NodeId node, const LawVertex& vertex) {
         if (vertex.queued()) hold_key(node);
       });
-  }
-
-  void plan(PlanStatus status, std::span<const Hop>) override {
-    if (!values_.on_map(goal_)) return;
-    hold_status(status, "g", goal_, values_.at(goal_).g);
-    if (has_path(status)) follow_parents();
   }
 
   void look(NodeId s) override {
@@ -95,28 +86,14 @@ class BestFirstLaws final : public LawBook<D> {
     }
   }
 
-  void hold_parent(NodeId s) {
-    const LawVertex& vertex = values_.at(s);
-    const char* law = s == start_ ? kStartLaw : kParentLaw;
-    hold(s, kParent, law, parent_is_right(s), [&] {
-      const std::string is = named("g", s) + " is " + cost_text(vertex.g);
-      if (vertex.lp == 0) return is + " and it has no parent";
-      const NodeId parent = vertex.lp - 1u;
-      if (direction(s, parent) < 0)
-        return is + ", but no move leads to it from " + named("its parent ", parent);
-      return is + ", its parent's, " + named("g", parent) + ", is " + cost_text(values_.at(parent).g);
-    });
+  [[nodiscard]] Cost way(NodeId s, NodeId parent) const override {
+    const int d = direction(s, parent);
+    return d < 0 ? Cost::infinity() : BoxLattice<D>::step_cost(d);
   }
-  [[nodiscard]] bool parent_is_right(NodeId s) const {
+  [[nodiscard]] bool parent_is_right(NodeId s) const override {
     const LawVertex& vertex = values_.at(s);
-    if (s == start_) return vertex.g == Cost::zero() && vertex.lp == 0;
-    if (vertex.g.is_infinite()) return vertex.lp == 0 && !vertex.queued();
-    if (kAnyAngle) return vertex.lp != 0 && vertex.rp != 0;
-    const int d = vertex.lp == 0 ? -1 : direction(s, vertex.lp - 1u);
-    if (d < 0) return false;
-    const LawVertex& parent = values_.at(vertex.lp - 1u);
-    const Cost sum = parent.g + BoxLattice<D>::step_cost(d);
-    return vertex.g == sum || (vertex.g > sum && parent.queued());
+    if (!kAnyAngle || s == start_ || vertex.g.is_infinite()) return Laws::parent_is_right(s);
+    return vertex.lp != 0 && vertex.rp != 0;
   }
 
   /// Of a vertex whose g the step has written.
@@ -151,30 +128,11 @@ class BestFirstLaws final : public LawBook<D> {
     });
   }
 
-  void hold_key(NodeId s) {
-    const LawVertex& vertex = values_.at(s);
-    const bool any = vertex.queued() && values_.on_map(goal_);
-    const Cost h = any ? values_.known().bound(values_.heuristic(), s, goal_) : Cost::zero();
-    const Cost f = any ? f_(vertex.g, h, values_.weight()) : Cost::zero();
-    hold(s, kKey, key_law_, !any || vertex.k1() == f, [&] {
-      return "the key of " + cell(s) + " is " + cost_text(vertex.k1()) + ", but it should be " +
-             cost_text(f) + ": g is " + cost_text(vertex.g) + " and h is " + cost_text(h);
-    });
-  }
-
-  void follow_parents() {
-    if constexpr (kAnyAngle) return follow_lines();
-    for (NodeId s = goal_; s != start_;) {
-      const LawVertex& vertex = values_.at(s);
-      const NodeId parent = vertex.lp - 1u;
-      if (vertex.lp == 0 || direction(s, parent) < 0)
-        return find(s, kWayLaw, "no move leads to " + cell(s) + " from its parent");
-      if (!(values_.at(parent).g < vertex.g))
-        return find(s, kWayLaw,
-                    "from " + cell(s) + " to its parent " + cell(parent) + " g goes from " +
-                        cost_text(vertex.g) + " to " + cost_text(values_.at(parent).g));
-      s = parent;
-    }
+  void follow_parents() override {
+    if constexpr (kAnyAngle)
+      follow_lines();
+    else
+      Laws::follow_parents();
   }
 
   void follow_lines() {
@@ -185,20 +143,14 @@ class BestFirstLaws final : public LawBook<D> {
       if (!values_.on_map(rp)) return find(s, kSightWayLaw, cell(s) + " has no remote parent");
       if (!line_of_sight(known, sight_rule_, rp, s, bad, NoSightMap{}))
         return find(s, kSightWayLaw, cell(s) + " does not see its remote parent " + cell(rp));
-      if (!(values_.at(rp).g < values_.at(s).g))
-        return find(s, kSightWayLaw,
-                    "from " + cell(s) + " to its remote parent " + cell(rp) + " g goes from " +
-                        cost_text(values_.at(s).g) + " to " + cost_text(values_.at(rp).g));
+      if (!this->g_falls(s, rp, "its remote parent", kSightWayLaw)) return;
       s = rp;
     }
   }
 
-  const char* key_law_;
-  KeyRule::F f_;
   SightRule sight_rule_;
   bool takes_once_;  // what was taken is offered nothing more
   bool any_broken_ = false;
-  NodeId start_, goal_;  // as of the last step
 };
 
 }  // namespace

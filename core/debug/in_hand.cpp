@@ -82,7 +82,7 @@ void find_trials(const LogView& view, InHand& hand) {
   }
   if (!lookahead || !hand.written || !is_of_search(hand.written->event.kind)) return;
   const NodeId s = hand.written->event.node;
-  if (s != hand.vertex && s != state.node(Scalar::goal)) try_to(view, s, hand);
+  if (s != hand.vertex && s != state.node(view.info.root())) try_to(view, s, hand);
 }
 
 }  // namespace

@@ -63,6 +63,7 @@ struct LawChecker::State {
   const Timeline* log;
   const PlannerInfo* info;
   Settings settings;
+  double radius;
   Box frame;
   std::unique_ptr<LawKeeper> laws;
   std::vector<Hop> hops;  // of the path that is being read out
@@ -71,12 +72,12 @@ struct LawChecker::State {
   std::size_t count = 0;
 
   explicit State(const LogView& view)
-      : log(&view.log), info(&view.info), settings(view.settings), frame(view.lattice) {
+      : log(&view.log), info(&view.info), settings(view.settings), radius(view.radius), frame(view.lattice) {
     begin_at(0);
   }
 
   void begin_at(std::size_t position) {
-    laws = make_law_keeper({*log, frame, *info, settings}, position);
+    laws = make_law_keeper({*log, frame, *info, settings, radius}, position);
     hops.clear();
     read = position;
   }

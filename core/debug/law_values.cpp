@@ -10,8 +10,7 @@ template <int D>
 LawValues<D>::LawValues(const LogView& view, std::size_t position)
     : heuristic_(heuristic_of(view.info, view.settings)) {
   const SearchState state = view.log.state_at(position);
-  known_ =
-      BoxLattice<D>(view.lattice.template sides<D>(), state.known_map().plain(), move_rules(view.settings));
+  known_ = BoxLattice<D>(view.lattice.template sides<D>(), state.known_map().plain(), view.rules());
   if (view.info.clearance) clearance_.emplace(known_, parameters::clearance_rules_of(view.settings));
   pages_.resize((known_.node_count() + kPage - 1) / kPage);
   load(state);
@@ -120,12 +119,12 @@ void LawValues<D>::finish_step() {
     if (again)
       edits.pop_back();
     else
-      edits.push_back({turned_[i], !known_.blocked(turned_[i])});
+      edits.push_back({turned_[i], known_.obstacles()[turned_[i]] == 0});
   }
   turned_.clear();
   for (const auto& move : known_.apply(edits)) touch(move.node, LawVertex::all);
   if (clearance_)
-    for (const ClearanceChange& change : clearance_->update(known_, edits))
+    for (const ClearanceChange& change : clearance_->update(known_, known_.turned_by(edits)))
       touch(change.node, LawVertex::offer);
 }
 

@@ -74,6 +74,7 @@ class LawValues {
           visit(static_cast<NodeId>(p * kPage + i), pages_[p][i]);
   }
 
+  /// As the planner sees it: what is blocked to the robot's centre.
   [[nodiscard]] const BoxLattice<D>& known() const { return known_; }
   /// What dist should be; zero for planners without clearance.
   [[nodiscard]] Cost penalty(NodeId node) const {

@@ -14,6 +14,8 @@ struct LogView {
   const Box& lattice;  ///< of the world
   const PlannerInfo& info;
   const Settings& settings;
+  double radius = 0;  ///< of the robot
+  [[nodiscard]] MoveRules rules() const { return move_rules(settings, radius); }
 };
 
 }  // namespace replan

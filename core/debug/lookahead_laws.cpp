@@ -1,4 +1,5 @@
-// The laws of the D* Lite family.
+// The laws of searches with a lookahead: the D* Lite family, from the goal to the start, and LPA*, from the start to the
+// goal. The *root* is the end that g is a distance from, the *target* the other one.
 //
 // Only what a step touched is looked at. That this is enough: let the laws have held before the step. rhs(s)
 // and lp(s) depend on the offers c + g + dist of its successors. An offer that changed is held against rhs(s)
@@ -30,6 +31,7 @@ class LookaheadLaws final : public LawBook<D> {
 
   static constexpr const char* kRhsLaw = "rhs(s) is the least c + g + dist of its successors";
   static constexpr const char* kGoalLaw = "rhs(goal) is 0";
+  static constexpr const char* kStartLaw = "rhs(start) is 0";
   static constexpr const char* kParentLaw =
       "lp(s) is the successor that offers the least, of equal ones the first";
   static constexpr const char* kQueueLaw = "s is in U exactly if g(s) and rhs(s) differ";
@@ -38,6 +40,8 @@ class LookaheadLaws final : public LawBook<D> {
   static constexpr const char* kDistLaw = "dist(s) is the penalty of the known map";
   static constexpr const char* kWayLaw =
       "local parents lead from the start to the goal, by moves along which g falls";
+  static constexpr const char* kWayBackLaw =
+      "parents lead from the goal to the start, by moves along which g falls";
   static constexpr const char* kPathLaw = "a path crosses no obstacle that the robot knows";
   static constexpr const char* kCircleLaw = "a path leads to the goal and not round in a circle";
   static constexpr const char* kLengthLaw = "a path is no longer than the way along local parents";
@@ -49,13 +53,14 @@ class LookaheadLaws final : public LawBook<D> {
         along_path_(view.info.sight && parameters::checks_along_path(view.settings)),
         printed_(view.info.sight && !along_path_ && view.settings.get(parameters::kRemoteParents) != 0),
         sight_rule_(static_cast<SightRule>(static_cast<int>(view.settings.get(parameters::kSight)))),
-        start_(values.start()),
-        goal_(values.goal()),
+        from_goal_(view.info.from_goal),
+        target_(target_now()),
+        root_(root_now()),
         km_(values.km()) {}
 
   void step() override {
     if (values_.has_clearance() && !penalties_seen_) touch_wrong_penalties();
-    follow(goal_, values_.goal());
+    follow(root_, root_now());
     const bool any_key = keys_may_be_too_large();
     // What is touched no longer changes; nothing below touches anything.
     for (const typename LawValues<D>::Touched& each : values_.touched()) {
@@ -70,8 +75,9 @@ class LookaheadLaws final : public LawBook<D> {
   }
 
   void plan(PlanStatus status, std::span<const Hop> hops) override {
-    if (!values_.on_map(values_.start())) return;
-    hold_status(status, "rhs", values_.start(), values_.at(values_.start()).rhs);
+    const NodeId target = target_now();
+    if (!values_.on_map(target)) return;
+    hold_status(status, "rhs", target, values_.at(target).rhs);
     if (!has_path(status)) return;
     const Cost way = follow_local_parents();
     if (sight_) follow_path(hops, way);
@@ -83,6 +89,8 @@ class LookaheadLaws final : public LawBook<D> {
   }
 
  private:
+  [[nodiscard]] NodeId target_now() const { return from_goal_ ? values_.start() : values_.goal(); }
+  [[nodiscard]] NodeId root_now() const { return from_goal_ ? values_.goal() : values_.start(); }
   [[nodiscard]] Cost offer_of(NodeId node) const { return values_.at(node).g + values_.at(node).dist; }
 
   /// The planner writes dist before its first step; what it left out was touched by nobody.
@@ -93,11 +101,11 @@ class LookaheadLaws final : public LawBook<D> {
   }
 
   [[nodiscard]] bool keys_may_be_too_large() {
-    const NodeId before = std::exchange(start_, values_.start());
+    const NodeId before = std::exchange(target_, target_now());
     const Cost km_before = std::exchange(km_, values_.km());
-    if (before == start_ && km_before == km_) return false;
-    if (any_key_broken_ || !values_.on_map(before) || !values_.on_map(start_)) return true;
-    const Cost way = values_.known().bound_up(values_.heuristic(), before, start_);
+    if (before == target_ && km_before == km_) return false;
+    if (any_key_broken_ || !values_.on_map(before) || !values_.on_map(target_)) return true;
+    const Cost way = values_.known().bound_up(values_.heuristic(), before, target_);
     return km_ < km_before + way;
   }
 
@@ -121,7 +129,7 @@ class LookaheadLaws final : public LawBook<D> {
     const LawVertex& vertex = values_.at(before.node);
     const bool worse = vertex.rhs > before.rhs || (vertex.rhs == before.rhs && vertex.lp > before.lp);
     const bool all = (vertex.changed & LawVertex::all) != 0 || (vertex.broken & (kRhs | kParent)) != 0;
-    if (all || before.node == goal_ || worse ||
+    if (all || before.node == root_ || worse ||
         ((vertex.changed & LawVertex::own) != 0 && !parent_offers_rhs(before.node)))
       look_at_successors(before.node);
     hold_own(before.node);
@@ -138,7 +146,7 @@ class LookaheadLaws final : public LawBook<D> {
     const LawVertex& vertex = values_.at(s);
     Cost best = Cost::infinity();
     NodeId parent = kNoNode;
-    if (s == goal_) {
+    if (s == root_) {
       best = Cost::zero();
       parent = s;
     } else {
@@ -151,8 +159,11 @@ class LookaheadLaws final : public LawBook<D> {
         parent = known.neighbour(s, d);
       }
     }
-    hold(s, kRhs, s == goal_ ? kGoalLaw : kRhsLaw, vertex.rhs == best,
-         [&] { return rhs_words(s, best, parent); });
+    hold(s, kRhs,
+         s != root_   ? kRhsLaw
+         : from_goal_ ? kGoalLaw
+                      : kStartLaw,
+         vertex.rhs == best, [&] { return rhs_words(s, best, parent); });
     hold(s, kParent, kParentLaw, vertex.lp == parent + 1u, [&] { return parent_words(s, best, parent); });
   }
 
@@ -171,7 +182,7 @@ class LookaheadLaws final : public LawBook<D> {
 
   void hold_key(NodeId s) {
     const LawVertex& vertex = values_.at(s);
-    const bool any = vertex.queued() && values_.on_map(start_);
+    const bool any = vertex.queued() && values_.on_map(target_);
     const Cost right = any ? right_key(s) : Cost::zero();
     const bool written = (vertex.changed & LawVertex::key) != 0;
     hold(s, kKey, kKeyLaw, !any || vertex.k1() <= right, [&] {
@@ -182,13 +193,13 @@ class LookaheadLaws final : public LawBook<D> {
     if (any && written && vertex.k1() < right) find(s, kKeyLaw, key_words(s, right));
   }
   [[nodiscard]] Cost right_key(NodeId s) const {
-    return values_.at(s).least() + values_.known().bound(values_.heuristic(), start_, s) + km_;
+    return values_.at(s).least() + values_.known().bound(values_.heuristic(), target_, s) + km_;
   }
 
   [[nodiscard]] std::string rhs_words(NodeId s, Cost best, NodeId parent) const {
     const Cost rhs = values_.at(s).rhs;
     const std::string is = named("rhs", s) + " is " + cost_text(rhs) + ", but ";
-    if (s == goal_) return is + "it is the goal";
+    if (s == root_) return is + (from_goal_ ? "it is the goal" : "it is the start");
     if (parent == kNoNode) return is + "none of its successors offers anything";
     return is + (best < rhs ? "its successor " : "the least that is offered, by ") + cell(parent) +
            (best < rhs ? " offers " : ", is ") + cost_text(best);
@@ -197,8 +208,8 @@ class LookaheadLaws final : public LawBook<D> {
     const LawVertex& vertex = values_.at(s);
     return "the key of " + cell(s) + " is " + cost_text(vertex.k1()) + ", but min(g, rhs) + h + km is " +
            cost_text(vertex.least()) + " + " +
-           cost_text(values_.known().bound(values_.heuristic(), start_, s)) + " + " + cost_text(km_) + " = " +
-           cost_text(right);
+           cost_text(values_.known().bound(values_.heuristic(), target_, s)) + " + " + cost_text(km_) +
+           " = " + cost_text(right);
   }
   [[nodiscard]] std::string parent_words(NodeId s, Cost best, NodeId parent) const {
     const std::uint32_t lp = values_.at(s).lp;
@@ -207,15 +218,15 @@ class LookaheadLaws final : public LawBook<D> {
     return is + cell(parent) + " offers " + cost_text(best);
   }
 
-  /// Returns how long they make the way; infinite where they do not lead to the goal.
+  /// Returns how long they make the way; infinite where they do not lead to the root.
   Cost follow_local_parents() {
     Cost way = Cost::zero();
-    for (NodeId s = values_.start(); s != goal_;) {
+    for (NodeId s = target_now(); s != root_;) {
       const LawVertex& vertex = values_.at(s);
       const NodeId next = vertex.lp - 1u;
       const int d = vertex.lp == 0 ? -1 : direction(s, next);
       if (d < 0 || !(values_.at(next).g < vertex.g)) {
-        find(s, kWayLaw, way_words(s, next, d >= 0));
+        find(s, from_goal_ ? kWayLaw : kWayBackLaw, way_words(s, next, d >= 0));
         return Cost::infinity();
       }
       way = way + BoxLattice<D>::step_cost(d);
@@ -237,7 +248,7 @@ class LookaheadLaws final : public LawBook<D> {
   void follow_path(std::span<const Hop> hops, Cost way) {
     std::unordered_set<NodeId> passed;
     Cost length = Cost::zero();
-    for (NodeId s = values_.start(); s != goal_;) {
+    for (NodeId s = values_.start(); s != root_;) {
       if (!passed.insert(s).second) return find(s, kCircleLaw, "the path comes to " + cell(s) + " again");
       NodeId next = values_.at(s).lp - 1u;
       if (printed_ || along_path_) next = values_.at(s).rp - 1u;
@@ -275,7 +286,8 @@ class LookaheadLaws final : public LawBook<D> {
   SightRule sight_rule_;
   bool penalties_seen_ = false;
   bool any_key_broken_ = false;
-  NodeId start_, goal_;  // as of the last step
+  bool from_goal_;
+  NodeId target_, root_;  // as of the last step
   Cost km_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "core/lattice/box_lattice.hpp"
 #include "core/plan/common_parameters.hpp"
@@ -9,15 +10,17 @@
 namespace replan {
 namespace {
 
-/// The moves are those of a window of the cells around, under the same rules: the map need not be copied.
+/// The moves are those of a window of the cells around, and of those whose obstacles matter to them, under the same
+/// rules: the map need not be copied.
 template <int D>
 std::vector<Offer> offers_in(const LogView& view, const SearchState& state, NodeId node) {
   const Box& box = view.lattice;
   const Cell at = box.position(node);
-  const Cell low{std::max(at.x - 1, 0), std::max(at.y - 1, 0), std::max(at.z - 1, 0)};
-  const Box around(std::min(at.x + 2, box.width()) - low.x, std::min(at.y + 2, box.height()) - low.y,
-                   std::min(at.z + 2, box.depth()) - low.z);
-  BoxLattice<D> window(around.sides<D>(), move_rules(view.settings));
+  const int reach = 1 + static_cast<int>(std::ceil(view.radius)), past = reach + 1;
+  const Cell low{std::max(at.x - reach, 0), std::max(at.y - reach, 0), std::max(at.z - reach, 0)};
+  const Box around(std::min(at.x + past, box.width()) - low.x, std::min(at.y + past, box.height()) - low.y,
+                   std::min(at.z + past, box.depth()) - low.z);
+  BoxLattice<D> window(around.sides<D>(), view.rules());
   const auto node_of = [&](NodeId place) {
     const Cell there = window.position(place);
     return box.node({there.x + low.x, there.y + low.y, there.z + low.z});
@@ -42,6 +45,19 @@ std::vector<Offer> offers_in(const LogView& view, const SearchState& state, Node
 
 std::vector<Offer> offers_to(const LogView& view, const SearchState& state, NodeId node) {
   return with_dimensions(view.lattice, [&](auto d) { return offers_in<d()>(view, state, node); });
+}
+
+bool too_near(const LogView& view, const SearchState& state, NodeId node) {
+  if (view.radius <= 0 || state.known_blocked(node)) return false;
+  const Cell at = view.lattice.position(node);
+  const std::int64_t limit = limit_of(view.radius);
+  bool near = false;
+  view.lattice.each_cell_around(at, static_cast<int>(std::ceil(view.radius)), [&](NodeId other) {
+    if (near || !state.known_blocked(other)) return;
+    const Cell there = view.lattice.position(other);
+    near = quarters_of(std::array{there.x - at.x, there.y - at.y, there.z - at.z}) < limit;
+  });
+  return near;
 }
 
 }  // namespace replan

@@ -18,4 +18,7 @@ struct Offer {
 /// order of their directions. `state` is one of the log's.
 std::vector<Offer> offers_to(const LogView& view, const SearchState& state, NodeId node);
 
+/// Whether a free cell of the robot's map is nearer to an obstacle than its radius, so that its centre keeps out.
+bool too_near(const LogView& view, const SearchState& state, NodeId node);
+
 }  // namespace replan

@@ -55,7 +55,7 @@ PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t positi
   question.plan = plan;
   question.position = position;
   question.box = view.lattice;
-  question.rules = move_rules(view.settings);
+  question.rules = view.rules();
   question.known = state.known_map();
   if (view.info.clearance) question.clearance = parameters::clearance_rules_of(view.settings);
   question.start = state.node(Scalar::start);

@@ -9,12 +9,17 @@ namespace {
 constexpr std::size_t kSlice = 4096;
 
 /// Whether the goal moved between the plan before and this one, or the robot makes for another cell: it then
-/// starts afresh.
-bool has_new_goal(const Timeline& log, std::size_t begin) {
+/// starts afresh. So does a planner whose values are distances from the start once that is another one.
+bool starts_afresh(const LogView& view, std::size_t begin) {
+  const Timeline& log = view.log;
+  const NodeId start = log.event(begin).node;
+  bool same_goal = false;
   for (std::size_t i = begin; i-- > 0;) {
-    const EventKind kind = log.event(i).kind;
-    if (kind == EventKind::new_goal || kind == EventKind::aim) return true;
-    if (kind == EventKind::plan_end) return false;
+    const Event event = log.event(i);
+    if (!same_goal && (event.kind == EventKind::new_goal || event.kind == EventKind::aim)) return true;
+    same_goal |= event.kind == EventKind::plan_end;
+    if (same_goal && !view.info.keeps_start) return false;
+    if (event.kind == EventKind::plan_begin) return event.node != start;
   }
   return false;
 }
@@ -25,7 +30,7 @@ void TouchedList::start(const LogView& view) {
   list_.clear();
   places_ = PagedArray<std::uint32_t>(view.lattice.node_count());
   before_ = now_ = view.log.state_at(begin_);
-  repairs_ = view.info.incremental && !has_new_goal(view.log, begin_);
+  repairs_ = view.info.incremental && !starts_afresh(view, begin_);
   counter_ = {};
   read_ = begin_;
 }

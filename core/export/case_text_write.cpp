@@ -2,6 +2,7 @@
 
 #include "core/base/words.hpp"
 #include "core/debug/event_words.hpp"
+#include "core/debug/offers.hpp"
 #include "core/debug/open_order.hpp"
 #include "core/export/case_text.hpp"
 #include "core/export/json_lines.hpp"
@@ -199,6 +200,7 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
 const char* consistency(const Source& from, NodeId node) {
   const Cost g = from.state.g(node), rhs = from.state.rhs(node);
   if (from.state.known_blocked(node)) return "obstacle";
+  if (too_near(from.view, from.state, node)) return "too near";
   if (!from.lookahead) return from.state.queued(node) ? "open" : g.is_infinite() ? "unseen" : "settled";
   if (g == rhs) return g.is_infinite() ? "unseen" : "consistent";
   return g > rhs ? "g > rhs" : "g < rhs";

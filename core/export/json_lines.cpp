@@ -1,5 +1,7 @@
 #include "core/export/json_lines.hpp"
 
+#include <bit>
+
 #include "core/base/words.hpp"
 #include "core/export/trace_text.hpp"
 #include "core/plan/planner.hpp"
@@ -71,6 +73,8 @@ void JsonLines::opening(std::string& out) const {
   if (solid) head["depth"] = view.lattice.depth();
   head["start"] = coordinates_of(run_.start, solid);
   head["goal"] = coordinates_of(run_.goal, solid);
+  if (run_.frame) head["metres_per_cell"] = run_.frame->metres_per_cell();
+  if (run_.frame) head["origin"] = run_.frame->origin();
   head["events"] = events_;
   out += head.dump(-1, ' ', false, Json::error_handler_t::replace);
   out.back() = ',';  // the maps are still to come
@@ -199,6 +203,12 @@ void JsonLines::scalar(std::string& out, Scalar which, std::uint64_t raw) const 
     case Scalar::replans:
       append_whole(out, raw);
       return;
+    case Scalar::x:
+    case Scalar::y:
+    case Scalar::heading:
+    case Scalar::speed:
+    case Scalar::turning:
+      return append_real(out, std::bit_cast<double>(raw));
     default:
       return cell(out, static_cast<NodeId>(raw) - 1u);
   }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "core/base/pending_file.hpp"
 #include "core/debug/log_view.hpp"
 #include "core/plan/path.hpp"
+#include "core/world/map_frame.hpp"
 
 namespace replan {
 
@@ -36,6 +38,8 @@ struct TraceRun {
   Cell start, goal;      ///< before the run
   /// The path that the plan came to whose plan_end is the event of that index; empty without one.
   std::function<Path(std::size_t)> path_at;
+  /// Of the map, where it is metric.
+  std::optional<MapFrame> frame = {};
 };
 
 /// Turns events into the text of one format. Each function appends to `out`.

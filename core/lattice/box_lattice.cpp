@@ -49,12 +49,27 @@ void BoxLattice<D>::prepare() {
     for (std::size_t axis = 0; axis < D; stride *= size_[axis], ++axis) delta += offset[axis] * stride;
     delta_[static_cast<std::size_t>(d)] = delta;
   }
+  inflate();
   set_rules(rules_);
 }
 
 template <int D>
+void BoxLattice<D>::inflate() {
+  if (rules_.radius <= 0) return;
+  inflation_.emplace(size_, std::move(blocked_), rules_.radius);
+  blocked_ = inflation_->blocked();
+}
+
+template <int D>
 void BoxLattice<D>::set_rules(MoveRules rules) {
+  if (rules.radius != rules_.radius) {
+    if (inflation_) blocked_.assign(obstacles().begin(), obstacles().end());
+    inflation_.reset();
+    rules_.radius = rules.radius;
+    inflate();
+  }
   rules_ = rules;
+  if (inflation_) rules_.corners = CornerRule::none;
   revision_ = new_revision();
   open_moves_ = static_cast<MoveMask>(moves_given<D>(0, rules_));
   if constexpr (D == 2) {
@@ -120,6 +135,7 @@ template <int D>
 auto BoxLattice<D>::apply(std::span<const CellEdit> edits) -> std::span<const MoveChange> {
   touched_.clear();
   changes_.clear();
+  if (inflation_) edits = inflation_->apply(edits, blocked_);
   for (const CellEdit& edit : edits) {
     if ((blocked_[edit.node] != 0) == edit.blocked) continue;
     blocked_[edit.node] = edit.blocked ? 1 : 0;

@@ -6,10 +6,12 @@
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/lattice/box.hpp"
+#include "core/lattice/inflation.hpp"
 #include "core/lattice/lattice.hpp"
 
 namespace replan {
@@ -55,6 +57,11 @@ struct Directions {
 
 /// A box of cells. Move masks are kept per cell, so that a search reads one byte (2D) or word (3D) per
 /// expansion.
+///
+/// Under rules with a radius its cells are places of the robot's centre: blocked where it would be too near an
+/// obstacle. No corners are cut then, whatever the rules say, so that the robot keeps its distance from obstacles
+/// on every move: along each axis, what a point between two neighbouring centres is away from an obstacle's square
+/// one of the two is at most, so that none of it is nearer than some cell which the move squeezes past.
 template <int D>
 class BoxLattice {
   static_assert(D == 2 || D == 3);
@@ -75,7 +82,7 @@ class BoxLattice {
   /// An all-free box of the given size (cells along each axis; positive, at most kMaxCells in all, kMaxVoxels
   /// in 3D).
   explicit BoxLattice(Coordinates size, MoveRules rules = {});
-  /// A box with the given cells, row-major, nonzero = obstacle.
+  /// A box with the given cells of the map, row-major, nonzero = obstacle.
   BoxLattice(Coordinates size, std::vector<std::uint8_t> blocked, MoveRules rules = {});
 
   [[nodiscard]] const Coordinates& size() const { return size_; }
@@ -89,8 +96,15 @@ class BoxLattice {
   [[nodiscard]] int height() const { return size_[1]; }
   [[nodiscard]] const MoveRules& rules() const { return rules_; }
   [[nodiscard]] std::size_t node_count() const { return blocked_.size(); }
+  /// Nonzero = blocked; and the map that they were made of, nonzero = obstacle: the same without a radius.
   [[nodiscard]] std::span<const std::uint8_t> cells() const { return blocked_; }
+  [[nodiscard]] std::span<const std::uint8_t> obstacles() const {
+    return inflation_ ? inflation_->obstacles() : cells();
+  }
   [[nodiscard]] bool blocked(NodeId node) const { return blocked_[node] != 0; }
+  /// Whether the robot has a size, and the obstacles as they look to its centre.
+  [[nodiscard]] bool has_size() const { return inflation_.has_value(); }
+  [[nodiscard]] const Inflation<D>& inflation() const { return *inflation_; }
   [[nodiscard]] std::uint32_t moves(NodeId node) const { return moves_[node]; }
   [[nodiscard]] NodeId neighbour(NodeId node, int direction) const {
     return node + static_cast<NodeId>(delta_[static_cast<std::size_t>(direction)]);
@@ -157,9 +171,15 @@ class BoxLattice {
     return sum;
   }
 
-  /// Writes cells and brings the moves up to date. Edits that change nothing are passed over; of several
-  /// edits of one cell the last one holds. Returns the nodes whose moves changed, valid until the next call.
+  /// Writes cells of the map and brings the moves up to date. Edits that change nothing are passed over; of
+  /// several edits of one cell the last one holds. Returns the nodes whose moves changed, valid until the next
+  /// call.
   std::span<const MoveChange> apply(std::span<const CellEdit> edits);
+  /// The cells that these edits, the latest that were applied, have blocked or freed: the edits themselves without
+  /// a radius. Valid until the next apply().
+  [[nodiscard]] std::span<const CellEdit> turned_by(std::span<const CellEdit> edits) const {
+    return inflation_ ? inflation_->turned() : edits;
+  }
   /// Builds all moves anew under other rules.
   void set_rules(MoveRules rules);
 
@@ -182,6 +202,7 @@ class BoxLattice {
   }();
 
   void prepare();
+  void inflate();
   [[nodiscard]] Cost other_bound(Heuristic heuristic, const Coordinates& p, const Coordinates& q) const;
   [[nodiscard]] std::uint32_t blocked_around(NodeId node) const;
   [[nodiscard]] MoveMask moves_for(NodeId node) const;
@@ -197,6 +218,7 @@ class BoxLattice {
   std::vector<NodeId> touched_;
   std::vector<MoveChange> changes_;
   std::uint64_t revision_ = 0;
+  std::optional<Inflation<D>> inflation_;  // with a radius
 };
 
 /// A plane of cells: 8 or 4 neighbours.

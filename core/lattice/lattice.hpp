@@ -50,8 +50,11 @@ enum class Heuristic : std::uint8_t {
 
 /// How a lattice's moves are made.
 struct MoveRules {
-  CornerRule corners = CornerRule::none;
-  bool diagonals = true;  ///< 8 or 4 neighbours in 2D, 26 or 6 in 3D
+  CornerRule corners = CornerRule::none;  ///< of a robot without a size; one with a size cuts no corners
+  bool diagonals = true;                  ///< 8 or 4 neighbours in 2D, 26 or 6 in 3D
+  /// Of the robot, in cells; 0: a point. Obstacles are grown by it (inflation.hpp).
+  double radius = 0;
+  static constexpr double kMostRadius = 32;
   friend constexpr bool operator==(const MoveRules&, const MoveRules&) = default;
 };
 

@@ -345,15 +345,53 @@ struct LineRuns {
   }
 };
 
+/// Follows the segment over the boxes between centres that it passes through; none of their corners may be bad.
+///
+/// So a robot with a size keeps its distance from obstacles all along: what a point of such a box is away from an
+/// obstacle's square along an axis, one of the two centres beside it is at most; so no point of the box is nearer than
+/// all of its corners. As with cells alone, sight depends on no cell outside the box that both ends span.
+template <int D, class Bad>
+bool wide_line_is_clear(const BoxLattice<D>& lattice, NodeId from, NodeId to, Bad&& bad) {
+  constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+  Ray<D> ray(lattice, from, to);
+  // Axis i passes its k-th centre at the time k / length_i, scaled by the product of the lengths.
+  std::array<std::int64_t, D> next{}, period{};
+  unsigned axes = 0;
+  for (std::size_t i = 0; i < D; ++i) {
+    if (ray.length[i] != 0) axes |= 1u << i;
+    period[i] = 1;
+    for (std::size_t j = 0; j < D; ++j)
+      if (j != i && ray.length[j] != 0) period[i] *= ray.length[j];
+    next[i] = ray.length[i] == 0 ? kNever : period[i];
+  }
+  while (ray.node != to) {
+    for (unsigned subset = axes; subset != 0; subset = (subset - 1) & axes) {
+      NodeId corner = ray.node;
+      for (std::size_t i = 0; i < D; ++i)
+        if ((subset >> i & 1u) != 0) corner += ray.delta[i];
+      if (bad(corner)) return false;
+    }
+    const std::int64_t soonest = *std::min_element(next.begin(), next.end());
+    for (std::size_t i = 0; i < D; ++i)
+      if (next[i] == soonest) {
+        next[i] += period[i];
+        ray.go(i, 1);
+      }
+  }
+  return true;
+}
+
 /// True if `a` and `b` see each other: no cell on the way is bad, both ends
 /// included, and at each diagonal step no more bad cells are squeezed past than
 /// the lattice's corner rule allows. `bad(node)` says which cells are bad;
-/// `tiles` knows the same of many cells at once.
+/// `tiles` knows the same of many cells at once. To a robot with a size both
+/// rules are one: wide_line_is_clear().
 template <int D, class Bad, class Tiles = NoSightMap>
 bool line_of_sight(const BoxLattice<D>& lattice, SightRule rule, NodeId a, NodeId b, Bad&& bad,
                    const Tiles& tiles = {}) {
   if (bad(a) || bad(b)) return false;
   if (a > b) std::swap(a, b);
+  if (lattice.has_size()) return wide_line_is_clear(lattice, a, b, bad);
   const CornerRule corners = lattice.rules().corners;
   const int allowed = corners == CornerRule::none ? 0 : corners == CornerRule::one ? 1 : 8;
   if constexpr (std::is_same_v<Tiles, SightMap<2>>) {

@@ -38,7 +38,8 @@ class LessonPlayer {
  private:
   void begin(std::size_t number);
   [[nodiscard]] bool knows_world(const Run& run) const;
-  [[nodiscard]] bool holds(const Run& run) const;
+  [[nodiscard]] bool holds(const Run& run, std::size_t position) const;
+  [[nodiscard]] std::size_t stop_at(const Run& run, std::size_t position) const;
 
   Lesson lesson_;
   std::size_t number_ = 0;

@@ -195,6 +195,9 @@ constexpr GlossaryTerm kTerms[] = {
     {"truth", "The true world", "What really stands there, whether the robot knows it or not."},
     {"moving-obstacle", "Moving obstacle",
      "A box of cells that goes along a drawn way. It waits for the robot rather than run into it."},
+    {"stuck", "Stuck",
+     "A robot that drives has a plan, but none of the arcs that it can take up leads along it: it has turned all the way "
+     "round in vain, or come no nearer to its goal for as long as its patience lasts."},
     {"robot-moves", "Moves", "How many cells the robot has entered."},
     {"robot", "Robot",
      "What drives along the plan. It plans on the map that it believes in, which its sensor corrects within "
@@ -214,6 +217,14 @@ constexpr GlossaryTerm kTerms[] = {
      "Where the goal is an obstacle or cannot be reached, a robot that is set so makes for the cell nearest "
      "to "
      "it, as the crow flies, that it can reach, and goes on to the goal once a way opens."},
+    {"robot-radius", "Radius of the robot",
+     "Of its body, in cells; 0 is a point. Its centre keeps at least so far away from the squares of all "
+     "obstacles, and "
+     "it cuts no corners."},
+    {"too-near", "Too near",
+     "A free cell whose centre is nearer to an obstacle than the robot's radius: the robot's centre keeps "
+     "out of it. A "
+     "robot that an obstacle comes too near to drives out, and never nearer to obstacles on the way."},
     {"arrival", "Arrival", "The robot stands on the goal."},
     // Figures of a path
     {"nodes", "Nodes of a path",
@@ -229,6 +240,8 @@ constexpr GlossaryTerm kTerms[] = {
      "From the path to the nearest obstacle's edge, at the narrowest place, in cells."},
     {"mean-clearance", "Mean clearance",
      "From the path to the nearest obstacle's edge, averaged over the path every tenth of a cell, in cells."},
+    {"edge-clearance", "Clearance of the edge",
+     "The clearance of a robot with a size from its edge instead of its centre: less by its radius."},
     {"plan-ms", "Time of the first plan",
      "Wall time of the first search, in milliseconds. In the window this includes recording every step, so a "
      "run from the command line is faster."},
@@ -327,6 +340,8 @@ constexpr Alias kAliases[] = {
     {"sight checks", "sight-checks"},
     {"least clearance", "min-clearance"},
     {"mean clearance", "mean-clearance"},
+    {"least clearance of the edge", "edge-clearance"},
+    {"mean clearance of the edge", "edge-clearance"},
     {"first plan", "plan-ms"},
     {"path length", "length"},
     {"vertex", "cell"},

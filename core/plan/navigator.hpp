@@ -20,7 +20,9 @@ class Navigator {
  public:
   virtual ~Navigator() = default;
 
-  /// The cells of the robot's map.
+  /// The cells of the robot's map. A robot with a size plans its centre's way over what its radius leaves free of
+  /// them (core/lattice/inflation.hpp); from a place that is too near an obstacle it drives out first, by the
+  /// shortest way on which it comes no nearer (core/lattice/way_out.hpp), and plans from its end.
   [[nodiscard]] virtual Box box() const = 0;
   /// What it holds for an obstacle: nonzero. Valid until the map changes.
   [[nodiscard]] virtual std::span<const std::uint8_t> known() const = 0;
@@ -35,9 +37,9 @@ class Navigator {
   virtual void update(const Point& start) = 0;
 
   [[nodiscard]] virtual PlanStatus status() const = 0;
-  /// Cost of the plan, penalties included; infinite without a path.
+  /// Cost of the plan, penalties included; infinite without a path. A way out ahead of it is not counted.
   [[nodiscard]] virtual Cost cost() const = 0;
-  /// The path after its stages.
+  /// The path after its stages, from the robot on.
   virtual Path path() = 0;
   [[nodiscard]] virtual Counters counters() const = 0;
   /// One of the numbers that the planner declares (SearchValues::numbers), of the latest plan.
@@ -51,9 +53,11 @@ class Navigator {
 };
 
 /// The navigator of a planner, which must be in the registry as its stages must, for a robot that knows these cells
-/// (nonzero = obstacle) of the box. `recorder`, if there is one, is told what the planner does and must outlive it.
+/// (nonzero = obstacle) of the box and has that radius. `recorder`, if there is one, is told what the planner does and
+/// must outlive it.
 std::unique_ptr<Navigator> make_navigator(const PlannerChoice& choice, const Box& box,
-                                          const SharedBytes& known, Recorder* recorder = nullptr);
+                                          const SharedBytes& known, double radius,
+                                          Recorder* recorder = nullptr);
 
 /// Runs the plan to its end.
 PlanStatus finish(Navigator& navigator);

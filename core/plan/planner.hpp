@@ -30,8 +30,8 @@ constexpr bool has_path(PlanStatus status) {
 
 /// The status as its fixed name in JSON output: "found", "no-path", "start-blocked", ...
 const char* status_name(PlanStatus status);
-/// The status as a sentence for a user.
-const char* status_sentence(PlanStatus status);
+/// The status as a sentence for a user. For a robot with a size a cell is blocked that is too near an obstacle, too.
+const char* status_sentence(PlanStatus status, bool has_size = false);
 
 /// Work done since begin(), replans included.
 struct Counters {

@@ -15,8 +15,8 @@ template <class Switches>
 PlannerInfo entry(std::string_view id, Switches switches) {
   PlannerInfo info = describe(switches);
   info.id = id;
-  const auto common = lattice_parameters();
-  info.parameters.insert(info.parameters.end(), common.begin(), common.end());
+  for (const Parameter& common : lattice_parameters())
+    if (!info.eight_neighbours || common.key != parameters::kMoves.key) info.parameters.push_back(common);
   return info;
 }
 
@@ -60,6 +60,12 @@ Result<const PlannerInfo*> require_planner(std::string_view id) {
   return require_by_id(planners(), id, "planner");
 }
 
+Result<void> fits(const PlannerInfo& info, const Box& box) {
+  if (!info.planar || !box.solid()) return {};
+  return Error{"'" + std::string(info.id) + "' plans in the plane alone, and this world has " +
+               std::to_string(box.depth()) + " layers"};
+}
+
 Heuristic heuristic_of(const PlannerInfo& info, const Settings& settings) {
   const Parameter* parameter = find_parameter(info.parameters, parameters::kAnyHeuristic.key);
   if (parameter == nullptr) return Heuristic::zero;
@@ -74,9 +80,10 @@ std::span<const Parameter> lattice_parameters() {
   return all;
 }
 
-MoveRules move_rules(const Settings& settings) {
+MoveRules move_rules(const Settings& settings, double radius) {
   return {.corners = static_cast<CornerRule>(static_cast<int>(settings.get(parameters::kCorners))),
-          .diagonals = settings.get(parameters::kMoves) == 0};
+          .diagonals = settings.get(parameters::kMoves) == 0,
+          .radius = radius};
 }
 
 }  // namespace replan

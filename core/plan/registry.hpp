@@ -28,6 +28,9 @@ struct PlannerInfo {
   KeyRule key = key_rule<GPlusH>();  ///< of best_first_values()
   bool exercise = false;             ///< broken on purpose, to learn finding it: not among "all" planners
   bool incremental = false;          ///< repairs its plan instead of starting afresh
+  bool keeps_start = false;          ///< repairs only while its start stays, else starts afresh
+  bool planar = false;               ///< plans in worlds of one layer alone
+  bool eight_neighbours = false;     ///< has no setting `moves`: there are always diagonals
   bool any_angle = false;            ///< its paths leave the lattice's directions
   bool from_goal = false;            ///< searches from the goal: g is the cost to go
   bool clearance = false;            ///< pays for coming near obstacles
@@ -36,6 +39,10 @@ struct PlannerInfo {
   /// longer, infinite if there is no bound (only where a planner is meant to fail).
   double (*length_bound)(const Settings& settings) = nullptr;
 
+  /// The end that its values are distances from.
+  [[nodiscard]] Scalar root() const { return from_goal ? Scalar::goal : Scalar::start; }
+  /// The end that it searches for.
+  [[nodiscard]] Scalar target() const { return from_goal ? Scalar::start : Scalar::goal; }
   /// Whether it finds a shortest lattice path with these settings.
   [[nodiscard]] bool optimal(const Settings& settings) const {
     return !any_angle && length_bound(settings) == 1;
@@ -53,7 +60,10 @@ const PlannerInfo* find_planner(std::string_view id);
 /// As find_planner(), with an error that suggests the nearest id.
 Result<const PlannerInfo*> require_planner(std::string_view id);
 
-/// Makes a planner. `lattice` and `tracer` must outlive it.
+/// Nothing, or why it cannot plan in a world of that size.
+Result<void> fits(const PlannerInfo& info, const Box& box);
+
+/// Makes a planner that fits the lattice's box. `lattice` and `tracer` must outlive it.
 /// Instantiated for Grid2 and Voxel3 with NoTrace and Recorder.
 template <class L, class T>
 std::unique_ptr<Planner<L>> make_planner(const PlannerInfo& info, const L& lattice, const Settings& settings,
@@ -64,7 +74,7 @@ Heuristic heuristic_of(const PlannerInfo& info, const Settings& settings);
 
 /// The parameters `moves` and `corners`, which every lattice planner has.
 std::span<const Parameter> lattice_parameters();
-/// The rules that these settings ask for.
-MoveRules move_rules(const Settings& settings);
+/// The rules that these settings ask for, for a robot of that radius.
+MoveRules move_rules(const Settings& settings, double radius = 0);
 
 }  // namespace replan

@@ -11,8 +11,9 @@ namespace replan {
 template <class L, class T>
 std::unique_ptr<Planner<L>> make_planner(const PlannerInfo& info, const L& lattice, const Settings& settings,
                                          T& tracer) {
-#define REPLAN_PLANNER(ID, CLASS, SWITCHES) \
-  if (info.id == ID) return std::make_unique<CLASS<L, T>>(lattice, settings, tracer, SWITCHES);
+#define REPLAN_PLANNER(ID, CLASS, SWITCHES)         \
+  if constexpr (requires { typename CLASS<L, T>; }) \
+    if (info.id == ID) return std::make_unique<CLASS<L, T>>(lattice, settings, tracer, SWITCHES);
 #include "core/planners/planners.def"
 #undef REPLAN_PLANNER
   return nullptr;

@@ -55,16 +55,20 @@ std::vector<CellEdit> edits_of(const Box& box, const std::vector<Replanner::Chan
 }  // namespace
 
 Result<Replanner> Replanner::make(Box box, std::vector<std::uint8_t> cells, std::string_view planner,
-                                  const std::vector<Setting>& settings) {
+                                  const std::vector<Setting>& settings, double radius) {
   if (std::string fault = fault_of(box, cells.size()); !fault.empty()) return Error{std::move(fault)};
   const auto info = require_planner(planner);
   if (!info) return Error{info.error()};
+  if (const auto fit = fits(**info, box); !fit) return Error{fit.error()};
   Settings values;
   for (const auto& [key, text] : settings)
     if (const auto set = set_from_text(values, (*info)->parameters, key, text); !set)
       return Error{set.error()};
+  if (!(radius >= 0 && radius <= MoveRules::kMostRadius))
+    return Error{"a robot cannot have such a radius: give a number of cells from 0 to " +
+                 std::to_string(static_cast<int>(MoveRules::kMostRadius))};
   const PlannerChoice choice{std::string((*info)->id), std::move(values)};
-  return Replanner(make_navigator(choice, box, SharedBytes(std::move(cells))));
+  return Replanner(make_navigator(choice, box, SharedBytes(std::move(cells)), radius));
 }
 
 Replanner::Replanner(std::unique_ptr<Navigator> navigator) : navigator_(std::move(navigator)) {}

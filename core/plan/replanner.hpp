@@ -30,10 +30,11 @@ class Replanner {
   };
 
   /// The grid's cells are row-major, nonzero = obstacle; a box of one layer is a plane. `replan list planners`
-  /// shows the planners and their settings.
+  /// shows the planners and their settings. A robot with a radius, in cells, keeps its centre at least so far away
+  /// from the square of every obstacle cell.
   static Result<Replanner> make(Box box, std::vector<std::uint8_t> cells,
                                 std::string_view planner = "dstar-lite",
-                                const std::vector<Setting>& settings = {});
+                                const std::vector<Setting>& settings = {}, double radius = 0);
 
   ~Replanner();
   Replanner(Replanner&&) noexcept;
@@ -54,7 +55,7 @@ class Replanner {
   [[nodiscard]] std::vector<Cell> path() const;
   /// In cells, penalties included; infinite without a path.
   [[nodiscard]] double cost() const;
-  [[nodiscard]] bool blocked(Cell cell) const;  ///< outside the grid all is
+  [[nodiscard]] bool blocked(Cell cell) const;  ///< by an obstacle; outside the grid all is
 
  private:
   explicit Replanner(std::unique_ptr<Navigator> navigator);

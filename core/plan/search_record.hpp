@@ -88,6 +88,12 @@ class SearchRecord : public Planner<L> {
     note_held(s, {key.k1.raw + 1});
     open_.update(nodes_, key, s);
   }
+  [[gnu::always_inline]] void queue(NodeId s, const Key& key) {
+    if (nodes_.get(s) != 0)
+      re_key(s, key);
+    else
+      put_in(s, key);
+  }
   void take_out(NodeId s) {
     note_held(s, Cost::zero());
     open_.remove(nodes_, s);

@@ -71,7 +71,7 @@ inline SearchValues best_first_values() {
       .laws = "best-first"};
 }
 
-/// g and rhs to the goal, and a list by [min(g, rhs) + h + km; min(g, rhs)]: D* Lite and its like.
+/// g and rhs from the root of the search, and a list by [min(g, rhs) + h + km; min(g, rhs)]: D* Lite and its like.
 inline SearchValues lookahead_values() {
   return {.fields = {fields::kG, fields::kRhs, fields::kQueue, fields::kLp, fields::kVisit},
           .order = {"k2",

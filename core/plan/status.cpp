@@ -20,7 +20,7 @@ const char* status_name(PlanStatus status) {
   return "unknown";
 }
 
-const char* status_sentence(PlanStatus status) {
+const char* status_sentence(PlanStatus status, bool has_size) {
   switch (status) {
     case PlanStatus::searching:
       return "The search is not finished.";
@@ -29,9 +29,15 @@ const char* status_sentence(PlanStatus status) {
     case PlanStatus::no_path:
       return "No path leads to the goal.";
     case PlanStatus::start_blocked:
-      return "The start is inside an obstacle: move it, or clear its cell.";
+      return has_size ? "The start is inside an obstacle, or so near to one that the robot's radius does not "
+                        "fit there "
+                        "and no way leads out: move it, clear cells, or make the radius smaller."
+                      : "The start is inside an obstacle: move it, or clear its cell.";
     case PlanStatus::goal_blocked:
-      return "The goal is inside an obstacle: move it, or clear its cell.";
+      return has_size ? "The goal is inside an obstacle, or nearer to one than the robot's radius: move it, "
+                        "clear cells, "
+                        "or make the radius smaller."
+                      : "The goal is inside an obstacle: move it, or clear its cell.";
     case PlanStatus::found_nearest:
       return "The goal cannot be reached: the path leads to the reachable cell nearest to it.";
   }

@@ -115,17 +115,14 @@ class BestFirst : public SearchRecord<L, T, NumberedTable<Node>> {
 
   // Lines 9-12: a shorter way to s.
   void reach(NodeId s, std::uint32_t parent_direction, Cost sum, const Coordinates& at) {
-    const Node& node = nodes_.write(s);
+    nodes_.write(s);
     tr_.line(10);
     this->set_g(s, sum);
     tr_.line(11);
     this->set_parent(s, parent_direction);
     const Key key = self().key_of(s, sum, at);
     tr_.line(12);
-    if (node.slot != 0)
-      this->re_key(s, key);
-    else
-      this->put_in(s, key);
+    this->queue(s, key);
   }
   /// f(s) with such a g, and what decides among equals.
   [[nodiscard]] Key key_of(NodeId s, Cost g, const Coordinates& at) const {

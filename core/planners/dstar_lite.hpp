@@ -12,10 +12,7 @@
 // (main) + 100.
 //
 // What the print leaves open, and what holds here:
-//  * rhs is updated incrementally (Koenig & Likhachev, "Fast replanning for navigation in unknown terrain",
-//    IEEE Trans. Robotics 21(3), 2005, "optimised D* Lite"): where one successor improved, the minimum is
-//    that of two numbers; where one got worse, it is taken anew only if that successor was the argmin. Costs
-//    and parents are those of the plain version.
+//  * rhs is updated incrementally (lookahead_search.hpp).
 //  * A change of clearance is a change of edge costs: every predecessor of a vertex whose dist changed is
 //    updated.
 //  * km grows by the heuristic rounded *up* (law 6 in lattice.hpp), so that keys in U stay lower bounds.
@@ -37,11 +34,10 @@
 #include <span>
 #include <vector>
 
-#include "core/plan/node_table.hpp"
-#include "core/plan/search_record.hpp"
 #include "core/planners/dstar_lite_family.hpp"
 #include "core/planners/ground.hpp"
 #include "core/planners/leaping_path.hpp"
+#include "core/planners/lookahead_search.hpp"
 #include "core/planners/parent_path.hpp"
 
 namespace replan {
@@ -57,10 +53,13 @@ struct DStarLiteNode {
 static_assert(sizeof(DStarLiteNode) == 24, "a large map has many of them");
 
 template <Lattice L, Tracer T, class Faults = NoFaults>
-class DStarLite final : public SearchRecord<L, T, NodeTable<DStarLiteNode>> {
+class DStarLite final : public LookaheadSearch<L, T, DStarLiteNode, DStarLite<L, T, Faults>> {
+  using Base = LookaheadSearch<L, T, DStarLiteNode, DStarLite<L, T, Faults>>;
+  friend Base;
+
  public:
   DStarLite(const L& lattice, const Settings& settings, T& tracer, DStarLiteSwitches switches)
-      : Record(lattice, tracer),
+      : Base(lattice, tracer),
         switches_(switches),
         faults_(settings),
         heuristic_(heuristic_of(describe(switches), settings)),
@@ -81,12 +80,6 @@ class DStarLite final : public SearchRecord<L, T, NodeTable<DStarLiteNode>> {
     initialize();
   }
 
-  bool advance(std::int64_t iterations) override {
-    for (; iterations > 0; --iterations)
-      if (!compute_shortest_path_step()) return true;
-    return !search_needed();
-  }
-
   void update(const MapChange<L>& change, NodeId start) override {
     tr_.line(110);
     const Cost km = km_ + lattice_.bound_up(heuristic_, last_, start);
@@ -101,7 +94,7 @@ class DStarLite final : public SearchRecord<L, T, NodeTable<DStarLiteNode>> {
       costs_changed(change, changed);
     } else {
       tr_.line(115);
-      for (const auto& move : change.moves) moves_changed(move.node, move.before);
+      for (const auto& move : change.moves) this->moves_changed(move.node, move.before);
     }
     if (along_path_) {
       for (const CellEdit& cell : change.cells) leaps_.turn(cell.node);
@@ -116,7 +109,7 @@ class DStarLite final : public SearchRecord<L, T, NodeTable<DStarLiteNode>> {
     return this->ends_blocked() ? Cost::infinity() : nodes_[start_].rhs;
   }
   [[nodiscard]] std::size_t memory_bytes() const override {
-    return Record::memory_bytes() + ground_.memory_bytes() + marked_.capacity() + leaps_.memory_bytes();
+    return Base::memory_bytes() + ground_.memory_bytes() + marked_.capacity() + leaps_.memory_bytes();
   }
 
   /// Algorithm 1, line 6, from the start on.
@@ -144,11 +137,11 @@ class DStarLite final : public SearchRecord<L, T, NodeTable<DStarLiteNode>> {
   friend class LeapingPath<DStarLite, L::kDimensions>;
   friend class ParentPath<DStarLite>;
   static constexpr bool kFaulty = Faults::kAny;
-  using Record = SearchRecord<L, T, NodeTable<DStarLiteNode>>;
-  using Record::counters_, Record::goal_, Record::lattice_, Record::nodes_, Record::open_, Record::start_,
-      Record::tr_;
-  using Record::kNoDirection, Record::put_in, Record::raw, Record::re_key, Record::set_g, Record::set_scalar;
-  using typename Record::Coordinates, typename Record::Node;
+  using Base::counters_, Base::goal_, Base::lattice_, Base::nodes_, Base::open_, Base::start_, Base::tr_;
+  using Base::kNoDirection, Base::raw, Base::set_g, Base::set_rhs, Base::set_scalar, Base::top_key;
+  using typename Base::Coordinates, typename Base::Node;
+
+  [[nodiscard]] NodeId root() const { return goal_; }
 
   [[nodiscard]] Path path_over(std::vector<NodeId> nodes) const {
     return Path(lattice_.box(), std::move(nodes), ground_.sight_rule());
@@ -191,7 +184,7 @@ class DStarLite final : public SearchRecord<L, T, NodeTable<DStarLiteNode>> {
     const Key key = calculate_key(u, at);
     if (old_key < key) {
       tr_.line(47);
-      put_in(u, key);
+      this->put_in(u, key);
       return true;
     }
     this->count_expansion(u);
@@ -290,10 +283,7 @@ class DStarLite final : public SearchRecord<L, T, NodeTable<DStarLiteNode>> {
     if constexpr (Faults::kAny) wanted |= faults_.leaves_in_queue() && node.slot != 0;
     if (wanted) {
       tr_.line(31);
-      if (node.slot != 0)
-        re_key(u, calculate_key(u, at));
-      else
-        put_in(u, calculate_key(u, at));
+      this->queue(u, calculate_key(u, at));
     } else if (node.slot != 0) {
       tr_.line(28);
       this->take_out(u);
@@ -321,22 +311,6 @@ class DStarLite final : public SearchRecord<L, T, NodeTable<DStarLiteNode>> {
 
   [[nodiscard]] bool settled(NodeId n) const {
     return nodes_[n].g == nodes_[n].rhs && calculate_key(n) <= top_key();
-  }
-
-  // Lines 12-15 of Algorithm 1 with clearance off: the moves of u have changed.
-  void moves_changed(NodeId u, std::uint32_t before) {
-    if (u == goal_) return;
-    const std::uint32_t now = lattice_.moves(u);
-    const Node& node = nodes_[u];
-    if (node.parent != kNoDirection && ((before & ~now) >> node.parent & 1u) != 0) {
-      update_vertex(u);
-      return;
-    }
-    for (std::uint32_t rest = now & ~before; rest != 0; rest &= rest - 1) {
-      const int d = std::countr_zero(rest);
-      const Cost sum = L::step_cost(d) + nodes_[lattice_.neighbour(u, d)].g;
-      if (!sum.is_infinite()) offer(u, lattice_.coordinates(u), static_cast<std::uint32_t>(d), sum);
-    }
   }
 
   // Lines 12-15 of Algorithm 1 with clearance on: penalties change around a changed cell, and with them the
@@ -370,21 +344,15 @@ class DStarLite final : public SearchRecord<L, T, NodeTable<DStarLiteNode>> {
     return key_of(s, lattice_.bound(heuristic_, start_at_, at));
   }
   [[nodiscard]] Key key_of(NodeId s, Cost estimate) const {
-    const Cost least = std::min(nodes_[s].g, nodes_[s].rhs);
+    const Cost least = this->least(s);
     if constexpr (Faults::kAny)
       if (faults_.forgets_km()) return {least + estimate, least};
     return {least + estimate + km_, least};
   }
-  [[nodiscard]] Key top_key() const { return open_.empty() ? Key{} : open_.top().key; }
 
   [[nodiscard]] NodeId lp(NodeId s) const { return s == goal_ ? goal_ : this->parent(s); }
 
-  // These two as well as set_g() and set_parent(): every write of a value, so that the log misses none.
-  void set_rhs(NodeId s, Cost value) {
-    Node& node = nodes_.write(s);  // rhs is the first value of a vertex that is written
-    tr_.change(EventKind::rhs, s, node.rhs, value);
-    node.rhs = value;
-  }
+  // As set_g(), set_rhs() and set_parent(): every write of a value, so that the log misses none.
   void set_rp(NodeId s, NodeId parent) {
     tr_.change(EventKind::rp, s, std::uint64_t{nodes_[s].rp + 1u}, std::uint64_t{parent + 1u});
     nodes_.held(s).rp = parent;

@@ -8,7 +8,9 @@ namespace replan {
 namespace {
 
 /// Cells this small (design pixels) are tinted in the raster instead of outlined; between the two, both by half.
-constexpr double kOutlineFrom = 4, kOutlineTo = 7;
+constexpr double kOutlineFrom = 6, kOutlineTo = 11;
+/// Of a tint: the field's colour is to be seen through it.
+constexpr double kTintStrength = 0.55;
 
 void tint(SceneContext& context, Cell cell, Colour colour, double strength) {
   Raster& raster = context.scene.raster;
@@ -57,7 +59,7 @@ void add_cell_marks(SceneContext& context, std::span<const std::unique_ptr<CellM
 void mark_cell(SceneContext& context, Cell cell, OutlineShape shape, Colour colour, double strength,
                float stroke, float inset) {
   const double outlined = context.grown(kOutlineFrom, kOutlineTo);
-  if (outlined < 1) tint(context, cell, colour, (1 - outlined) * strength * 0.8);
+  if (outlined < 1) tint(context, cell, colour, (1 - outlined) * strength * kTintStrength);
   if (outlined > 0)
     context.add(Outline{static_cast<double>(cell.x), static_cast<double>(cell.y), 1, 1, shape,
                         faded(colour, outlined * strength), stroke, inset});

@@ -7,6 +7,7 @@
 #include "core/scene/digest.hpp"
 #include "core/scene/field.hpp"
 #include "core/scene/scene.hpp"
+#include "core/scene/size_zone.hpp"
 
 namespace replan {
 
@@ -14,6 +15,7 @@ struct SceneMemory::Parts {
   RunDigest digest;
   MapCoverage coverage;
   FieldRanges ranges;
+  SizeZone zone;
 };
 
 /// Words about a cell that are put where they hide least, once all else is drawn.

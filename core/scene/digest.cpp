@@ -13,6 +13,7 @@ void RunDigest::read(const Run& run) {
     } else {
       *this = RunDigest();
       incremental_ = run.info().incremental;
+      keeps_start_ = run.info().keeps_start;
       stamps_ = PagedArray<std::uint32_t>(run.lattice().node_count());
     }
     log_id_ = run.log_id();
@@ -61,7 +62,9 @@ void RunDigest::take(const Event& event, std::size_t index) {
       (event.delta != 0 ? cause_.to_goal_again : cause_.to_nearest) = true;
       break;
     case EventKind::plan_begin:
+      cause_.new_start = keeps_start_ && !plans_.empty() && plans_.back().start != event.node;
       plans_.push_back({.begin = index,
+                        .start = event.node,
                         .first_touch = touches_.size(),
                         .last_touch = touches_.size(),
                         .cause = std::exchange(cause_, {})});

@@ -31,14 +31,16 @@ struct ReplanCause {
   bool put_down = false;
   bool to_nearest = false;     ///< it makes for the reachable cell nearest to the goal, or for another one
   bool to_goal_again = false;  ///< it makes for the goal again
+  bool new_start = false;      ///< it has moved, and its planner can repair only from where it was
   /// Whether the planner begins from scratch.
-  [[nodiscard]] bool afresh() const { return new_goal || to_nearest || to_goal_again; }
+  [[nodiscard]] bool afresh() const { return new_goal || to_nearest || to_goal_again || new_start; }
 };
 
 /// A plan or replan. Its touches are [first_touch, last_touch) of RunDigest::touches().
 struct PlanSpan {
   std::size_t begin;           ///< of its plan_begin
   std::size_t end = SIZE_MAX;  ///< past its plan_end; SIZE_MAX while there is none
+  NodeId start = kNoNode;      ///< where the robot stood
   std::size_t first_touch = 0, last_touch = 0;
   std::int64_t touched = 0;
   ReplanCause cause = {};
@@ -71,7 +73,7 @@ class RunDigest {
   [[nodiscard]] bool starts_afresh() const { return !plans_.empty() && plans_.back().cause.afresh(); }
 
   std::uint64_t log_id_ = 0;
-  bool incremental_ = true;
+  bool incremental_ = true, keeps_start_ = false;
   std::size_t read_ = 0;
   ReplanCause cause_;  // what has happened since the last plan began
   ExpansionCounter counter_;

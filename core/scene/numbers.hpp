@@ -6,7 +6,7 @@
 namespace replan {
 
 /// Design pixels a cell from which on the numbers of all cells show.
-inline constexpr double kNumbersFrom = 44;
+inline constexpr double kNumbersFrom = 40;
 
 /// Whether the search still has to deal with a cell: its two values differ, or, of a planner with one value alone, it is
 /// in the open list.

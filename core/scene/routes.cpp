@@ -142,6 +142,16 @@ void add_sensor(SceneContext& context) {
   context.add(Ring{robot, radius, context.palette.robot, context.pixels(1.2), context.pixels(4)});
 }
 
+/// The body of a robot with a size: as large as it is, under the mark that tells where it is.
+void add_body(SceneContext& context) {
+  const Point robot = robot_point(context);
+  const double radius = context.cut_radius(robot, context.run.scenario().robot.radius);
+  if (radius <= 0) return;
+  const auto pixels = static_cast<float>(radius * context.zoom);
+  context.add(Disc{robot, pixels, faded(context.palette.robot, 0.25), 0, 0});
+  context.add(Ring{robot, radius, context.palette.robot, context.pixels(1.5)});
+}
+
 /// Where cells are too small to be found by their frame, a ring stands around the one that is pointed at.
 void ring_small_cell(SceneContext& context, Cell cell) {
   constexpr double kFoundFrom = 8;  // design pixels a cell
@@ -213,6 +223,7 @@ void build_routes(SceneContext& context) {
 
 void build_things(SceneContext& context) {
   add_sensor(context);
+  add_body(context);
   add_cell_frames(context);
   // Never so small that they are lost, never so large that they hide their cell.
   const double cell = context.zoom / context.view.scale;

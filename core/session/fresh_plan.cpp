@@ -37,12 +37,13 @@ FreshPlanTask::FreshPlanTask(const Run& run)
     : choice(run.choice()),
       box(run.lattice()),
       known(run.timeline().state().known_map()),
+      radius(run.scenario().robot.radius),
       start(run.timeline().state().node(Scalar::start)),
       goal(run.timeline().state().node(Scalar::goal)) {}
 
 FreshPlan plan_from_scratch(const FreshPlanTask& task, const std::stop_token& stop) {
   Recorder recorder;
-  const auto navigator = make_navigator(task.choice, task.box, task.known, &recorder);
+  const auto navigator = make_navigator(task.choice, task.box, task.known, task.radius, &recorder);
   TouchCount touched(task.box.node_count());
   FreshPlan fresh;
   const auto timed = [&fresh](auto&& step) {

@@ -28,6 +28,7 @@ struct FreshPlanTask {
   PlannerChoice choice;
   Box box;
   SharedBytes known;  ///< nonzero = obstacle
+  double radius = 0;  ///< of the robot
   NodeId start = kNoNode, goal = kNoNode;
 };
 

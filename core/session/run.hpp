@@ -53,7 +53,9 @@ class Run {
   [[nodiscard]] Timeline& timeline() { return *timeline_; }
   [[nodiscard]] const Timeline& timeline() const { return *timeline_; }
   /// For the debugger's instruments; valid until the run begins afresh, which changes log_id().
-  [[nodiscard]] LogView log_view() const { return {*timeline_, lattice_, *info_, choice().settings}; }
+  [[nodiscard]] LogView log_view() const {
+    return {*timeline_, lattice_, *info_, choice().settings, scenario_->robot.radius};
+  }
   /// How much of the robot's last step before the cursor a view shows: 0, still where it came from, to 1.
   [[nodiscard]] double travel() const { return travel_; }
   void set_travel(double travel) { travel_ = travel; }

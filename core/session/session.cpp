@@ -181,6 +181,25 @@ void Session::seek(std::size_t position, double travel) {
   follow_lead();
 }
 
+void Session::glance(std::size_t position, double travel, const std::function<void()>& look) {
+  struct Place {
+    std::size_t cursor;
+    double travel;
+  };
+  std::vector<Place> places;
+  for (const auto& run : runs_) places.push_back({run->timeline().cursor(), run->travel()});
+  const bool catching_up = catching_up_;
+  seek(position, travel);
+  ++revision_;
+  look();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    runs_[i]->timeline().seek(places[i].cursor);
+    runs_[i]->set_travel(places[i].travel);
+  }
+  catching_up_ = catching_up_ || catching_up;
+  ++revision_;
+}
+
 bool Session::update(double seconds) {
   bool changed = catching_up_;  // finish() may have taken over what a pane waited for
   if (finish_world_edit()) changed = true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -96,6 +97,9 @@ class Session {
   [[nodiscard]] std::string failure() const;
   /// Takes over what the background did and plays on by `seconds`. True if something to be seen changed.
   bool update(double seconds);
+  /// Shows `look` the runs at another moment, as after Seek{position, travel}, and comes back: what is played, stepped
+  /// or looked for goes on as if nothing had been. What `look` sees changes revision().
+  void glance(std::size_t position, double travel, const std::function<void()>& look);
   /// How long a command may wait for the background before the rest of it is left to update(): as long as it takes,
   /// unless a window says otherwise. Where somebody is so impatient, large worlds are edited in the background too, and
   /// the laws of those above Checks::kCellsAtMost are not checked.

@@ -179,6 +179,7 @@ PlannerChoice Session::choice_of(const PlannerInfo& info, const Settings& settin
 Result<void> Session::run_command(const ChoosePlanner& command) {
   const auto info = require_planner(command.id);
   if (!info) return Error{info.error()};
+  if (const auto fit = fits(**info, box()); !fit) return fit;
   if (command.pane >= scenario_->planners.size()) return Error{"there is no such pane"};
   PlannerChoice choice = choice_of(**info, scenario_->planners[command.pane].settings);
   choice.stages = scenario_->planners[command.pane].stages;
@@ -226,7 +227,7 @@ Result<void> Session::run_command(const SetStages& command) {
 
 Result<void> Session::run_command(const SetRobot& command) {
   if (command.robot == scenario_->robot) return {};
-  if (const auto known = require_robot(command.robot.kind); !known) return Error{known.error()};
+  if (const auto known = require_robot(command.robot.kind, box()); !known) return Error{known.error()};
   Scenario changed = *scenario_;
   changed.robot = command.robot;
   commit("change the robot", 0, std::move(changed));

@@ -9,7 +9,8 @@ TraceRun trace_run(const Run& run) {
     if (decision == nullptr || decision->event != plan_end + 1) return {};
     return *decision->plan->path;
   };
-  return {run.log_view(), run.scenario().name, run.scenario().start, run.scenario().goal, path_at};
+  const Scenario& scenario = run.scenario();
+  return {run.log_view(), scenario.name, scenario.start, scenario.goal, path_at, metric_frame(scenario.map)};
 }
 
 }  // namespace replan

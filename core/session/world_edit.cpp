@@ -36,6 +36,9 @@ Result<WorldEdit> with_map(const Scenario& scenario, std::string label, std::str
   if (made.map.blocked.empty()) return Error{"a world has at least one cell"};
   for (const auto& end : {made.start, made.goal})
     if (end && !made.map.contains(*end)) return Error{"start and goal must lie on the map"};
+  for (const PlannerChoice& choice : scenario.planners)
+    if (const auto fit = fits(*find_planner(choice.id), made.map.box()); !fit) return Error{fit.error()};
+  if (const auto robot = require_robot(scenario.robot.kind, made.map.box()); !robot) return Error{robot.error()};
   Scenario changed = scenario;
   changed.map = std::move(made.map);
   changed.map_file.clear();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "core/plan/registry.hpp"
 
@@ -44,6 +45,8 @@ const char* mission_state_name(MissionState state) {
       return "endless";
     case MissionState::nearest:
       return "nearest";
+    case MissionState::stuck:
+      return "stuck";
   }
   return "";
 }
@@ -73,7 +76,7 @@ Mission::Mission(const Scenario& scenario, const PlannerChoice& choice, Recorder
       crowd_(scenario),
       box_(scenario.map.box()),
       truth_(initial_truth(scenario).plain()),
-      navigator_(make_navigator(choice, box_, initial_knowledge(scenario), recorder)),
+      navigator_(make_navigator(choice, box_, initial_knowledge(scenario), scenario.robot.radius, recorder)),
       start_(box_.node(scenario.start)),
       goal_(box_.node(scenario.goal)),
       aim_(goal_) {
@@ -94,7 +97,7 @@ bool Mission::settled() const {
 }
 
 bool Mission::arrives() const {
-  return robot_ == goal_ && now_.plan->status == PlanStatus::found && !next_scripted_step(true);
+  return is_at(goal_) && now_.plan->status == PlanStatus::found && !next_scripted_step(true);
 }
 
 bool Mission::advance(std::int64_t iterations) {
@@ -150,7 +153,9 @@ void Mission::follow(const Path& path, PlanStatus status) {
   now_.plan = std::make_shared<const Plan>(Plan{std::move(kept), status, length});
   now_.next = 0;
   now_.along_plan = 0;
-  now_.before = now_.at = point(robot_);
+  now_.drive.sub_goal = 0;
+  now_.drive.to_go = std::numeric_limits<double>::infinity();
+  now_.before = now_.at = now_.drive.begun ? now_.at : point(robot_);
   now_.after = point_ahead();
 }
 
@@ -192,12 +197,15 @@ void Mission::decide() {
   }
   tr_.line(105);
   const PlanStatus plan = now_.plan->status;
-  if (robot_ == goal_ && plan == PlanStatus::found) {
-    if (const auto step = next_scripted_step(true)) return wait_on_goal(*step);
+  if (is_at(goal_) && plan == PlanStatus::found) {
+    if (const auto step = next_scripted_step(true)) {
+      if (stands()) wait_on_goal(*step);
+      return;
+    }
     now_.state = MissionState::arrived;
     tr_.note(EventKind::arrival, robot_);
-  } else if (now_.plan->path->empty() || (robot_ == aim_ && plan == PlanStatus::found_nearest)) {
-    wait_for_change();
+  } else if (now_.plan->path->empty() || (is_at(aim_) && plan == PlanStatus::found_nearest)) {
+    if (stands()) wait_for_change();
   } else {
     move();
   }
@@ -224,6 +232,7 @@ void Mission::happen(std::size_t index) {
     feel(robot_, told);
     tr_.note(EventKind::put_down, box_.node(*surprise.robot));
     put_robot(box_.node(*surprise.robot));
+    now_.drive.begun = false;
     feel(robot_, told);
   }
   if (surprise.goal) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/drive/dynamic_window.hpp"
 #include "core/plan/navigator.hpp"
 #include "core/sim/mover.hpp"
 #include "core/sim/route.hpp"
@@ -26,6 +27,7 @@ enum class MissionState : std::uint8_t {
   loop,       ///< the plan leads round in a circle (only with `remote_parents=printed`)
   endless,    ///< what moves keeps turning the robot back, or waiting: see kMovesPerCell and kMostWaits
   nearest,    ///< as no_path, but the robot stands on the reachable cell nearest to its goal
+  stuck,      ///< a robot that drives has a plan, and finds no arc that leads along it
 };
 
 /// The state as its fixed name in JSON output.
@@ -49,6 +51,18 @@ struct MissionFigures {
   std::size_t peak_bytes = 0;  ///< held by the planner at most, the map not counted
 };
 
+/// How a robot stands that drives instead of going from cell to cell.
+struct Drive {
+  bool begun = false;        ///< it has taken up its pose
+  DriveState state;          ///< in metres; y downwards, as rows count
+  std::size_t sub_goal = 0;  ///< the place of the plan's path that it makes for
+  double to_go = 0;          ///< m, the least that was left of the plan to it ...
+  SimTime since = 0;         ///< ... and when that was
+  SimTime planned = 0;       ///< when it last planned again since it had lost its way
+  int stuck = 0;             ///< how often it has turned all the way round since it last drove
+  friend bool operator==(const Drive&, const Drive&) = default;
+};
+
 /// A moment at which the robot can decide something, and how the mission stands then: it can be taken up again from
 /// there.
 struct Decision {
@@ -69,6 +83,7 @@ struct Decision {
   std::shared_ptr<const Sightings> sightings;
   SimTime waited = 0;               ///< since the robot's last move
   SimTime forgets_after = kSecond;  ///< so much waiting it forgets the sightings that are out of sight
+  Drive drive;                      ///< of a robot that drives
 };
 
 /// A moment between two calls of Mission::advance(), in the middle of a search too, from which a mission can
@@ -84,16 +99,16 @@ struct Checkpoint {
 class MissionLog {
  public:
   explicit MissionLog(Recorder* recorder) : recorder_(recorder) {}
-  void line(int number) {
+  void line(int number) const {
     if (recorder_ != nullptr) recorder_->line(number);
   }
-  void note(EventKind kind, NodeId node, std::uint64_t payload = 0) {
+  void note(EventKind kind, NodeId node, std::uint64_t payload = 0) const {
     if (recorder_ != nullptr) recorder_->note(kind, node, payload);
   }
-  void change(EventKind kind, NodeId node, std::uint64_t before, std::uint64_t after) {
+  void change(EventKind kind, NodeId node, std::uint64_t before, std::uint64_t after) const {
     if (recorder_ != nullptr) recorder_->change(kind, node, before, after);
   }
-  void change(Scalar scalar, std::uint64_t before, std::uint64_t after) {
+  void change(Scalar scalar, std::uint64_t before, std::uint64_t after) const {
     if (recorder_ != nullptr) recorder_->change(scalar, before, after);
   }
 
@@ -109,6 +124,10 @@ class MissionLog {
 /// step; after a second, then after twice as long each time, it forgets the sightings out of its sight and
 /// plans again; when it has waited as long as its patience lasts and nothing scripted is to come, it gives
 /// up.
+///
+/// A robot with a size plans over what its radius leaves free, and nothing that moves comes nearer to it than that. It
+/// collides where its body would touch an obstacle on its way, unless it only drives away from one that has come too
+/// near; see Navigator::begin() and core/sim/body.hpp.
 ///
 /// An obstacle that comes onto the robot's own cell is not on its map while it stands there, unless
 /// RobotSetup::robot_cell_blocks: it drives out, and then learns of it. A robot that starts in a wall or is
@@ -158,14 +177,35 @@ class Mission {
   }
 
  protected:
-  /// The robot's next step along the plan that stands, which does not end where it is: step_along(), or
-  /// give_up().
+  /// The robot's next step along the plan that stands, which does not end where it is: step_along(), drive_on(),
+  /// replan() or give_up().
   virtual void move() = 0;
+  /// Before it waits: whether it stands still, or has taken a step to come to rest.
+  virtual bool stands() { return true; }
+  /// The way, from where it is on, on which it could still come to a stand: nothing that moves comes onto it.
+  [[nodiscard]] virtual std::vector<Point> stopping_way() const { return {}; }
+  /// Whether it is where a plan to that cell ends.
+  [[nodiscard]] virtual bool is_at(NodeId cell) const { return robot_ == cell; }
 
   /// Goes on over so many cells of the route, or to its end if that is nearer, in one step of the clock. All of
   /// them have to be free.
   void step_along(std::size_t cells);
+  /// Drives over these points, from where it is on and near enough to each other for straight lines, in that time, one
+  /// step of the clock; `way` is the length in cells. Stops at the first where its body would touch an obstacle.
+  void drive_on(std::span<const Point> points, double way, SimTime time);
+  /// Plans again from where it is, on the map as it is.
+  void replan() { learn({}, EventKind::sensed); }
   void give_up(MissionState state);
+
+  [[nodiscard]] const Box& box() const { return box_; }
+  [[nodiscard]] const RobotSetup& setup() const { return robot_setup_; }
+  /// The robot's map: nonzero = obstacle.
+  [[nodiscard]] std::span<const std::uint8_t> known() const { return navigator_->known(); }
+  [[nodiscard]] NodeId robot() const { return robot_; }
+  [[nodiscard]] NodeId aim() const { return aim_; }
+  [[nodiscard]] Decision& moment() { return now_; }
+  [[nodiscard]] const Drive& driving() const { return now_.drive; }
+  [[nodiscard]] const MissionLog& log() const { return tr_; }
 
  private:
   void begin();
@@ -195,6 +235,7 @@ class Mission {
   void wait_on_goal(std::int64_t clock);
   void wait_until(std::int64_t clock);
   void advance_clock(std::int64_t steps, SimTime time, NodeId left);
+  [[nodiscard]] std::vector<Cell> covered_cells(NodeId left) const;
   [[nodiscard]] SimTime step_time(double way) const;
   void put_robot(NodeId cell);
   void follow(const Path& path, PlanStatus status);

@@ -1,8 +1,11 @@
 // What a robot does once it has decided: it takes a step, waits, or gives up; and with each the time that goes by.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "core/lattice/inflation.hpp"
+#include "core/sim/body.hpp"
 #include "core/sim/mission.hpp"
 
 namespace replan {
@@ -86,7 +89,7 @@ void Mission::advance_clock(std::int64_t steps, SimTime time, NodeId left) {
   now_.clock += steps;
   now_.time += std::min(time, kEndOfTime - now_.time);
   if (crowd_.empty()) return;
-  const Cell keep_clear[] = {box_.position(robot_), box_.position(left)};
+  const std::vector<Cell> keep_clear = covered_cells(left);
   for (const Crowd::Change& change : crowd_.advance(now_.movers, now_.time, now_.clock, keep_clear)) {
     const NodeId node = box_.node(change.cell);
     const auto value = static_cast<std::uint8_t>(truth_[node] + change.by * kMoverUnit);
@@ -102,9 +105,59 @@ void Mission::step_along(std::size_t cells) {
     return give_up(MissionState::endless);
   const std::size_t last = std::min(now_.next + cells, route_.cells.size()) - 1;
   tr_.line(107);
-  for (std::size_t i = now_.next; i <= last; ++i)
-    if (truth_[route_.cells[i]] != 0) return collide(route_.cells[i]);
+  Point at = now_.at;
+  for (std::size_t i = now_.next; i <= last; at = route_.points[i++])
+    if (truth_[route_.cells[i]] != 0 || hits(box_, truth_, robot_setup_.radius, at, route_.points[i]))
+      return collide(route_.cells[i]);
   enter(last);
+}
+
+/// The cells that the robot takes up on its way from the cell `left` to its own: nothing comes onto them. It may plan
+/// from the middle of its cell next, so that its body there is counted too, and exactly, as its map is grown.
+std::vector<Cell> Mission::covered_cells(NodeId left) const {
+  std::vector<Cell> cells = {box_.position(robot_), box_.position(left)};
+  const auto add = [&](const Point& from, const Point& to) {
+    Body(box_, robot_setup_.radius, from, to).each_cell([&](NodeId node, double) {
+      cells.push_back(box_.position(node));
+    });
+  };
+  add(now_.before, now_.at);
+  Point at = now_.at;
+  for (const Point& next : stopping_way()) {
+    cells.push_back(cell_of(next));
+    add(at, next);
+    at = next;
+  }
+  if (robot_setup_.radius <= 0) return cells;
+  const std::int64_t limit = limit_of(robot_setup_.radius);
+  const Cell own = cells.front();
+  box_.each_cell_around(own, static_cast<int>(std::ceil(robot_setup_.radius)), [&](NodeId node) {
+    const Cell cell = box_.position(node);
+    if (quarters_of(std::array{cell.x - own.x, cell.y - own.y, cell.z - own.z}) < limit)
+      cells.push_back(cell);
+  });
+  return cells;
+}
+
+void Mission::drive_on(std::span<const Point> points, double way, SimTime time) {
+  tr_.line(107);
+  const NodeId left = robot_;
+  Point at = now_.at;
+  for (const Point& next : points) {
+    if (!box_.contains(cell_of(next))) return collide(robot_);
+    const NodeId cell = box_.node(cell_of(next));
+    if (truth_[cell] != 0 || hits(box_, truth_, robot_setup_.radius, at, next)) return collide(cell);
+    at = next;
+  }
+  const NodeId cell = box_.node(cell_of(at));
+  tr_.note(EventKind::move, cell);
+  put_robot(cell);
+  now_.figures.travelled += way;
+  ++now_.figures.moves;
+  now_.before = now_.at;
+  now_.at = at;
+  now_.waited = 0;
+  advance_clock(1, time, left);
 }
 
 void Mission::collide(NodeId cell) {

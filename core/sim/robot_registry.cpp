@@ -44,4 +44,11 @@ Result<const RobotInfo*> require_robot(std::string_view id) {
   return require_by_id(robots(), id, "robot");
 }
 
+Result<const RobotInfo*> require_robot(std::string_view id, const Box& world) {
+  Result<const RobotInfo*> known = require_robot(id);
+  if (!known || !(*known)->planar || !world.solid()) return known;
+  return Error{"robot '" + std::string(id) + "' drives in a plane, and this world has " +
+               std::to_string(world.depth()) + " layers: choose '" + std::string(robots().front().id) + "'"};
+}
+
 }  // namespace replan

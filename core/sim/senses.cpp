@@ -1,6 +1,7 @@
 #include "core/sim/senses.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "core/lattice/sight.hpp"
@@ -8,10 +9,22 @@
 
 namespace replan {
 
+bool Senses::feels(Cell cell) const {
+  const Cell at = box_.position(robot_);
+  double squared = 0;
+  int farthest = 0;
+  for (const int by : {at.x - cell.x, at.y - cell.y, at.z - cell.z}) {
+    farthest = std::max(farthest, std::abs(by));
+    const double beyond = std::max(std::abs(by) - 2, 0);
+    squared += beyond * beyond;
+  }
+  return farthest <= 1 || squared < setup_.radius * setup_.radius;
+}
+
 bool Senses::in_sight(NodeId node) const {
   const Cell at = box_.position(robot_), cell = box_.position(node);
   const std::int64_t squared = squared_distance(at, cell);
-  if (std::max({std::abs(at.x - cell.x), std::abs(at.y - cell.y), std::abs(at.z - cell.z)}) <= 1) return true;
+  if (feels(cell)) return true;
   if (static_cast<double>(squared) > setup_.sensor_radius * setup_.sensor_radius) return false;
   const auto clear = [&](NodeId passed) { return passed == node || truth_[passed] == 0; };
   return !setup_.sensor_blocked || walk_supercover(box_, robot_, node, clear);
@@ -19,7 +32,8 @@ bool Senses::in_sight(NodeId node) const {
 
 std::vector<CellEdit> Senses::sense() const {
   std::vector<CellEdit> seen;
-  const int reach = std::max(1, static_cast<int>(setup_.sensor_radius));
+  const int felt = static_cast<int>(std::ceil(setup_.radius)) + 1;
+  const int reach = std::max(felt, static_cast<int>(setup_.sensor_radius));
   box_.each_cell_around(box_.position(robot_), reach, [&](NodeId node) {
     const bool obstacle = truth_[node] != 0;
     if (obstacle && node == robot_ && !setup_.robot_cell_blocks) return;

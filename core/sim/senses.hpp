@@ -21,8 +21,8 @@ class Senses {
          const RobotSetup& setup, NodeId robot)
       : box_(box), known_(known), truth_(truth), setup_(setup), robot_(robot) {}
 
-  /// Whether the sensor reaches the cell: the cells around (8, or 26 in space) are always felt, others lie within
-  /// its radius and, if obstacles hide what is behind them, in plain view.
+  /// Whether the sensor reaches the cell: some are always felt, others lie within its radius and, if obstacles hide
+  /// what is behind them, in plain view.
   [[nodiscard]] bool in_sight(NodeId node) const;
   /// What is in sight and differs from the robot's map, row by row; but not an obstacle on the robot's own
   /// cell, unless RobotSetup::robot_cell_blocks: that is in nobody's way while it stands there.
@@ -31,6 +31,9 @@ class Senses {
   [[nodiscard]] std::vector<CellEdit> out_of_sight(const Sightings& sightings) const;
 
  private:
+  /// The cells around (8, or 26 in space), and all that a robot with a size could touch anywhere in them: those whose
+  /// squares are nearer to one of theirs than its radius.
+  [[nodiscard]] bool feels(Cell cell) const;
   [[nodiscard]] bool blocked(NodeId node) const { return known_[node] != 0; }
 
   Box box_;

@@ -69,7 +69,7 @@ void Guide::plan(Spot robot) {
   const auto start = free_cell_near(robot, 2 * settings_.drive.limits.radius);
   if (!start) return;
   if (!navigator_) {
-    navigator_ = make_navigator(settings_.global, frame.box, SharedBytes(map_.closed()));
+    navigator_ = make_navigator(settings_.global, frame.box, SharedBytes(map_.closed()), 0);
     navigator_->begin(centre_of(*start), centre_of(frame.cell(world_.goal)));
   } else {
     navigator_->learn(pending_);

@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 class Batch {
  public:
   Batch(const GridMap& map, const LengthFormat& lengths, const PlannerChoice& choice)
-      : map_(map), navigator_(make_navigator(choice, map.box(), map.blocked)), lengths_(lengths) {
+      : map_(map), navigator_(make_navigator(choice, map.box(), map.blocked, 0)), lengths_(lengths) {
     report_.planner = choice.id;
     report_.comparable = lengths_apply(choice);
   }

@@ -22,6 +22,11 @@ constexpr FigureInfo kFigures[] = {
      "From the path to the nearest obstacle's edge, at the narrowest place."},
     {"mean_clearance", first_plan, "mean clearance", "cells", higher, 3, false,
      "The mean over the whole path, sampled every tenth of a cell."},
+    {"min_edge_clearance", first_plan, "least clearance of the edge", "cells", higher, 3, false,
+     "The same from the edge of a robot with a size; negative where it drives out from too near an "
+     "obstacle."},
+    {"mean_edge_clearance", first_plan, "mean clearance of the edge", "cells", higher, 3, false,
+     "The mean of that over the whole path."},
     {"last_expansions", latest_plan, "expansions", "", lower, 0, false,
      "Cells that the latest plan or replan took from the open list and settled or raised."},
     {"last_queue_operations", latest_plan, "queue operations", "", lower, 0, false,
@@ -46,6 +51,7 @@ constexpr FigureInfo kFigures[] = {
 };
 
 constexpr const char* kNone = "–";
+constexpr std::string_view kCells = "cells";  // of lengths
 
 /// All figures of a run under the keys of kFigures.
 std::vector<NamedFigure> all_figures(const RunReport& report) {
@@ -70,6 +76,11 @@ std::optional<double> value_of(std::span<const NamedFigure> figures, std::string
 /// The value as it is printed.
 double printed(const FigureInfo& info, double value) {
   return std::strtod(figure_text(info, value).c_str(), nullptr);
+}
+
+/// Whether only a robot with a size has it.
+bool of_size(const FigureInfo& info) {
+  return info.key == "min_edge_clearance" || info.key == "mean_edge_clearance";
 }
 
 /// How far the runs have come.
@@ -141,10 +152,10 @@ std::string latex_escaped(std::string_view text) {
 }
 
 /// "length (cells)"; the run's sums are told from those of the latest plan.
-std::string row_name(const FigureInfo& info) {
-  std::string name(info.label);
-  if (info.group == latest_plan) name += ", latest plan";
-  if (!info.unit.empty()) name += " (" + std::string(info.unit) + ")";
+std::string row_name(const FigureRow& row) {
+  std::string name(row.info->label);
+  if (row.info->group == latest_plan) name += ", latest plan";
+  if (!row.unit.empty()) name += " (" + std::string(row.unit) + ")";
   return name;
 }
 
@@ -170,7 +181,7 @@ std::string markdown(const FiguresTable& table) {
   std::vector<std::vector<std::string>> lines(1, {"figure"});
   for (const std::string& name : table.names) lines.front().push_back(escaped(name, "\\`*_|<"));
   for (const FigureRow& row : table.rows) {
-    lines.push_back({row_name(*row.info)});
+    lines.push_back({row_name(row)});
     for (std::size_t i = 0; i < table.names.size(); ++i) lines.back().push_back(markdown_cell(row, i));
   }
   std::vector<std::size_t> widths(table.names.size() + 1, 4);
@@ -207,7 +218,7 @@ std::string latex(const FiguresTable& table) {
   for (const FigureRow& row : table.rows) {
     if (group != row.info->group) text += "\\midrule\n";
     group = row.info->group;
-    text += latex_escaped(row_name(*row.info));
+    text += latex_escaped(row_name(row));
     for (std::size_t i = 0; i < table.names.size(); ++i) text += " & " + latex_cell(row, i);
     text += " \\\\\n";
   }
@@ -245,16 +256,22 @@ FiguresTable figures_table(std::span<const RunReport> reports) {
   const Progress progress = progress_of(reports);
   std::vector<std::vector<NamedFigure>> figures;
   for (const RunReport& report : reports) figures.push_back(all_figures(report));
+  const bool metric =
+      std::all_of(reports.begin(), reports.end(), [](const auto& each) { return each.frame.has_value(); });
   for (const FigureInfo& info : kFigures) {
-    FigureRow row{&info, {}, {}};
+    const bool in_metres = metric && info.unit == kCells;
+    FigureRow row{&info, in_metres ? "m" : info.unit, {}, {}};
     for (const RunReport& report : reports)
       row.competes.push_back(can_be_compared(report, info.group, progress));
     bool any = false;
-    for (const auto& each : figures) {
-      row.values.push_back(value_of(each, info.key));
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+      row.values.push_back(value_of(figures[i], info.key));
+      if (auto& value = row.values.back(); value && in_metres) value = reports[i].frame->metres(*value);
       // A figure that a run could have stays in the table, so that its rows do not come and go.
-      any |= row.values.back().has_value() || info.group == first_plan || info.group == FigureGroup::run;
+      any |= row.values.back().has_value() ||
+             ((info.group == first_plan || info.group == FigureGroup::run) && !of_size(info));
     }
+    for (const RunReport& report : reports) any |= of_size(info) && report.radius > 0;
     if (any) table.rows.push_back(std::move(row));
   }
   return table;

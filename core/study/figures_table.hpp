@@ -35,7 +35,9 @@ struct FigureInfo {
 /// One figure of all runs.
 struct FigureRow {
   const FigureInfo* info = nullptr;
-  std::vector<std::optional<double>> values;  ///< by run; nothing where the run has no such figure
+  std::string_view unit = {};  ///< the figure's own; "m" for lengths where all runs are on metric maps
+  std::vector<std::optional<double>>
+      values;  ///< by run, in that unit; nothing where the run has no such figure
   /// By run: whether its value can be held against those of the others that can. First plans lead from one start to one
   /// goal on one map. Work and ways can be compared as long as all have no more than their first plans, and once all
   /// have come to their end; in between the robots stand in different places. A run that failed competes for nothing.

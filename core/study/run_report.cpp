@@ -13,11 +13,11 @@ namespace replan {
 namespace {
 
 /// Whether the path leads through cells that are known to be free.
-bool is_free(const Navigator& navigator, const PlannerChoice& choice, const Path& path) {
+bool is_free(const Navigator& navigator, const PlannerChoice& choice, double radius, const Path& path) {
   return with_dimensions(navigator.box(), [&](auto d) {
     const auto known = navigator.known();
     const BoxLattice<d()> lattice(navigator.box().template sides<d()>(), {known.begin(), known.end()},
-                                  move_rules(choice.settings));
+                                  move_rules(choice.settings, radius));
     return path_is_free(lattice, path);
   });
 }
@@ -25,17 +25,18 @@ bool is_free(const Navigator& navigator, const PlannerChoice& choice, const Path
 /// Status, path and the figures of its shape. A plan that was made with unchecked parents is looked at here,
 /// so that nobody takes it for a path that can be driven.
 void report_plan(RunReport& report, const Navigator& navigator, const PlannerChoice& choice, const Path& path,
-                 PlanStatus status) {
+                 PlanStatus status, double radius) {
   report.status = status_name(status);
   if (path.loops)
     report.status = mission_state_name(MissionState::loop);
-  else if (path.unchecked && !is_free(navigator, choice, path))
+  else if (path.unchecked && !is_free(navigator, choice, radius, path))
     report.status = mission_state_name(MissionState::collision);
   report.path = path;
   for (const PlanNumber& number : find_planner(choice.id)->values.numbers)
     report.plan_numbers.push_back(navigator.number(number.which).to_double());
   report.solid = navigator.box().solid();
   report.figures = path_figures(navigator.box(), navigator.known(), path);
+  report.radius = radius;
 }
 
 std::optional<double> finite(double value) {
@@ -48,17 +49,24 @@ RobotReport robot_report(const Decision& decision) {
           .travelled = decision.figures.travelled,
           .collisions = decision.figures.collisions,
           .replans = decision.figures.replans,
-          .last_plan = decision.plan->status};
+          .last_plan = decision.plan->status,
+          .drives = decision.drive.begun};
 }
 
 /// Why the robot did not arrive, where its ending alone does not say it: how things stood in the end.
 std::string_view why_without_a_path(const RunReport& report) {
   const PlanStatus last = report.robot->last_plan;
-  if (report.status == status_name(last)) return status_sentence(last);  // it was so from the start
+  const bool has_size = report.radius > 0;
+  if (report.status == status_name(last)) return status_sentence(last, has_size);  // it was so from the start
   if (last == PlanStatus::start_blocked)
-    return "The robot did not arrive: its own cell is an obstacle, and it cannot leave it.";
+    return has_size ? "The robot did not arrive: its own cell is an obstacle or too near one, and no way "
+                      "leads out."
+                    : "The robot did not arrive: its own cell is an obstacle, and it cannot leave it.";
   if (last == PlanStatus::goal_blocked)
-    return "The robot did not arrive: the goal's cell has become an obstacle.";
+    return has_size ? "The robot did not arrive: the goal's cell has become an obstacle, or has one nearer "
+                      "to it than "
+                      "the robot's radius."
+                    : "The robot did not arrive: the goal's cell has become an obstacle.";
   if (report.robot->covered)
     return "The robot did not arrive: an obstacle covers its own cell, and no way leads out of it.";
   return "The robot did not arrive: the way to the goal was cut off while it drove.";
@@ -87,11 +95,34 @@ Json figures_json(std::span<const NamedFigure> figures) {
   return result;
 }
 
+/// The path and the lengths of its figures in metres.
+void add_metres(Json& run, const RunReport& report) {
+  Json& path = run["path_m"] = Json::array();
+  for (std::size_t i = 0; i < report.path.size(); ++i) {
+    const Point place = report.frame->to_metres(report.path.point(i));
+    path.push_back({place.x, place.y});
+    if (report.solid) path.back().push_back(place.z);
+  }
+  run["metres_per_cell"] = report.frame->metres_per_cell();
+  run["figures"].update(figures_json(in_metres(named_figures(report), *report.frame)));
+}
+
+/// The last columns of a metric map, by their names.
+std::vector<std::pair<std::string, NamedFigure>> metric_columns(const RunReport& report) {
+  std::vector<std::pair<std::string, NamedFigure>> columns;
+  for (const NamedFigure& figure : in_metres(named_figures(report), *report.frame))
+    columns.emplace_back(figure.key, figure);
+  if (report.robot)
+    for (const NamedFigure& figure : in_metres(named_figures(*report.robot), *report.frame))
+      columns.emplace_back("robot_" + std::string(figure.key), figure);
+  return columns;
+}
+
 }  // namespace
 
 RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice,
-                    UnreachableGoal unreachable) {
-  const auto navigator = make_navigator(choice, map.box(), map.blocked);
+                    const RobotSetup& robot) {
+  const auto navigator = make_navigator(choice, map.box(), map.blocked, robot.radius);
   RunReport report;
   report.planner = choice.id;
   const auto begin = std::chrono::steady_clock::now();
@@ -99,7 +130,7 @@ RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoi
   PlanStatus status = finish(*navigator);
   Counters in_vain;
   const bool blocked = status == PlanStatus::goal_blocked;
-  if (unreachable == UnreachableGoal::nearest && (blocked || status == PlanStatus::no_path)) {
+  if (robot.unreachable_goal == UnreachableGoal::nearest && (blocked || status == PlanStatus::no_path)) {
     in_vain = navigator->counters();
     const NodeId nearest = navigator->nearest_reachable(map.box().node(start), map.box().node(goal));
     navigator->begin(centre_of(start), centre_of(map.box().position(nearest)));
@@ -107,7 +138,8 @@ RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoi
   }
   report.plan_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  report_plan(report, *navigator, choice, navigator->path(), status);
+  report_plan(report, *navigator, choice, navigator->path(), status, robot.radius);
+  report.frame = metric_frame(map);
   report.counters = in_vain + navigator->counters();
   report.memory_bytes = static_cast<std::int64_t>(navigator->memory_bytes());
   return report;
@@ -118,9 +150,11 @@ RunReport drive(const Scenario& scenario, const PlannerChoice& choice) {
   const auto mission = make_mission(scenario, choice);
   RunReport report;
   report.planner = choice.id;
+  report.frame = metric_frame(scenario.map);
   while (!mission->standing() && mission->advance(kSlice)) {
   }
-  report_plan(report, mission->navigator(), choice, *mission->plan().path, mission->plan().status);
+  report_plan(report, mission->navigator(), choice, *mission->plan().path, mission->plan().status,
+              scenario.robot.radius);
   while (mission->advance(kSlice)) {
   }
   const MissionFigures& figures = mission->now().figures;
@@ -140,6 +174,10 @@ std::string explanation(const RunReport& report) {
   const std::string_view ending = report.robot ? mission_state_name(report.robot->ending) : report.status;
   if (ending == mission_state_name(MissionState::loop))
     return "The plan leads round in a circle: set remote_parents=checked.";
+  if (ending == mission_state_name(MissionState::stuck))
+    return "The robot did not arrive: it has a plan, and finds no arc that leads along it.";
+  if (ending == mission_state_name(MissionState::collision) && report.robot && report.robot->drives)
+    return "The robot hit something that came nearer than it can stop.";
   if (ending == mission_state_name(MissionState::collision))
     return "The plan leads into an obstacle: set remote_parents=checked.";
   if (ending == mission_state_name(MissionState::endless))
@@ -153,16 +191,17 @@ std::string explanation(const RunReport& report) {
            cell_text(cell_of(report.path.point(report.path.size() - 1)), report.solid) +
            ", the reachable cell nearest to it.";
   for (const PlanStatus status : {PlanStatus::no_path, PlanStatus::start_blocked, PlanStatus::goal_blocked})
-    if (report.status == status_name(status)) return status_sentence(status);
+    if (report.status == status_name(status)) return status_sentence(status, report.radius > 0);
   return {};
 }
 
 RunReport report_at(const Decision& decision, const Plan& first, const PathFigures& figures,
-                    const PlannerChoice& choice) {
+                    const PlannerChoice& choice, double radius) {
   RunReport report;
   report.planner = choice.id;
   report.status = status_name(first.status);
   report.figures = figures;
+  report.radius = radius;
   report.plan_ms = decision.figures.plan_ms;
   report.replan_ms = decision.figures.replan_ms;
   report.replans = decision.figures.replans;
@@ -182,19 +221,26 @@ std::vector<NamedFigure> named_figures(const RunReport& report) {
     if (report.figures.nodes == 0) figure.value.reset();
     return figure;
   };
-  return {of_path(whole("nodes", report.figures.nodes)),
-          of_path(real("length", report.figures.length)),
-          of_path(whole("turns", report.figures.turns)),
-          of_path(real("turning_angle_deg", report.figures.turning_angle_deg)),
-          of_path(real("min_clearance", report.figures.min_clearance)),
-          of_path(real("mean_clearance", report.figures.mean_clearance)),
-          real("plan_ms", report.plan_ms),
-          real("replan_ms", report.replan_ms),
-          whole("replans", report.replans),
-          whole("expansions", report.counters.expansions),
-          whole("queue_operations", report.counters.queue_operations),
-          whole("sight_checks", report.counters.sight_checks),
-          whole("memory_bytes", report.memory_bytes)};
+  std::vector<NamedFigure> figures = {of_path(whole("nodes", report.figures.nodes)),
+                                      of_path(real("length", report.figures.length)),
+                                      of_path(whole("turns", report.figures.turns)),
+                                      of_path(real("turning_angle_deg", report.figures.turning_angle_deg)),
+                                      of_path(real("min_clearance", report.figures.min_clearance)),
+                                      of_path(real("mean_clearance", report.figures.mean_clearance)),
+                                      real("plan_ms", report.plan_ms),
+                                      real("replan_ms", report.replan_ms),
+                                      whole("replans", report.replans),
+                                      whole("expansions", report.counters.expansions),
+                                      whole("queue_operations", report.counters.queue_operations),
+                                      whole("sight_checks", report.counters.sight_checks),
+                                      whole("memory_bytes", report.memory_bytes)};
+  if (report.radius > 0) {
+    const auto after = figures.begin() + 6;
+    figures.insert(after,
+                   {of_path(real("min_edge_clearance", report.figures.min_clearance - report.radius)),
+                    of_path(real("mean_edge_clearance", report.figures.mean_clearance - report.radius))});
+  }
+  return figures;
 }
 
 std::vector<NamedFigure> named_figures(const RobotReport& robot) {
@@ -202,6 +248,22 @@ std::vector<NamedFigure> named_figures(const RobotReport& robot) {
           {"travelled", finite(robot.travelled), false},
           {"collisions", static_cast<double>(robot.collisions), true},
           {"replans", static_cast<double>(robot.replans), true}};
+}
+
+std::vector<NamedFigure> in_metres(std::span<const NamedFigure> figures, const MapFrame& frame) {
+  constexpr std::pair<std::string_view, std::string_view> kLengths[] = {
+      {"length", "length_m"},
+      {"min_clearance", "min_clearance_m"},
+      {"mean_clearance", "mean_clearance_m"},
+      {"min_edge_clearance", "min_edge_clearance_m"},
+      {"mean_edge_clearance", "mean_edge_clearance_m"},
+      {"travelled", "travelled_m"}};
+  std::vector<NamedFigure> lengths;
+  for (const NamedFigure& figure : figures)
+    for (const auto& [in_cells, key] : kLengths)
+      if (figure.key == in_cells)
+        lengths.push_back({key, figure.value ? std::optional(frame.metres(*figure.value)) : std::nullopt});
+  return lengths;
 }
 
 std::string runs_json(std::span<const RunReport> reports) {
@@ -212,6 +274,7 @@ std::string runs_json(std::span<const RunReport> reports) {
     for (std::size_t i = 0; i < report.path.size(); ++i)
       path.push_back(point_json(report.path.point(i), report.solid));
     run["figures"] = figures_json(named_figures(report));
+    if (report.frame) add_metres(run, report);
     for (std::size_t i = 0; i < report.plan_numbers.size(); ++i)
       run["plan_numbers"][std::string(find_planner(report.planner)->values.numbers[i].key)] =
           report.plan_numbers[i];
@@ -221,6 +284,8 @@ std::string runs_json(std::span<const RunReport> reports) {
                       {"last_status", status_name(report.robot->last_plan)}};
       if (report.robot->short_of_goal) run["robot"]["short_of_goal"] = *report.robot->short_of_goal;
       run["robot"].update(figures_json(named_figures(*report.robot)));
+      if (report.frame)
+        run["robot"].update(figures_json(in_metres(named_figures(*report.robot), *report.frame)));
     }
     document["runs"].push_back(std::move(run));
   }
@@ -229,13 +294,18 @@ std::string runs_json(std::span<const RunReport> reports) {
 
 std::string runs_csv(std::span<const RunReport> reports) {
   const bool robots = !reports.empty() && reports.front().robot.has_value();
+  const bool metric = !reports.empty() && reports.front().frame.has_value();
   std::string names = "planner,status", lines;
-  for (const NamedFigure& figure : named_figures(RunReport{})) names += "," + std::string(figure.key);
+  RunReport some;
+  if (!reports.empty()) some.radius = reports.front().radius;  // one robot has one size, whoever plans for it
+  for (const NamedFigure& figure : named_figures(some)) names += "," + std::string(figure.key);
   if (robots) {
     names += ",robot_reached,robot_ending";
     for (const NamedFigure& figure : named_figures(RobotReport{}))
       names += ",robot_" + std::string(figure.key);
   }
+  if (metric)
+    for (const auto& [name, figure] : metric_columns(reports.front())) names += "," + name;
   for (const RunReport& report : reports) {
     lines += report.planner + "," + std::string(report.status);
     for (const NamedFigure& figure : named_figures(report)) lines += "," + csv_number(figure);
@@ -244,6 +314,8 @@ std::string runs_csv(std::span<const RunReport> reports) {
                mission_state_name(report.robot->ending);
       for (const NamedFigure& figure : named_figures(*report.robot)) lines += "," + csv_number(figure);
     }
+    if (metric)
+      for (const auto& [name, figure] : metric_columns(report)) lines += "," + csv_number(figure);
     lines += "\n";
   }
   return names + "\n" + lines;

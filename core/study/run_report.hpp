@@ -11,6 +11,7 @@
 #include "core/plan/figures.hpp"
 #include "core/plan/planner.hpp"
 #include "core/sim/mission.hpp"
+#include "core/world/map_frame.hpp"
 #include "core/world/scenario.hpp"
 
 namespace replan {
@@ -23,6 +24,7 @@ struct RobotReport {
   std::int64_t collisions = 0;
   std::int64_t replans = 0;
   PlanStatus last_plan = PlanStatus::searching;  ///< how the latest plan stands
+  bool drives = false;                           ///< on wheels, not from cell to cell
   bool covered = false;                          ///< an obstacle stands on its cell
   std::optional<double> short_of_goal = {};      ///< cells from where it ends to its goal, as the crow flies
   [[nodiscard]] bool reached() const { return ending == MissionState::arrived; }
@@ -35,8 +37,9 @@ struct RunReport {
   std::string_view status =
       "no-path";  ///< status_name(), or "loop" or "collision" for a plan that cannot be driven
   Path path;
-  bool solid = false;  ///< in space: its places have a z
-  PathFigures figures;
+  bool solid = false;    ///< in space: its places have a z
+  PathFigures figures;   ///< clearances are those of the robot's centre
+  double radius = 0;     ///< of the robot
   double plan_ms = 0;    ///< wall time of the first plan
   double replan_ms = 0;  ///< of all replans together
   std::int64_t replans = 0;
@@ -46,15 +49,17 @@ struct RunReport {
   std::vector<double> plan_numbers;
   std::optional<Counters> last_plan;  ///< the work of the latest plan alone, where that is told
   std::optional<RobotReport> robot;
+  /// The frame of its map, if that is metric: what is told of its lengths in metres besides. Nothing: in cells alone.
+  std::optional<MapFrame> frame;
 
   /// True if the plan leads to the goal and the robot, where there is one, arrived.
   [[nodiscard]] bool succeeded() const { return robot ? robot->reached() : status == "found"; }
 };
 
-/// Plans once; with UnreachableGoal::nearest to the reachable cell nearest to the goal if there is no path to
-/// the goal. Start and goal must be on the map, the planner in the registry.
+/// Plans once, for a robot of that radius; with UnreachableGoal::nearest to the reachable cell nearest to the goal if
+/// there is no path to the goal. Start and goal must be on the map, the planner in the registry.
 RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice,
-                    UnreachableGoal unreachable = UnreachableGoal::wait);
+                    const RobotSetup& robot = {});
 /// Drives the scenario's robot with one planner until there is nothing more to do.
 RunReport drive(const Scenario& scenario, const PlannerChoice& choice);
 
@@ -64,7 +69,7 @@ std::string explanation(const RunReport& report);
 /// How a run stands at a decision: its first plan with the figures of its path, as everywhere, and the work until then.
 /// The path itself is left out.
 RunReport report_at(const Decision& decision, const Plan& first, const PathFigures& figures,
-                    const PlannerChoice& choice);
+                    const PlannerChoice& choice, double radius);
 
 /// A figure by its fixed name in JSON and CSV.
 struct NamedFigure {
@@ -72,15 +77,19 @@ struct NamedFigure {
   std::optional<double> value;  ///< always finite; nothing for the shape of a path that there is not
   bool whole = false;           ///< counts; times and lengths are not
 };
-/// The 13 figures of a run: nodes, length, ... memory_bytes.
+/// The 13 figures of a run: nodes, length, ... memory_bytes; and of a robot with a size the clearance of its edge
+/// besides, behind that of its centre. Lengths are in cells.
 std::vector<NamedFigure> named_figures(const RunReport& report);
 /// moves, travelled, collisions, replans.
 std::vector<NamedFigure> named_figures(const RobotReport& robot);
+/// Those of the figures that are lengths, in metres: length_m, min_clearance_m ...
+std::vector<NamedFigure> in_metres(std::span<const NamedFigure> figures, const MapFrame& frame);
 
-/// `{"runs": [...]}`. All figures are numbers; 0 stands for what a run without a path has not.
+/// `{"runs": [...]}`. All figures are numbers; 0 stands for what a run without a path has not. On a metric map there are
+/// lengths (length_m) and places (path_m) in metres too.
 std::string runs_json(std::span<const RunReport> reports);
 /// One line for each run under a line of names; the path is left out. 0 stands
-/// for what a run without a path has not.
+/// for what a run without a path has not. On a metric map columns of lengths in metres (length_m) come last.
 std::string runs_csv(std::span<const RunReport> reports);
 
 }  // namespace replan

@@ -90,8 +90,19 @@ enum class Scalar : std::uint8_t {
   wanted,  ///< where the robot has to go, node + 1; 0: where the search's goal is
   weight,  ///< of the estimate, where a search works it out for each plan: 2^-30, as costs are
   share,   ///< of obstacles in the rectangle from start to goal, which it makes it of: the same
+  // Of a robot that drives: doubles, bit by bit (core/drive/motion.hpp).
+  x,        ///< m, from the left edge of the map
+  y,        ///< m, from its upper edge, downwards
+  heading,  ///< rad, from x towards y
+  speed,    ///< m/s
+  turning,  ///< rad/s
   count
 };
+
+/// Whether its 64 bits are those of a double.
+constexpr bool is_real(Scalar scalar) {
+  return scalar >= Scalar::x && scalar < Scalar::count;
+}
 
 /// A set of kinds.
 class KindSet {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
+#include "core/lattice/box.hpp"
 #include "core/plan/parameters.hpp"
 
 namespace replan {
@@ -38,6 +39,7 @@ struct RobotInfo {
   std::string_view name = {};     ///< as in the window
   std::string_view summary = {};  ///< one sentence
   std::vector<Parameter> parameters = {};
+  bool planar = false;  ///< it drives in a plane: in worlds of one layer alone
 };
 
 /// All kinds, in the order of robots.def. The first is the usual one.
@@ -46,6 +48,8 @@ std::span<const RobotInfo> robots();
 const RobotInfo* find_robot(std::string_view id);
 /// As find_robot(), with an error that suggests the nearest id.
 Result<const RobotInfo*> require_robot(std::string_view id);
+/// As require_robot(), of one that can drive in such a world.
+Result<const RobotInfo*> require_robot(std::string_view id, const Box& world);
 
 /// The robot and its sensor.
 struct RobotSetup {
@@ -57,6 +61,7 @@ struct RobotSetup {
   double patience = 60;  ///< seconds that it waits for obstacles to move out of its way before it gives up
   UnreachableGoal unreachable_goal = UnreachableGoal::wait;
   bool robot_cell_blocks = false;  ///< an obstacle that comes onto the robot's own cell keeps it there
+  double radius = 0;               ///< of its body, in cells, up to MoveRules::kMostRadius; 0: a point
   std::string kind = "cells";      ///< a registry id: how it moves
   Settings settings = {};          ///< of its kind, those that differ from its defaults
   friend bool operator==(const RobotSetup&, const RobotSetup&) = default;

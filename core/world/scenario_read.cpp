@@ -72,6 +72,7 @@ class ScenarioReader {
     PlannerChoice choice{id->text(), {}};
     const Result<const PlannerInfo*> info = require_planner(choice.id);
     if (!info) return id->fail(info.error());
+    if (const auto fit = fits(**info, scenario_.map.box()); !fit) return id->fail(fit.error());
     if (const auto settings = node.find("settings"))
       read_settings(*settings, (*info)->parameters, choice.settings);
     if (const auto stages = node.find("stages"))
@@ -118,13 +119,13 @@ class ScenarioReader {
   }
 
   void read_robot(const JsonNode& node) {
-    if (!node.expect_object({"knowledge", "sensor_radius", "sensor_blocked", "motion", "speed", "patience",
-                             "unreachable_goal", "robot_cell_blocks", "kind", "settings"}))
+    if (!node.expect_object({"knowledge", "sensor_radius", "sensor_blocked", "radius", "motion", "speed",
+                             "patience", "unreachable_goal", "robot_cell_blocks", "kind", "settings"}))
       return;
     RobotSetup& robot = scenario_.robot;
     if (const auto kind = node.find("kind")) {
       robot.kind = kind->text();
-      if (const auto known = require_robot(robot.kind); !known) return kind->fail(known.error());
+      if (const auto known = require_robot(robot.kind, scenario_.map.box()); !known) return kind->fail(known.error());
     }
     if (const auto settings = node.find("settings"))
       read_settings(*settings, find_robot(robot.kind)->parameters, robot.settings);
@@ -132,6 +133,7 @@ class ScenarioReader {
       robot.knowledge = static_cast<Knowledge>(item->one_of({"all", "map", "nothing"}));
     if (const auto item = node.find("sensor_radius")) robot.sensor_radius = item->number(0, kMaxReach);
     if (const auto item = node.find("sensor_blocked")) robot.sensor_blocked = item->toggle();
+    if (const auto item = node.find("radius")) robot.radius = item->number(0, MoveRules::kMostRadius);
     if (const auto item = node.find("motion"))
       robot.motion = static_cast<Motion>(item->one_of({"steps", "smooth"}));
     if (const auto item = node.find("speed")) robot.speed = item->number(kMinSpeed, kMaxSpeed);

@@ -184,6 +184,31 @@ TEST_F(CommandLine, unreachableGoalSaysHowNearTheRobotComes) {
             "replan: --unreachable-goal cannot be 'nearst'; did you mean 'nearest'?\n");
 }
 
+TEST_F(CommandLine, radiusGivesTheRobotASize) {
+  const auto gap = folder_.with("gap.json", R"({"replan": 1,
+ "map": {"rows": [".......", "...@...", ".......", ".......", ".......", "...@...", "...@..."]},
+ "start": [0, 3], "goal": [6, 3], "planners": [{"id": "astar"}, {"id": "dld-star-lite"}]})");
+  for (const char* radius : {"0", "1.5"}) EXPECT_EQ(run_program({"run", gap, "--radius", radius}).code, 0);
+  EXPECT_EQ(run_program({"run", gap, "--radius", "1.51", "--json"}).json()["runs"][0]["status"], "no-path");
+  const Outcome told = run_program({"run", gap, "--radius", "1.25"});
+  EXPECT_NE(told.out.find("astar: clearance of the edge of a robot of radius 1.25: min 0.25, mean "),
+            std::string::npos)
+      << told.out;
+  EXPECT_EQ(run_program({"run", gap}).out.find("edge"), std::string::npos);
+  const json figures = run_program({"run", gap, "--radius", "1.25", "--json"}).json()["runs"][1]["figures"];
+  EXPECT_EQ(figures["min_edge_clearance"].get<double>(), figures["min_clearance"].get<double>() - 1.25);
+  const auto start = folder_.with("near.json", R"({"replan": 1, "map": {"rows": [".....", "..@..", "....."]},
+ "start": [0, 0], "goal": [2, 0], "planners": [{"id": "astar"}], "robot": {"radius": 1}})");
+  EXPECT_NE(run_program({"run", start})
+                .out.find("The goal is inside an obstacle, or nearer to one than the robot's "
+                          "radius: move it, clear cells, or make the radius smaller."),
+            std::string::npos);
+  for (const char* wrong : {"-1", "33", "wide", "1m"})
+    EXPECT_EQ(
+        run_program({"run", gap, std::string("--radius=") + wrong}).err,
+        std::string("replan: --radius cannot be '") + wrong + "': give a number of cells from 0 to 32\n");
+}
+
 TEST_F(CommandLine, setGoesToEachPlannerThatHasTheSetting) {
   const auto length = [](const json& run) { return run["figures"]["length"].get<double>(); };
   const json all =
@@ -216,6 +241,36 @@ TEST_F(CommandLine, runWritesCsv) {
   while (std::getline(lines, line)) EXPECT_EQ(commas(line), commas(names)) << line;
   EXPECT_EQ(run_program({"run", scenario_, "--csv", folder_.file("out.csv")}).code, 0);
   EXPECT_TRUE(whole_file(folder_.file("out.csv")).starts_with(names));
+}
+
+TEST_F(CommandLine, aMapThatSaysHowLargeItsCellsAreIsInMetres) {
+  folder_.with("room.pgm", "P2\n6 4\n255\n" + std::string("255 255 255 255 255 255\n") +
+                               "255 255 255 255 255 255\n255 255 0 255 255 255\n255 255 0 255 255 255\n");
+  const std::string ros = folder_.with("room.yaml",
+                                       "image: room.pgm\nresolution: 0.5\norigin: [-1, 2, 0]\nnegate: 0\n"
+                                       "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  const auto run = [&](const Arguments& more) {
+    Arguments arguments = {"run", "--map", ros, "--planner", "astar"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(arguments);
+  };
+  const Outcome metres = run({"--start", "-0.8m,2.1m", "--goal", "5,3", "--json"});
+  ASSERT_EQ(metres.code, 0) << metres.err;
+  const json first = metres.json()["runs"][0];
+  EXPECT_EQ(first["path"].front(), json({0, 3}));
+  EXPECT_EQ(first["path_m"].front(), json({-0.75, 2.25}));
+  EXPECT_EQ(first["path_m"].back(), json({1.75, 2.25}));
+  EXPECT_DOUBLE_EQ(first["figures"]["length_m"].get<double>(),
+                   0.5 * first["figures"]["length"].get<double>());
+  EXPECT_NE(run({"--start", "0,3", "--goal", "5,3"}).out.find("length m"), std::string::npos);
+  const Outcome cells = run({"--start", "0,3", "--goal", "5,3", "--cells"});
+  EXPECT_EQ(cells.out.find("length m"), std::string::npos) << cells.out;
+  const Outcome outside = run({"--start", "9m,2.1m", "--goal", "5,3"});
+  EXPECT_EQ(outside.code, 2);
+  EXPECT_NE(outside.err.find("(-1.000, 2.000) m to (2.000, 4.000) m"), std::string::npos) << outside.err;
+  const Outcome none = run_program(plan("0.5m,1m", "7,0", {"--planner", "astar"}));
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.err.find("does not say how large its cells are"), std::string::npos) << none.err;
 }
 
 TEST_F(CommandLine, runWritesTablesForPapers) {

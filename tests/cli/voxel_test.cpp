@@ -40,6 +40,18 @@ TEST_F(Voxels, runDrivesThroughTheLayers) {
   }
 }
 
+TEST_F(Voxels, whoPlansInThePlaneAloneIsRefusedByNameAndIsNotAmongAll) {
+  const std::string why = "'jps' plans in the plane alone, and this world has 3 layers";
+  expect_complaint({"run", scenario_, "--planner", "jps"}, {"--planner: " + why});
+  expect_complaint({"run", scenario_, "--planner", "all,jps"}, {"--planner: " + why});
+  const json runs = run_program({"run", scenario_, "--planner", "all", "--json"}).json()["runs"];
+  EXPECT_GT(runs.size(), 5u);
+  for (const json& run : runs) EXPECT_NE(run["planner"], "jps");
+  std::string named = kScenario;
+  named.replace(named.find("astar"), 5, "jps");
+  expect_complaint({"run", folder_.with("named.json", named)}, {"named.json", why});
+}
+
 TEST_F(Voxels, runTakesAMapWithEndsOfThreeCoordinates) {
   const Outcome outcome = run_program(
       {"run", "--map", map_, "--start", "0,0,0", "--goal", "3,0,0", "--planner", "dld-star-lite", "--json"});

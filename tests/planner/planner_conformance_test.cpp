@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/plan/figures.hpp"
+#include "core/plan/replanner.hpp"
 #include "core/trace/search_state.hpp"
 #include "tests/support/worlds.hpp"
 
@@ -149,8 +150,21 @@ TEST_P(EveryPlanner, answersTheFixturesIn2d) {
 }
 
 TEST_P(EveryPlanner, answersTheFixturesIn3d) {
+  if (GetParam()->planar) GTEST_SKIP() << "plans in the plane alone";
   for (const Fixture& fixture : fixtures())
     for (const int depth : {1, 3}) check_fixture<3>(*GetParam(), fixture, depth, {});
+}
+
+/// Who plans in the plane alone says so by name, and is not made for a world with layers.
+TEST_P(EveryPlanner, fitsTheWorldsThatItIsMadeFor) {
+  NoTrace trace;
+  const Result<void> in_space = fits(*GetParam(), Box(4, 3, 2));
+  EXPECT_TRUE(fits(*GetParam(), Box(4, 3)));
+  EXPECT_EQ(make_planner(*GetParam(), Grid2({4, 3}), {}, trace) != nullptr, true);
+  EXPECT_EQ(make_planner(*GetParam(), Voxel3({4, 3, 2}), {}, trace) != nullptr, in_space.ok());
+  if (!GetParam()->planar) return;
+  EXPECT_NE(in_space.error().find(GetParam()->id), std::string::npos) << in_space.error();
+  EXPECT_FALSE(Replanner::make(Box(4, 3, 2), std::vector<std::uint8_t>(24), GetParam()->id));
 }
 
 /// Each value of each choice and both ends of each range, one at a time.
@@ -216,6 +230,7 @@ TEST_P(EveryPlanner, agreesWithTheOracleOnRandomWorldsIn2d) {
   check_random_worlds<2>(*GetParam(), {1, 1}, {16, 12});
 }
 TEST_P(EveryPlanner, agreesWithTheOracleOnRandomWorldsIn3d) {
+  if (GetParam()->planar) GTEST_SKIP() << "plans in the plane alone";
   check_random_worlds<3>(*GetParam(), {1, 1, 1}, {7, 6, 5});
 }
 
@@ -246,13 +261,14 @@ TEST_P(EveryPlanner, answersAfterEveryChangeIn2d) {
   check_changing_worlds<2>(*GetParam(), {2, 2}, {16, 12});
 }
 TEST_P(EveryPlanner, answersAfterEveryChangeIn3d) {
+  if (GetParam()->planar) GTEST_SKIP() << "plans in the plane alone";
   check_changing_worlds<3>(*GetParam(), {2, 2, 2}, {7, 6, 5});
 }
 
 /// Work that the log of a whole run shows; a search that starts afresh empties its open list on line 1, which
 /// is not counted as work.
-Counters work_in(std::span<const Event> log, std::size_t nodes) {
-  SearchState state(nodes);
+Counters work_in(const PlannerInfo& info, std::span<const Event> log, std::size_t nodes) {
+  SearchState state(nodes, info.values.fields);
   Counters work;
   for (const Event& event : log) {
     state.apply(event);
@@ -281,7 +297,7 @@ TEST_P(EveryPlanner, tracedOrNotReplansAlikeAndCountsItsWork) {
       const Answer a{silent->status(), silent->cost(), silent->path(), silent->counters(), {}};
       const Answer b{traced->status(), traced->cost(), traced->path(), traced->counters(), {}};
       expect_same(a, b);
-      const Counters work = work_in(recorder.buffer(), world.lattice.node_count());
+      const Counters work = work_in(*GetParam(), recorder.buffer(), world.lattice.node_count());
       ASSERT_EQ(work.expansions, b.counters.expansions) << "seed " << seed;
       ASSERT_EQ(work.queue_operations, b.counters.queue_operations) << "seed " << seed;
       ASSERT_EQ(work.sight_checks, b.counters.sight_checks) << "seed " << seed;

@@ -169,7 +169,7 @@ void check_replayed_values(const char* id, std::uint64_t seed) {
   const Script<D> script = random_script<D>(*find_planner(id), seed, 12);
   SCOPED_TRACE(describe_settings(*script.info, script.settings) + ", seed " + std::to_string(seed));
   Player<D> player(script);
-  SearchState state(player.lattice().node_count());
+  SearchState state(player.lattice().node_count(), script.info->values.fields);
   std::size_t applied = 0;
   const auto catch_up = [&] {
     for (; applied < player.log().size(); ++applied) state.apply(player.log()[applied]);
@@ -214,14 +214,25 @@ oracle::Raw straight_up(const oracle::World& world, NodeId a, NodeId b) {
          (down % oracle::kUnit == 0 && down / oracle::kUnit * (down / oracle::kUnit) == squared ? 0 : 1);
 }
 
-/// Best-first searches by their log: every settled or open node has its parent's cost plus one step, or more while
-/// the parent waits in the list with a better one. Of an any-angle search the way to the remote parent is straight,
-/// and it may cost more than that for good: what else has a better way to the parent need not pass the node.
+/// What the straight way between two nodes costs: one step, or as many as a jump takes.
+oracle::Raw straight_between(const oracle::World& world, NodeId a, NodeId b) {
+  const auto p = world.place(a), q = world.place(b);
+  int steps = 0, axes = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    steps = std::max(steps, std::abs(p[axis] - q[axis]));
+    axes += p[axis] != q[axis] ? 1 : 0;
+  }
+  return steps * oracle::step(axes);
+}
+
+/// Best-first searches by their log: every settled or open node has its parent's cost plus one step, or one jump, or
+/// more while the parent waits in the list with a better one. Of an any-angle search the way to the remote parent is
+/// straight, and it may cost more than that for good: what else has a better way to the parent need not pass the node.
 template <int D>
 void check_forward_values(const PlannerInfo& info, std::uint64_t seed) {
   const Script<D> script = random_script<D>(info, seed, 6);
   Player<D> player(script);
-  SearchState state(player.lattice().node_count());
+  SearchState state(player.lattice().node_count(), script.info->values.fields);
   std::size_t applied = 0;
   for (std::size_t i = 0; i < script.steps.size(); ++i) {
     player.play(i);
@@ -239,7 +250,7 @@ void check_forward_values(const PlannerInfo& info, std::uint64_t seed) {
               << "node " << n;
           continue;
         }
-        const oracle::Raw through = state.g(parent).raw + oracle::step_between(world, parent, n);
+        const oracle::Raw through = state.g(parent).raw + straight_between(world, parent, n);
         ASSERT_TRUE(state.g(n).raw == through || (state.g(n).raw > through && state.queued(parent)))
             << "node " << n;
       }
@@ -253,7 +264,7 @@ TEST(ForwardLog, everyReachedNodeCostsItsParentPlusOneStepAndNothingStaysOfAnEar
       for (std::uint64_t seed = 0; seed < 20; ++seed) {
         SCOPED_TRACE(std::string(info.id) + ", seed " + std::to_string(seed));
         check_forward_values<2>(info, seed);
-        check_forward_values<3>(info, seed);
+        if (!info.planar) check_forward_values<3>(info, seed);
       }
 }
 
@@ -263,7 +274,7 @@ void check_backwards(const PlannerInfo& info, std::uint64_t seed) {
   const Script<D> script = random_script<D>(info, seed, 4);
   Player<D> player(script);
   for (std::size_t i = 0; i < script.steps.size(); ++i) player.play(i);
-  SearchState state(player.lattice().node_count());
+  SearchState state(player.lattice().node_count(), script.info->values.fields);
   std::vector<std::uint64_t> hashes;
   std::vector<SearchState> before_epochs;  // what an epoch forgets is not in the log
   for (const Event& event : player.log()) {
@@ -280,14 +291,14 @@ void check_backwards(const PlannerInfo& info, std::uint64_t seed) {
     }
     ASSERT_EQ(state.hash(), hashes[i]) << "event " << i;
   }
-  ASSERT_EQ(state.hash(), SearchState(player.lattice().node_count()).hash());
+  ASSERT_EQ(state.hash(), SearchState(player.lattice().node_count(), script.info->values.fields).hash());
 }
 
 TEST(Log, appliedBackwardsLeadsThroughTheSameStates) {
   for (const PlannerInfo& info : planners())
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
       check_backwards<2>(info, seed);
-      check_backwards<3>(info, seed);
+      if (!info.planar) check_backwards<3>(info, seed);
     }
 }
 
@@ -357,6 +368,7 @@ TEST_P(EveryLog, aSearchTakenUpFromItsLogGoesOnEventForEventIn2d) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) check_restore<2>(*GetParam(), seed);
 }
 TEST_P(EveryLog, aSearchTakenUpFromItsLogGoesOnEventForEventIn3d) {
+  if (GetParam()->planar) GTEST_SKIP() << "plans in the plane alone";
   for (std::uint64_t seed = 0; seed < 30; ++seed) check_restore<3>(*GetParam(), seed);
 }
 
@@ -391,7 +403,7 @@ TEST_P(EveryLog, anotherBeginAfterTakingUpIsRecordedTheSame) {
     script.steps[0].budget = 12;
     Player<2> first(script), second(script);
     first.play(0);
-    SearchState state(first.lattice().node_count());
+    SearchState state(first.lattice().node_count(), script.info->values.fields);
     for (const Event& event : first.log()) state.apply(event);
     second.planner().restore(state, first.planner().counters());
     const std::size_t before = first.log().size();
@@ -410,7 +422,7 @@ TEST_P(EveryLog, anotherBeginInTheSameLogForgetsTheFirstSearch) {
   const std::size_t first = player.log().size();
   player.planner().begin(script.steps[0].start, script.goal);
   finish(player.planner());
-  SearchState twice(player.lattice().node_count()), once(player.lattice().node_count());
+  SearchState twice(player.lattice().node_count(), script.info->values.fields), once(twice);
   for (const Event& event : player.log()) twice.apply(event);
   Script<2> alone = script;
   alone.cells.assign(player.lattice().cells().begin(), player.lattice().cells().end());

@@ -102,7 +102,7 @@ TEST(Replanner, PlansAndRepairsWithEveryPlannerInPlaneAndSpace) {
   for (const PlannerInfo& info : sound_planners())
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
       check_replans<2>(info, seed);
-      check_replans<3>(info, seed);
+      if (!info.planar) check_replans<3>(info, seed);
       ASSERT_FALSE(HasFatalFailure()) << info.id;
     }
 }

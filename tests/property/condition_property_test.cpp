@@ -92,7 +92,7 @@ struct RandomLog {
 
 RandomLog random_log(Random& random, const PlannerInfo& info) {
   Scenario scenario;
-  if (random.chance(0.3)) {
+  if (!info.planar && random.chance(0.3)) {
     const auto size = random_size<3>(random, {3, 3, 2}, {7, 6, 5});
     scenario.map = GridMap(size[0], size[1], size[2]);
     scenario.map.blocked = random_cells<3>(random, size);

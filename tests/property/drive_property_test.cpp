@@ -117,7 +117,8 @@ class Drive {
   }
 
   std::unique_ptr<Navigator> plan_on(const Cells& closed, Spot from) const {
-    auto navigator = make_navigator({"adaptive-astar", {}, {{"floyd", {}}}}, kFrame.box, SharedBytes(closed));
+    auto navigator =
+        make_navigator({"adaptive-astar", {}, {{"floyd", {}}}}, kFrame.box, SharedBytes(closed), 0);
     navigator->begin(centre_of(kFrame.cell(from)), centre_of(kFrame.cell(goal_)));
     finish(*navigator);
     return navigator;

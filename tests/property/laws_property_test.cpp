@@ -31,7 +31,7 @@ struct Log {
     return timeline;
   }
   [[nodiscard]] LogView view(const Timeline& timeline) const {
-    return {timeline, lattice, *info, scenario.planners[0].settings};
+    return {timeline, lattice, *info, scenario.planners[0].settings, scenario.robot.radius};
   }
 };
 
@@ -72,7 +72,9 @@ std::ptrdiff_t compare(const Log& log) {
 
 Scenario mission_of(const PlannerInfo& info, std::uint64_t seed) {
   Random random(seed * 1000 + static_cast<std::uint64_t>(&info - planners().data()));
-  return random_scenario(random, info, {11, 9});
+  Scenario scenario = random_scenario(random, info, {11, 9});
+  if (seed % 4 == 0) give_size(random, scenario);
+  return scenario;
 }
 
 std::string about(const Log& log, std::uint64_t seed) {

@@ -63,6 +63,13 @@ std::string wandering(Run& tight, Run& ample, Random& random) {
   return "";
 }
 
+/// Every fourth robot has a size.
+Scenario scenario_of(Random& random, const PlannerInfo& info, std::uint64_t seed) {
+  Scenario scenario = random_scenario(random, info);
+  if (seed % 4 == 0) give_size(random, scenario);
+  return scenario;
+}
+
 class LongLogs : public ::testing::TestWithParam<const PlannerInfo*> {
  protected:
   [[nodiscard]] std::uint64_t planner() const {
@@ -74,7 +81,7 @@ TEST_P(LongLogs, DroppedEventsComeBackAsTheyWere) {
   std::size_t dropped = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     Random random(seed * 1000 + planner());
-    const auto scenario = std::make_shared<const Scenario>(random_scenario(random, *GetParam()));
+    const auto scenario = std::make_shared<const Scenario>(scenario_of(random, *GetParam(), seed));
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + scenario_text(*scenario));
     replan::Run tight(scenario, 0, tight_limits(random)), ample(scenario, 0);
     tight.finish(Target::plan());
@@ -108,7 +115,7 @@ TEST_P(LongLogs, AfterACutTheLogIsThatOfTheNewScriptFromTheStart) {
   int rebased = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     Random random(seed * 1000 + 500 + planner());
-    auto scenario = std::make_shared<const Scenario>(random_scenario(random, *GetParam()));
+    auto scenario = std::make_shared<const Scenario>(scenario_of(random, *GetParam(), seed));
     replan::Run tight(scenario, 0, tight_limits(random));
     tight.finish(random.chance(0.5) ? Target::end() : Target::clock_at(random.between(0, 30)));
     for (int edit = 0; edit < 4; ++edit) {
@@ -179,7 +186,7 @@ Command random_edit(Random& random, const GridMap& map) {
 /// log and the cursors with which it was left.
 void check_undo(std::uint64_t seed, const PlannerInfo& info, std::size_t panes, int& compared, int& longer) {
   Random random(seed);
-  Scenario scenario = random_scenario(random, info);
+  Scenario scenario = scenario_of(random, info, seed);
   while (scenario.planners.size() < panes) scenario.planners.push_back({"dstar-lite", {}});
   SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + scenario_text(scenario));
   Session session(scenario, {}, random.chance(0.3) ? tight_limits(random) : RunLimits{});
@@ -266,7 +273,7 @@ void meddle(Session& session, Random& random, const GridMap& map) {
 TEST_P(LongLogs, EditsWhileTheBackgroundIsAtWorkLeadToTheRunOfTheirScenario) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     Random random(seed * 1000 + 700 + planner());
-    Scenario scenario = random_scenario(random, *GetParam());
+    Scenario scenario = scenario_of(random, *GetParam(), seed);
     if (seed % 3 == 0) scenario.planners.push_back({"dstar-lite", {}});
     RunLimits limits;
     limits.slice_iterations = random.between(1, 50);

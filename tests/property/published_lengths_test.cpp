@@ -73,8 +73,8 @@ TEST_P(PublishedLengths, ofEveryMovingAiFileAreFound) {
     ASSERT_FALSE(HasFatalFailure());
   }
 }
-INSTANTIATE_TEST_SUITE_P(Planners, PublishedLengths, ::testing::Values("astar", "dstar-lite"),
-                         [](const auto& param) {
+INSTANTIATE_TEST_SUITE_P(Planners, PublishedLengths,
+                         ::testing::Values("astar", "dstar-lite", "lpa-star", "jps"), [](const auto& param) {
                            std::string name = param.param;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;

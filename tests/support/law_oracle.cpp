@@ -13,12 +13,10 @@ namespace {
 class Bench {
  public:
   explicit Bench(const LogView& view)
-      : view_(view),
-        rules_(move_rules(view.settings)),
-        state_(view.log.state_at(0)),
-        f_(view.info.key.f(view.settings)) {
+      : view_(view), rules_(view.rules()), state_(view.log.state_at(0)), f_(view.info.key.f(view.settings)) {
     world_.size = {view.lattice.width(), view.lattice.height(), 1};
     world_.blocked.resize(state_.node_count());
+    if (view.radius > 0) rules_.corners = CornerRule::none;  // with a size it cuts no corners
     map_changed();
   }
 
@@ -54,6 +52,7 @@ class Bench {
 
   void map_changed() {
     for (NodeId n = 0; n < world_.blocked.size(); ++n) world_.blocked[n] = state_.known_blocked(n) ? 1 : 0;
+    if (view_.radius > 0) world_.blocked = grown(world_, view_.radius);
     successors_.clear();
     for (NodeId n = 0; n < world_.blocked.size(); ++n) {
       successors_.emplace_back();
@@ -68,9 +67,10 @@ class Bench {
     if (map_stale_) map_changed();
     std::vector<NodeId> wrong;
     for (NodeId n = 0; n < world_.blocked.size(); ++n) {
-      const bool holds = any_angle()                     ? any_angle_holds(n)
-                         : view_.info.values.lookahead() ? lookahead_holds(n)
-                                                         : best_first_holds(n);
+      const bool holds = any_angle()                         ? any_angle_holds(n)
+                         : view_.info.values.lookahead()     ? lookahead_holds(n)
+                         : view_.info.values.laws == "jumps" ? jump_holds(n)
+                                                             : best_first_holds(n);
       if (!holds) wrong.push_back(n);
     }
     return wrong;
@@ -92,19 +92,21 @@ class Bench {
 
   bool lookahead_holds(NodeId s) {
     const Raw g = state_.g(s).raw, rhs = state_.rhs(s).raw;
-    const NodeId goal = state_.node(Scalar::goal), start = state_.node(Scalar::start);
+    const bool from_goal = view_.info.from_goal;
+    const NodeId root = state_.node(from_goal ? Scalar::goal : Scalar::start);
+    const NodeId target = state_.node(from_goal ? Scalar::start : Scalar::goal);
     Raw best = kNever;
     NodeId parent = kNoNode;
     for (const Move& move : successors_[s]) {
       const Raw offer = sum(move.cost, sum(state_.g(move.to).raw, state_.dist(move.to).raw));
       if (offer < best) best = offer, parent = move.to;
     }
-    if (s == goal) best = 0, parent = goal;
+    if (s == root) best = 0, parent = root;
     if (rhs != best || state_.lp(s) != parent) return false;
     if (state_.queued(s) != (g != rhs)) return false;
     if (state_.dist(s).raw != (penalty_.empty() ? 0 : penalty_[s])) return false;
-    if (!state_.queued(s) || !on_map(start)) return true;
-    const Raw key = sum(sum(std::min(g, rhs), h(start, s)), state_.km().raw);
+    if (!state_.queued(s) || !on_map(target)) return true;
+    const Raw key = sum(sum(std::min(g, rhs), h(target, s)), state_.km().raw);
     return written_.contains(s) ? state_.k1(s).raw == key : state_.k1(s).raw <= key;
   }
 
@@ -148,6 +150,36 @@ class Bench {
   }
 
   [[nodiscard]] bool taken(NodeId s) const { return !state_.queued(s) && state_.g(s).raw < kNever; }
+
+  /// As a best-first search, but for what it offers, and with parents a jump away.
+  bool jump_holds(NodeId s) {
+    const NodeId goal = state_.node(Scalar::goal), start = state_.node(Scalar::start);
+    const Raw g = state_.g(s).raw;
+    const NodeId parent = state_.lp(s);
+    if (state_.queued(s) && on_map(goal) && state_.k1(s) != f_({g}, {h(s, goal)}, Cost{})) return false;
+    if (s == start) return g == 0 && parent == kNoNode;
+    if (g >= kNever) return parent == kNoNode && !state_.queued(s);
+    const Raw way = on_map(parent) ? jump(s, parent) : kNever;
+    if (way == kNever) return false;
+    const Raw through = sum(state_.g(parent).raw, way);
+    return g == through || (g > through && state_.queued(parent));
+  }
+
+  /// The cost of a straight way of moves from a to b, by trying all eight; kNever if there is none.
+  [[nodiscard]] Raw jump(NodeId a, NodeId b) const {
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        Place at = world_.place(a);
+        Raw way = 0;
+        while ((dx != 0 || dy != 0) && may_move(world_, rules_, at, {dx, dy, 0})) {
+          at = {at[0] + dx, at[1] + dy, 0};
+          way += step(std::abs(dx) + std::abs(dy));
+          if (world_.index(at) == b) return way;
+        }
+      }
+    return kNever;
+  }
+
   [[nodiscard]] bool is_move(NodeId a, NodeId b) const {
     const auto leads_there = [b](const Move& move) { return move.to == b; };
     return std::any_of(successors_[a].begin(), successors_[a].end(), leads_there);
@@ -156,24 +188,26 @@ class Bench {
   std::optional<NodeId> plan_fault(PlanStatus status) {
     const NodeId goal = state_.node(Scalar::goal), start = state_.node(Scalar::start);
     const bool lookahead = view_.info.values.lookahead();
-    const NodeId end = lookahead ? start : goal;
+    const NodeId end = view_.info.from_goal ? start : goal;
     if (!on_map(end)) return std::nullopt;
     const auto rule = static_cast<SightRule>(static_cast<int>(view_.settings.get("sight", 0)));
     const bool free =
         on_map(start) && on_map(goal) && world_.blocked[start] == 0 && world_.blocked[goal] == 0;
-    const Raw promised = lookahead ? state_.rhs(start).raw : state_.g(goal).raw;
+    const Raw promised = lookahead ? state_.rhs(end).raw : state_.g(end).raw;
     if (has_path(status) != (free && promised < kNever)) return end;
     if (!has_path(status)) return std::nullopt;
     for (NodeId s = end; any_angle() && s != start; s = state_.rp(s))
-      if (!on_map(state_.rp(s)) || !sees(world_, world_.blocked, rules_.corners, rule, state_.rp(s), s) ||
-          state_.g(state_.rp(s)) >= state_.g(s))
+      if (!on_map(state_.rp(s)) || !in_sight(rule, state_.rp(s), s) || state_.g(state_.rp(s)) >= state_.g(s))
         return s;
     if (any_angle()) return std::nullopt;
-    const NodeId other_end = lookahead ? goal : start;
+    const NodeId other_end = view_.info.from_goal ? goal : start;
     Raw way = 0;
     for (NodeId s = end; s != other_end; s = state_.lp(s)) {
-      if (!is_move(s, state_.lp(s)) || state_.g(state_.lp(s)) >= state_.g(s)) return s;
-      way += step_between(world_, s, state_.lp(s));
+      const NodeId next = state_.lp(s);
+      const bool leads =
+          view_.info.values.laws == "jumps" ? on_map(next) && jump(s, next) != kNever : is_move(s, next);
+      if (!leads || state_.g(next) >= state_.g(s)) return s;
+      if (view_.info.sight) way += step_between(world_, s, next);
     }
     return view_.info.sight ? path_fault(way) : std::nullopt;
   }
@@ -191,7 +225,7 @@ class Bench {
                           : remote != seen_.end() ? remote->second
                                                   : state_.lp(s);
       if (!on_map(next)) return s;
-      if (!is_move(s, next) && !sees(world_, world_.blocked, rules_.corners, sight, s, next)) return s;
+      if (!is_move(s, next) && !in_sight(sight, s, next)) return s;
       length += segment(s, next);
       s = next;
     }
@@ -199,6 +233,10 @@ class Bench {
     return std::nullopt;
   }
 
+  [[nodiscard]] bool in_sight(SightRule rule, NodeId a, NodeId b) const {
+    return view_.radius > 0 ? sees_wide(world_, world_.blocked, a, b)
+                            : sees(world_, world_.blocked, rules_.corners, rule, a, b);
+  }
   /// The length of a straight segment, rounded down.
   [[nodiscard]] Raw segment(NodeId a, NodeId b) const { return root_floor(step_squared(a, b)); }
   [[nodiscard]] std::int64_t step_squared(NodeId a, NodeId b) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <tuple>
@@ -17,7 +18,7 @@ namespace replan::test {
 struct MissionTotals {
   std::int64_t missions = 0, arrived = 0, no_path = 0, moves = 0, replans = 0, waits = 0, forgotten = 0,
                put_down = 0, new_goals = 0, endless = 0, beside_movers = 0, nearest = 0, nearest_plans = 0,
-               goal_again = 0, drove_out = 0;
+               goal_again = 0, drove_out = 0, left_zone = 0, in_zone = 0, along_zone = 0;
 };
 
 /// Where a moving obstacle is after that many steps, by walking.
@@ -48,7 +49,7 @@ class MissionWitness {
  public:
   MissionWitness(const Scenario& scenario, const PlannerInfo& info)
       : scenario_(scenario),
-        rules_(move_rules(scenario.planners[0].settings)),
+        rules_(oracle_rules(scenario)),
         mission_(make_mission(scenario, scenario.planners[0], &recorder_)),
         state_(initial_state(scenario, scenario.planners[0])) {
     if (info.any_angle) rules_.diagonals = true;
@@ -63,7 +64,9 @@ class MissionWitness {
     spared_ = walls_[robot_] == 0;
     for (int slices = 0;; ++slices) {
       if (slices > 300000) return "the mission does not end";
+      const std::int64_t moves = mission_->now().figures.moves;
       const bool more = mission_->advance(64);
+      went_ = mission_->now().figures.moves > moves;
       for (const Event& event : recorder_.take()) {
         if (const std::string fault = take(event, totals); !fault.empty()) return fault;
         state_.apply(event);
@@ -83,6 +86,64 @@ class MissionWitness {
   [[nodiscard]] const std::vector<Event>& log() const { return log_; }
 
  private:
+  /// A robot with a size cuts no corners.
+  static MoveRules oracle_rules(const Scenario& scenario) {
+    MoveRules rules = move_rules(scenario.planners[0].settings);
+    if (scenario.robot.radius > 0) rules.corners = CornerRule::none;
+    return rules;
+  }
+  /// The robot's map as it looks to its centre.
+  void look_at_known() {
+    world_.blocked.clear();
+    for (NodeId n = 0; n < walls_.size(); ++n) world_.blocked.push_back(state_.known_blocked(n) ? 1 : 0);
+    if (scenario_.robot.radius == 0 || world_.blocked == grown_from_) {
+      if (scenario_.robot.radius > 0) world_.blocked = grown_;
+      return;
+    }
+    grown_from_ = world_.blocked;
+    grown_ = world_.blocked = oracle::grown(world_, scenario_.robot.radius);
+  }
+
+  /// A robot with a size on its way to a cell: once it is clear of all obstacles that it knows of it stays so, and
+  /// where one has come too near it comes no nearer.
+  std::string zone_fault(NodeId to, MissionTotals& totals) {
+    look_at_known();
+    const bool was_in = grown_[robot_] != 0, is_in = grown_[to] != 0;
+    if (!was_in) return is_in ? "the robot drives too near an obstacle that it knows of" : "";
+    ++totals.in_zone;
+    totals.left_zone += is_in ? 0 : 1;
+    world_.blocked = grown_from_;
+    const std::int64_t before = oracle::least_quarters(world_, robot_),
+                       after = oracle::least_quarters(world_, to);
+    totals.along_zone += after == before ? 1 : 0;
+    return after < before ? "the robot drives deeper in" : "";
+  }
+  /// Its body on the way, against all that stands in the world: sampled, by the distance of points from squares.
+  std::string body_fault() {
+    const double radius = scenario_.robot.radius;
+    const Point from = mission_->now().before, to = mission_->now().at;
+    const auto clearance = [&](double t) {
+      const double at[] = {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y),
+                           from.z + t * (to.z - from.z)};
+      double least = radius;
+      for (NodeId n = 0; n < walls_.size(); ++n) {
+        if (!state_.truly_blocked(n)) continue;
+        const oracle::Place square = world_.place(n);
+        double squared = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const double off = std::max({square[axis] - at[axis], at[axis] - square[axis] - 1, 0.0});
+          squared += off * off;
+        }
+        least = std::min(least, std::sqrt(squared));
+      }
+      return least;
+    };
+    const double before = clearance(0);
+    for (int k = 1; k <= 8; ++k)
+      if (clearance(k / 8.0) < before - 1e-7) return "the robot's body touches an obstacle";
+    return "";
+  }
+
   std::string take(const Event& event, MissionTotals& totals) {
     switch (event.kind) {
       case EventKind::move:
@@ -120,6 +181,9 @@ class MissionWitness {
 
   std::string move_fault(NodeId to, MissionTotals& totals) {
     if (state_.truly_blocked(to)) return "the robot enters an obstacle";
+    if (scenario_.robot.radius > 0 && went_)
+      for (const std::string& fault : {zone_fault(to, totals), body_fault()})
+        if (!fault.empty()) return fault;
     world_.blocked.clear();
     for (NodeId n = 0; n < walls_.size(); ++n) world_.blocked.push_back(state_.truly_blocked(n) ? 1 : 0);
     const oracle::Place a = world_.place(robot_), b = world_.place(to);
@@ -138,9 +202,8 @@ class MissionWitness {
 
   /// Where brute force makes for: the nearest to the goal of the cells that the robot can reach on its map.
   [[nodiscard]] NodeId brute_force_aim() {
-    world_.blocked.clear();
-    for (NodeId n = 0; n < walls_.size(); ++n) world_.blocked.push_back(state_.known_blocked(n) ? 1 : 0);
-    const auto costs = oracle::costs_to(world_, move_rules(scenario_.planners[0].settings), {}, robot_);
+    look_at_known();
+    const auto costs = oracle::costs_to(world_, oracle_rules(scenario_), {}, robot_);
     const auto goal = world_.place(state_.wanted_goal());
     std::tuple<std::int64_t, oracle::Raw, NodeId> best{INT64_MAX, 0, kNoNode};
     for (NodeId n = 0; n < walls_.size(); ++n) {
@@ -158,6 +221,8 @@ class MissionWitness {
       return aim == goal ? "" : "a path to another cell counts as one to the goal";
     if (status != PlanStatus::found_nearest) return "";
     ++totals.nearest_plans;
+    look_at_known();
+    if (scenario_.robot.radius > 0 && world_.blocked[robot_] != 0) return "";  // by its way out
     if (scenario_.robot.unreachable_goal != UnreachableGoal::nearest)
       return "nobody asked for the nearest cell";
     return aim == brute_force_aim() && aim != goal ? "" : "brute force makes for another cell";
@@ -201,13 +266,12 @@ class MissionWitness {
     }
     if (mission_->state() != MissionState::no_path) return "it ends neither by arriving nor without a path";
     ++totals.no_path;
-    world_.blocked.clear();
-    for (NodeId n = 0; n < walls_.size(); ++n) world_.blocked.push_back(state_.known_blocked(n) ? 1 : 0);
+    look_at_known();
     if (world_.blocked[robot_] != 0) return "";
     if (scenario_.robot.unreachable_goal == UnreachableGoal::nearest)
       return "it did not look for the nearest cell";
     if (world_.blocked[goal] != 0) return "";
-    const MoveRules rules = move_rules(scenario_.planners[0].settings);
+    const MoveRules rules = oracle_rules(scenario_);
     return oracle::costs_to(world_, rules, {}, goal)[robot_] == oracle::kNever ? "" : "there is a path";
   }
 
@@ -218,6 +282,8 @@ class MissionWitness {
   SearchState state_;
   oracle::World world_;
   std::vector<std::uint8_t> walls_;
+  std::vector<std::uint8_t> grown_, grown_from_;  // the robot's map, and how it looks to its centre
+  bool went_ = false;                             // in the latest slice
   std::vector<Event> log_;
   NodeId robot_ = kNoNode;
   bool spared_ = false;  // what wall there is came onto the robot's cell while it stood there

@@ -1,6 +1,7 @@
 // Missions drawn from a seed: what tests of the simulator and of the debugger run on.
 #pragma once
 
+#include <cmath>
 #include <string>
 
 #include "core/sim/mission.hpp"
@@ -95,6 +96,14 @@ inline void furnish(Random& random, const PlannerInfo& info, Scenario& scenario)
     scenario.surprises.push_back(random_wall_on_the_robot(random, scenario.map));
   if (random.chance(0.4)) scenario.robot.unreachable_goal = UnreachableGoal::nearest;
   scenario.robot.robot_cell_blocks = random.chance(0.2);
+}
+
+/// Gives the robot a size; half of the radii are such that squares are exactly so far away, or nearly.
+inline void give_size(Random& random, Scenario& scenario) {
+  const double exact = std::sqrt(random.between(1, 18)) / 2;
+  constexpr double kBeside[] = {0, 1, 2};
+  scenario.robot.radius = random.chance(0.5) ? 0.1 + 2.4 * random.unit()
+                                             : std::nextafter(exact, kBeside[random.below(3)] * exact);
 }
 
 /// A small furnished world.

@@ -1,9 +1,11 @@
 #include "tests/support/oracle.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <queue>
+#include <tuple>
 #include <utility>
 
 namespace replan::oracle {
@@ -324,6 +326,69 @@ std::vector<std::size_t> crossed_cells(const World& world, std::size_t a, std::s
   });
   std::sort(result.begin(), result.end());
   return result;
+}
+
+std::int64_t quarters(const World& world, std::size_t a, std::size_t b) {
+  const Place p = world.place(a), q = world.place(b);
+  std::int64_t sum = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::int64_t gap = std::max(2 * std::abs(p[axis] - q[axis]) - 1, 0);
+    sum += gap * gap;
+  }
+  return sum;
+}
+
+bool nearer(std::int64_t quarters, double radius) {
+  __extension__ using Wide = unsigned __int128;
+  int exponent = 0;
+  const auto digits = static_cast<std::uint64_t>(std::ldexp(std::frexp(2 * radius, &exponent), 53));
+  const int shift = 2 * (53 - exponent);  // (2 radius)^2 = digits^2 / 2^shift
+  if (quarters == 0 || shift > 112) return quarters == 0;
+  return (static_cast<Wide>(quarters) << shift) < static_cast<Wide>(digits) * digits;
+}
+
+std::vector<std::uint8_t> grown(const World& world, double radius) {
+  std::vector<std::uint8_t> cells(world.blocked.size());
+  for (std::size_t b = 0; b < cells.size(); ++b)
+    for (std::size_t a = 0; world.blocked[b] != 0 && a < cells.size(); ++a)
+      if (a == b || nearer(quarters(world, a, b), radius)) cells[a] = 1;
+  return cells;
+}
+
+std::int64_t least_quarters(const World& world, std::size_t cell) {
+  std::int64_t least = INT64_MAX;
+  for (std::size_t b = 0; b < world.blocked.size(); ++b)
+    if (world.blocked[b] != 0) least = std::min(least, quarters(world, cell, b));
+  return least;
+}
+
+// Along an axis the segment is at a + t d, 0 <= t <= 1. It is less than one away from c where
+// c - 1 < a + t d < c + 1: an open stretch of times, or all or none if d is 0. All axes at once: the stretches meet.
+bool sees_wide(const World& world, const std::vector<std::uint8_t>& bad, std::size_t a, std::size_t b) {
+  const Place p = world.place(a), q = world.place(b);
+  for (std::size_t c = 0; c < bad.size(); ++c) {
+    if (bad[c] == 0) continue;
+    const Place r = world.place(c);
+    // As fractions: the latest beginning and the earliest end.
+    std::int64_t begin = -1, begin_of = 1, end = 2, end_of = 1;
+    bool meets = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::int64_t d = q[axis] - p[axis];
+      std::int64_t low = r[axis] - 1 - p[axis], high = r[axis] + 1 - p[axis];
+      if (d == 0) {
+        meets &= low < 0 && 0 < high;
+        continue;
+      }
+      const std::int64_t size = std::abs(d);
+      if (d < 0) std::tie(low, high) = std::pair(-high, -low);
+      if (low * begin_of > begin * size) begin = low, begin_of = size;
+      if (high * end_of < end * size) end = high, end_of = size;
+    }
+    // Between the two there must be a time from 0 to 1.
+    meets &= begin * end_of < end * begin_of && begin < begin_of && end > 0;
+    if (meets) return false;
+  }
+  return true;
 }
 
 }  // namespace replan::oracle

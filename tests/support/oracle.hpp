@@ -67,6 +67,17 @@ Raw estimate(const World& world, MoveRules rules, Heuristic heuristic, std::size
 /// errors.
 bool sees(const World& world, const std::vector<std::uint8_t>& bad, CornerRule corners, SightRule rule,
           std::size_t a, std::size_t b);
+/// Four times the squared distance from the centre of a to the square of b.
+std::int64_t quarters(const World& world, std::size_t a, std::size_t b);
+/// True if that square is nearer than the radius. The square of a double is worked out in whole numbers.
+bool nearer(std::int64_t quarters, double radius);
+/// The cells that are obstacles or nearer to one than the radius, by looking at all of them; 1 for each.
+std::vector<std::uint8_t> grown(const World& world, double radius);
+/// The least quarters() of a cell to an obstacle; INT64_MAX without one.
+std::int64_t least_quarters(const World& world, std::size_t cell);
+/// True if a and b see each other for a robot with a size: all points of the segment between two integer places are
+/// taken, and no cell is bad that is less than one away from such a point along each axis.
+bool sees_wide(const World& world, const std::vector<std::uint8_t>& bad, std::size_t a, std::size_t b);
 /// The cells that the segment between two centres passes through (not those that it only touches), ascending.
 std::vector<std::size_t> crossed_cells(const World& world, std::size_t a, std::size_t b);
 

@@ -92,11 +92,11 @@ TEST_F(ClipboardTest, WhatReachesOverTheEdgeIsLeftOut) {
 TEST_F(ClipboardTest, WhatIsNoMapIsRefusedInWords) {
   ImGui::SetClipboardText("..@\n.q.\n");
   perform(ActionId::paste);
-  EXPECT_TRUE(panels_.said_bad);
+  EXPECT_EQ(panels_.tone, Tone::bad);
   EXPECT_NE(panels_.said.find("clipboard"), std::string::npos) << panels_.said;
   ImGui::SetClipboardText("");
   perform(ActionId::paste);
-  EXPECT_TRUE(panels_.said_bad);
+  EXPECT_EQ(panels_.tone, Tone::bad);
   EXPECT_EQ(session_->history().size(), 0u);
 }
 
@@ -120,12 +120,12 @@ TEST_F(ClipboardTest, MatricesArePastedAndWhatPartsThemIsTold) {
     EXPECT_EQ(session_->scenario().goal, (Cell{0, 2}));
     EXPECT_TRUE(session_->world().at({2, 1}));
     EXPECT_NE(panels_.said.find("part the"), std::string::npos) << panels_.said;
-    EXPECT_FALSE(panels_.said_bad);
+    EXPECT_EQ(panels_.tone, Tone::done);
     perform(ActionId::undo);
   }
   ImGui::SetClipboardText("0 1 2\n");
   perform(ActionId::paste);
-  EXPECT_TRUE(panels_.said_bad);
+  EXPECT_EQ(panels_.tone, Tone::bad);
   EXPECT_NE(panels_.said.find("there are the numbers 0, 1 and 2"), std::string::npos) << panels_.said;
 }
 

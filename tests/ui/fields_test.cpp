@@ -89,6 +89,53 @@ TEST_F(FieldsTest, ASettingThatIsTypedIsSetWhenItIsLeft) {
   EXPECT_EQ(session_->history().size(), before + 1);
 }
 
+TEST_F(FieldsTest, AListOfChoicesIsGoneThroughWithTheArrows) {
+  std::vector<std::string> made;
+  while (made.size() < 2) {
+    press('G', true);
+    press(key::kTab);
+    press(key::kEnter);  // opens the list
+    press(key::kUp);
+    press(key::kEnter);
+    ASSERT_TRUE(is_dialog_open()) << "Enter in the list pressed the dialog's button";
+    click({640, 100});  // nowhere
+    press(key::kEnter);
+    ASSERT_FALSE(is_dialog_open());
+    session_->settle();
+    made.push_back(session_->undo_text());
+  }
+  EXPECT_NE(made[0], made[1]);
+  EXPECT_EQ(made[0].find("maze"), std::string::npos) << made[0] << ": what is chosen at first";
+}
+
+TEST_F(FieldsTest, AMenuIsGoneThroughWithTheArrows) {
+  const PixelArea canvas = shell_->panels().canvas;
+  click({(canvas.min.x + canvas.max.x) / 2, (canvas.min.y + canvas.max.y) / 2}, 1);
+  ASSERT_TRUE(shell_->view().menu);
+  const Cell cell = *shell_->view().menu;
+  EXPECT_NE(shell_->view().view.pinned, cell);
+  press(key::kDown);
+  press(key::kEnter);
+  EXPECT_EQ(shell_->view().view.pinned, cell);
+  EXPECT_FALSE(shell_->view().menu);
+}
+
+TEST_F(FieldsTest, WhatIsTypedIsNotScoldedBeforeItIsRefusedAndEscapeKeepsIt) {
+  press(key::kF1 + 6);
+  std::string& draft = shell_->panels().tabs.get<DebugTab>().breakpoint;
+  for (float y = 120; y < 420 && !typing(); y += 6) click({1000, y});
+  ASSERT_TRUE(typing());
+  type("g(3,3) >");
+  press(key::kEscape);
+  EXPECT_FALSE(typing());
+  EXPECT_NE(draft.find("g(3,3) >"), std::string::npos) << draft;
+}
+
+TEST_F(FieldsTest, AKeyThatCanDoNothingSaysWhy) {
+  press('Z', true);
+  EXPECT_EQ(shell_->told(), "Undo: no edit was made.");
+}
+
 TEST_F(FieldsTest, ARefusedBreakpointKeepsTheKeyboard) {
   press(key::kF1 + 6);
   std::string& draft = shell_->panels().tabs.get<DebugTab>().breakpoint;

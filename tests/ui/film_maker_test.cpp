@@ -50,11 +50,29 @@ class FilmMakerTest : public ui::ShellTest {
 TEST_F(FilmMakerTest, TheWholeRunIsFilmedFromWhereverThePlayheadStands) {
   ASSERT_TRUE(session_->apply(Seek{5}).ok());
   const std::string said = make(request(ui::FilmPart::whole));
-  EXPECT_EQ(session_->run().timeline().cursor(), 5u) << "the playhead goes back to where it was";
+  EXPECT_EQ(session_->run().timeline().cursor(), 5u);
   const auto frames = ui::film_frames(request(ui::FilmPart::whole).film, session_->run());
   ASSERT_TRUE(frames.ok()) << frames.error();
   EXPECT_EQ(pictures(), frames->size());
   EXPECT_NE(said.find(std::to_string(frames->size()) + " frames"), std::string::npos) << said;
+}
+
+TEST_F(FilmMakerTest, WhoeverAskedForItGoesOnLookingAtWhatTheyWant) {
+  ASSERT_TRUE(session_->apply(Seek{5}).ok());
+  const ui::CaptureRequest wanted = request(ui::FilmPart::whole);
+  ASSERT_TRUE(maker_.begin(wanted, set(), *session_).ok());
+  for (std::size_t at = 5; at < 15; ++at) {
+    session_->settle();
+    EXPECT_EQ(session_->run().timeline().cursor(), at);
+    ASSERT_TRUE(maker_.go_on(*session_, [] {}).ok());
+    ASSERT_TRUE(maker_.on());
+    EXPECT_EQ(session_->run().timeline().cursor(), at) << "the film plays in the window";
+    ASSERT_TRUE(session_->apply(Seek{at + 1}).ok());
+  }
+  ASSERT_TRUE(session_->apply(Play{1}).ok());
+  ASSERT_TRUE(maker_.go_on(*session_, [] {}).ok());
+  EXPECT_EQ(session_->playback().direction, 1) << "the film stops the playing";
+  maker_.cancel();
 }
 
 TEST_F(FilmMakerTest, AReplanIsFilmedFromItsBeginningToItsEnd) {
@@ -82,7 +100,7 @@ TEST_F(FilmMakerTest, GivenUpOrDisturbedItLeavesNoFile) {
     session_->settle();
     ASSERT_TRUE(maker_.go_on(*session_, [] {}).ok());
   }
-  maker_.cancel(*session_);
+  maker_.cancel();
   EXPECT_FALSE(recording_.on());
   EXPECT_FALSE(std::filesystem::exists(wanted.path));
   ASSERT_TRUE(maker_.begin(wanted, set(), *session_).ok());

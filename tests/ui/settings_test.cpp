@@ -19,6 +19,7 @@ TEST(Settings, KeepATabByItsId) {
   settings.brush = 7;
   settings.colours_so_far = true;
   settings.size_step = 3;
+  settings.metres = false;
   settings.minimap = false;
   settings.colours = ui::FieldColours::cividis;
   ASSERT_TRUE(write_settings(settings, folder.file("window.json")).ok());
@@ -27,6 +28,7 @@ TEST(Settings, KeepATabByItsId) {
   EXPECT_EQ(read.brush, 7);
   EXPECT_TRUE(read.colours_so_far);
   EXPECT_EQ(read.size_step, 3);
+  EXPECT_FALSE(read.metres);
   EXPECT_FALSE(read.minimap);
   EXPECT_EQ(read.colours, ui::FieldColours::cividis);
 }

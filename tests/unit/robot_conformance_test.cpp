@@ -73,6 +73,17 @@ std::vector<Scenario> worlds() {
   return result;
 }
 
+bool drives_in(const RobotInfo& robot, const Scenario& world) {
+  return !robot.planar || !world.map.box().solid();
+}
+
+/// A robot whose steps are short finds what is scripted by steps elsewhere on its way than the world's author meant, and
+/// a passage closed that others have gone through.
+bool is_scripted_by_steps(const Scenario& world) {
+  return std::any_of(world.surprises.begin(), world.surprises.end(),
+                     [](const Surprise& each) { return each.at.move.has_value(); });
+}
+
 TEST(Robots, HaveAnIdANameAndASummary) {
   ASSERT_FALSE(robots().empty());
   EXPECT_EQ(RobotSetup{}.kind, robots().front().id) << "the usual one comes first";
@@ -85,10 +96,15 @@ TEST(Robots, HaveAnIdANameAndASummary) {
 TEST(Robots, ArriveWithoutACollisionAndTheSameWayEachTime) {
   for (const Scenario& world : worlds())
     for (const RobotInfo& robot : robots()) {
+      if (!drives_in(robot, world)) continue;
       const Scenario scenario = with_robot(world, robot);
       const PlannerChoice& choice = scenario.planners.front();
       const Drive drive = driven(scenario, choice);
-      EXPECT_EQ(drive.ending, MissionState::arrived) << scenario.name << ", " << robot.id;
+      const bool usual = &robot == &robots().front();
+      const bool may_be_cut_off = !usual && is_scripted_by_steps(world);
+      EXPECT_TRUE(drive.ending == MissionState::arrived ||
+                  (may_be_cut_off && drive.ending == MissionState::no_path))
+          << scenario.name << ", " << robot.id;
       EXPECT_EQ(drive.figures.collisions, 0) << scenario.name << ", " << robot.id;
       EXPECT_TRUE(drive.log == driven(scenario, choice).log) << scenario.name << ", " << robot.id;
     }
@@ -97,6 +113,7 @@ TEST(Robots, ArriveWithoutACollisionAndTheSameWayEachTime) {
 TEST(Robots, GoOnFromAnyMomentAsIfTheyHadNeverStopped) {
   for (const Scenario& world : worlds())
     for (const RobotInfo& robot : robots()) {
+      if (!drives_in(robot, world)) continue;
       const Scenario scenario = with_robot(world, robot);
       const PlannerChoice& choice = scenario.planners.back();
       const Drive whole = driven(scenario, choice);

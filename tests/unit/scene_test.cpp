@@ -219,6 +219,68 @@ TEST(Scene, TrailAndRepairFollowTheRun) {
             run.decisions().back().figures.counters.expansions);
 }
 
+TEST(Scene, ScannedCellsAreThoseThatJumpsPassedOver) {
+  Scenario scenario = world();
+  scenario.planners = {{"jps", {}}};
+  Session session(scenario);
+  session.settle();
+  const replan::Run& run = session.run();
+  Palette colours = palette();
+  colours.good = 0xFF22CC22;
+  View view = plain_view();
+  view.overlays.set(Overlay::scanned, true);
+  view.camera = {10, 5, 60};
+  const Scene scene = build_scene(run, view, {1280, 640}, colours);
+  EXPECT_TRUE(scene.shows(Sign::scanned));
+  std::set<NodeId> shown, latest;
+  for (const Outline& outline : shapes_of<Outline>(scene)) {
+    if ((outline.colour & 0xFFFFFFu) != (colours.good & 0xFFFFFFu)) continue;
+    const NodeId node = run.lattice().node({static_cast<int>(outline.x), static_cast<int>(outline.y)});
+    shown.insert(node);
+    if (outline.colour == colours.good) latest.insert(node);
+  }
+  const SearchState& state = run.timeline().state();
+  std::uint64_t last = 0;
+  for (NodeId n = 0; n < run.lattice().node_count(); ++n) last = std::max(last, state.value(own_field(0), n));
+  for (NodeId n = 0; n < run.lattice().node_count(); ++n) {
+    EXPECT_EQ(shown.contains(n), state.value(own_field(0), n) != 0) << "cell " << n;
+    EXPECT_EQ(latest.contains(n), last > 0 && state.value(own_field(0), n) == last) << "cell " << n;
+  }
+  EXPECT_GT(shown.size(), 20u);
+
+  Session other(world());
+  other.settle();
+  EXPECT_FALSE(build_scene(other.run(), view, kView, colours).shows(Sign::scanned)) << "D* Lite scans none";
+}
+
+/// The log tells a search from scratch by an epoch.
+TEST(Scene, AReplanOfLpaStarCountsAsARepairExactlyWhileItsStartStays) {
+  Scenario scenario = world();
+  scenario.planners = {{"lpa-star", {}}};
+  Surprise at_once = scenario.surprises[0];
+  at_once.at.move = 0;
+  at_once.cells = {{{5, 5}, true}};
+  at_once.announced = true;
+  scenario.surprises = {at_once, scenario.surprises[0]};
+  replan::Run run(std::make_shared<const Scenario>(scenario), 0);
+  run.finish(Target::end());
+  SceneMemory memory;
+  int repairs = 0, afresh = 0;
+  bool epoch = false;
+  for (std::size_t i = 0; i < run.timeline().size(); ++i) {
+    const EventKind kind = run.timeline().event(i).kind;
+    if (kind == EventKind::plan_begin) epoch = false;
+    if (kind == EventKind::epoch) epoch = true;
+    if (kind != EventKind::plan_end) continue;
+    const RepairFigures figures = memory.repair(run, i + 1);
+    if (figures.number == 0) continue;
+    EXPECT_EQ(figures.cause.afresh(), epoch) << "replan " << figures.number;
+    ++(epoch ? afresh : repairs);
+  }
+  EXPECT_GE(repairs, 1);
+  EXPECT_GE(afresh, 1);
+}
+
 TEST(Scene, ObstaclesNeverVanishFromFarAway) {
   Scenario scenario;
   scenario.map = GridMap(1500, 1100);

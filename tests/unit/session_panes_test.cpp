@@ -45,6 +45,31 @@ TEST(SessionPanes, GrowByThePlannersLeastAlikeAndShrinkFromTheEnd) {
   EXPECT_EQ(session.history_position(), 4u) << "what was refused is no edit";
 }
 
+/// Whoever plans in the plane alone is neither chosen nor shown beside others in a world with layers, and keeps such a
+/// world from taking the place of his own.
+TEST(SessionPanes, HaveNoPlannerThatCannotPlanInTheirWorld) {
+  Scenario layered;
+  layered.map = GridMap(4, 3, 2);
+  layered.goal = {3, 2, 1};
+  layered.planners = {{"dstar-lite", {}}};
+  const GridMap layers = layered.map;
+  Session session(std::move(layered));
+  const Result<void> chosen = session.apply(ChoosePlanner{0, "jps"});
+  ASSERT_FALSE(chosen.ok());
+  EXPECT_EQ(chosen.error(), "'jps' plans in the plane alone, and this world has 2 layers");
+  ASSERT_TRUE(session.apply(SetPanes{4}).ok());
+  for (const std::string& id : planners_of(session)) EXPECT_FALSE(find_planner(id)->planar) << id;
+
+  Scenario plane = wall_with_gap();
+  plane.planners = {{"dstar-lite", {}}, {"jps", {}}};
+  Session flat(std::move(plane));
+  EXPECT_FALSE(flat.apply(ReplaceMap{layers, Cell{0, 0}, Cell{3, 2, 1}}).ok());
+  ASSERT_TRUE(flat.apply(SetPanes{1}).ok());
+  ASSERT_TRUE(flat.apply(ReplaceMap{layers, Cell{0, 0}, Cell{3, 2, 1}}).ok());
+  ASSERT_TRUE(flat.apply(SetPanes{2}).ok());
+  EXPECT_NE(planners_of(flat)[1], "jps") << "it was put away";
+}
+
 TEST(SessionPanes, ComeBackWithThePlannersThatTheyHad) {
   Scenario scenario = wall_with_gap();
   scenario.planners = {{"dld-star-lite", {}}, {"dijkstra", {}}, {"astar", {}}};

@@ -271,8 +271,8 @@ TEST(RunReport, saysHowNearToTheGoalTheRobotCame) {
   for (const char* part :
        {"\"ending\": \"nearest\"", "\"last_status\": \"found-nearest\"", "\"short_of_goal\": 1"})
     EXPECT_NE(runs_json(driven).find(part), std::string::npos) << runs_json(driven);
-  const RunReport planned =
-      plan_once(world.map, world.start, world.goal, world.planners.front(), UnreachableGoal::nearest);
+  const RunReport planned = plan_once(world.map, world.start, world.goal, world.planners.front(),
+                                      {.unreachable_goal = UnreachableGoal::nearest});
   EXPECT_EQ(planned.status, "found-nearest");
   EXPECT_EQ(planned.path, driven[0].path);
   EXPECT_FALSE(planned.succeeded());

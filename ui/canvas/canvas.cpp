@@ -266,7 +266,8 @@ bool Canvas::Parts::title(const Look& look, const Session& session, std::size_t 
   bool exercises = false;
   for (const PlannerInfo& info : planners()) {
     if (info.exercise && !std::exchange(exercises, true)) ImGui::Separator();
-    if (ImGui::MenuItem(info.name.data(), nullptr, session.runs()[pane]->choice().id == info.id))
+    const bool chosen = session.runs()[pane]->choice().id == info.id;
+    if (menu_item(look, info.name.data(), {.on = chosen}))
       commands.emplace_back(ChoosePlanner{pane, std::string(info.id)});
     hint(look, {"", "", info.summary.data()});
   }
@@ -367,7 +368,10 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
                            interactive, parts.card);
   parts.take_answer(state, session, pane, commands);
   if (state.legend && pane == session.lead())
-    draw_number_key(look, list, run.info(), parts.scene, {min.x + look.px.m, max.y - below - look.px.s});
+    draw_number_key(look, list, run.info(), parts.scene, min,
+                    {static_cast<double>(look.px.m), static_cast<double>(pane_title_height(look) + look.px.s),
+                     static_cast<double>(max.x - min.x - look.px.m),
+                     static_cast<double>(max.y - min.y - below - look.px.s)});
   if (pane == session.lead())
     parts.draw_minimap(look, session, run, state, {max.x - look.px.m, max.y - below - look.px.s});
   list.PopClipRect();

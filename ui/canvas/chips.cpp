@@ -60,6 +60,7 @@ struct CardPlace {
   double hidden = 0;    ///< the share of the card that lies over the world
   double of_world = 0;  ///< the share of the world that lies under it
   [[nodiscard]] bool roomy() const { return hidden <= kMostHidden && of_world <= kMostOfWorld; }
+  [[nodiscard]] bool hides_nothing() const { return hidden <= 0; }
 };
 
 /// Where a card of that size hides least of the world: at the right, from `top` or from `below` the title, or at the left
@@ -100,8 +101,9 @@ CardDrawn draw_card(const Look& look, const Scene& scene, const ReplanReport& re
     const float below = title.max.y + look.px.s;
     return card_place(look, scene, pane, size, size.x <= room ? title.min.y : below, below);
   };
-  // A picture has the whole card where that hides little of the world.
-  const bool roomy = place(CardForm::whole).roomy();
+  // A picture has the whole card where that hides little of the world, and no number.
+  const CardPlace widest = place(CardForm::whole);
+  const bool roomy = scene.numbers == NumbersShown::none ? widest.roomy() : widest.hides_nothing();
   const bool whole = report.times ? fold.whole(ImGui::GetTime(), roomy) : roomy;
   const CardForm form = whole ? CardForm::whole : line_form(look, report, room);
   const ImVec2 at = place(form).at, size = replan_card_size(look, report, form);
@@ -130,7 +132,10 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
   }
   if (decision == nullptr) return {};
   switch (decision->state) {
+    case MissionState::stuck:
+      return {"The robot has a plan, and finds no arc that leads along it; it has given up.", true};
     case MissionState::collision:
+      if (decision->drive.begun) return {"The robot hit something that came nearer than it can stop.", true};
       return {std::string("The plan leads through an obstacle") + why_wrong(run), true};
     case MissionState::loop:
       return {std::string("The plan leads round in a circle") + why_wrong(run), true};
@@ -146,18 +151,24 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
     return {};
   if (decision->plan->status == PlanStatus::found_nearest)
     return {status_sentence(decision->plan->status), false};
+  const bool has_size = run.scenario().robot.radius > 0;
   const SearchState& state = run.timeline().state();
   const NodeId robot = state.node(Scalar::robot);
   const bool away = robot != run.lattice().node(run.scenario().start);
   if (decision->plan->status == PlanStatus::start_blocked && away)
-    return {"The robot stands in an obstacle: clear its cell, or put it elsewhere.", true};
+    return {
+        has_size
+            ? "The robot stands in an obstacle, or so near to one that no way leads out: clear cells, or put "
+              "it elsewhere."
+            : "The robot stands in an obstacle: clear its cell, or put it elsewhere.",
+        true};
   if (decision->plan->status == PlanStatus::no_path && state.truly_blocked(robot))
     return {"An obstacle stands on the robot's cell, and no way leads out of it.", true};
   const bool start = decision->plan->status == PlanStatus::start_blocked;
   if (start || decision->plan->status == PlanStatus::goal_blocked)
     if (std::string unknown = unknown_end_sentence(run.scenario(), start); !unknown.empty())
       return {std::move(unknown), true};
-  return {status_sentence(decision->plan->status), true};
+  return {status_sentence(decision->plan->status, has_size), true};
 }
 
 float pane_title_height(const Look& look) {

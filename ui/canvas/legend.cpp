@@ -126,19 +126,19 @@ float Legend::height(const Look& look) {
   return legend_size(look, {}, {}).y + 2 * look.px.s;
 }
 
-void Legend::draw(const Look& look, const Scene& leading, std::string_view of, FieldColours map,
+void Legend::draw(const Look& look, const Scene& scene, std::string_view of, FieldColours map,
                   std::uint32_t signs, ImVec2 min, ImVec2 max) {
   const float margin = look.px.m, room = max.x - min.x - 2 * margin;
   LegendField field;
-  std::string words = leading.field_words, low, high;
+  std::string words = scene.field_words, low, high;
   if (!of.empty()) words = std::string(of) + "'s " + words;
   const Colormap colours = field_colours_over_free(look.theme, map);
-  if (leading.range) {
-    low = value_text(leading.range->low);
-    high = value_text(leading.range->high);
-    field = field_in_sight(leading, colours, low, high);
+  if (scene.range) {
+    low = value_text(scene.range->low);
+    high = value_text(scene.range->high);
+    field = field_in_sight(scene, colours, low, high);
     field.label = words;
-    field_ = overlays()[static_cast<std::size_t>(*leading.field)].label;
+    field_ = overlays()[static_cast<std::size_t>(*scene.field)].label;
   }
   // In a narrow pane the field's short name has to do.
   const bool wide = legend_size(look, field, {}).x > room - look.px(46);

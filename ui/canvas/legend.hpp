@@ -25,10 +25,10 @@ class Legend {
   /// The height that it takes in one row, with the space around it.
   [[nodiscard]] static float height(const Look& look);
 
-  /// In a window of its own at the lower left of `min`..`max`: the field of the leading pane's scene in its colours, and
+  /// In a window of its own at the lower left of `min`..`max`: the field of one pane's scene in its colours, and
   /// the signs that any pane shows. `of` says whose field it is, where another pane's means something else. What has no
   /// room in its row unfolds above its end while the mouse is there.
-  void draw(const Look& look, const Scene& leading, std::string_view of, FieldColours colours,
+  void draw(const Look& look, const Scene& scene, std::string_view of, FieldColours colours,
             std::uint32_t signs, ImVec2 min, ImVec2 max);
 
  private:

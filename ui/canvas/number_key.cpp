@@ -1,8 +1,11 @@
 #include "ui/canvas/number_key.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
+#include "core/scene/cover.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
@@ -11,10 +14,18 @@ namespace {
 /// The enlarged cell and the names in it.
 class KeyCell {
  public:
-  KeyCell(const Look& look, ImDrawList& list, const PlannerInfo& planner, NumberMask written, ImVec2 min)
-      : look_(look), list_(list), planner_(planner), written_(written), min_(min), side_(look.px(kSide)) {}
+  KeyCell(const Look& look, ImDrawList& list, const PlannerInfo& planner, const Scene& scene, ImVec2 min)
+      : look_(look),
+        list_(list),
+        planner_(planner),
+        written_(scene.written),
+        min_(min),
+        side_(side(look, scene.numbers)) {}
 
-  static constexpr float kSide = 76;  // of the design
+  /// No larger than its names need, so that it fits beside a world.
+  static float side(const Look& look, NumbersShown numbers) {
+    return look.px(numbers == NumbersShown::four ? 76 : 44);
+  }
 
   void draw(NumbersShown numbers) const {
     list_.AddRectFilled(min_, {min_.x + side_, min_.y + side_}, look_.theme.free);
@@ -83,16 +94,29 @@ std::string meaning(const PlannerInfo& planner, NumberMask written) {
   return text;
 }
 
+/// The corner of the room in which a square hides least of the world: the lower left one, unless another hides less.
+PixelBox best_corner(const Scene& scene, double side, const PixelBox& room) {
+  const PixelBox world = Cover::world(scene), square{0, 0, side, side};
+  const double left = room.left, top = room.top, right = room.right - side, bottom = room.bottom - side;
+  const std::array corners = {square.moved_to(left, bottom), square.moved_to(right, bottom),
+                              square.moved_to(left, top), square.moved_to(right, top)};
+  return *std::min_element(corners.begin(), corners.end(), [&](const PixelBox& a, const PixelBox& b) {
+    return a.common(world) < b.common(world);
+  });
+}
+
 }  // namespace
 
 void draw_number_key(const Look& look, ImDrawList& list, const PlannerInfo& planner, const Scene& scene,
-                     ImVec2 foot) {
+                     ImVec2 origin, const PixelBox& room) {
   if (scene.numbers == NumbersShown::none) return;
-  const float margin = look.px.s, side = look.px(KeyCell::kSide) + 2 * margin;
-  const ImVec2 min(foot.x, foot.y - side), max(foot.x + side, foot.y);
+  const float margin = look.px.s, side = KeyCell::side(look, scene.numbers) + 2 * margin;
+  const PixelBox box = best_corner(scene, static_cast<double>(side), room);
+  const ImVec2 min(origin.x + static_cast<float>(box.left), origin.y + static_cast<float>(box.top)),
+      max(min.x + side, min.y + side);
   list.AddRectFilled(min, max, with_alpha(look.theme.panel, kChipOpacity), look.px.radius_l);
   list.AddRect(min, max, look.theme.line, look.px.radius_l, 0, look.px.hair);
-  KeyCell(look, list, planner, scene.written, {min.x + margin, min.y + margin}).draw(scene.numbers);
+  KeyCell(look, list, planner, scene, {min.x + margin, min.y + margin}).draw(scene.numbers);
   if (!ImGui::IsMouseHoveringRect(min, max, false)) return;
   const std::string words = meaning(planner, scene.written);
   hint(look, {"The numbers in the cells", "", words.c_str()});

@@ -11,6 +11,11 @@ namespace {
 /// What the panes' pictures may take of a frame before others have to wait for the next one.
 constexpr double kScenesMs = 30;
 
+/// Whether a colour of the field says the same in both.
+bool field_alike(const Scene& a, const Scene& b) {
+  return a.field_words == b.field_words && a.range == b.range;
+}
+
 }  // namespace
 
 Canvas& Panes::canvas(std::size_t pane) {
@@ -40,7 +45,7 @@ void Panes::draw(const Look& look, const Session& session, std::size_t most, Vie
   const PaneGrid grid(look, count, min, max);
   shown_ = std::clamp(session.lead(), first, first + count - 1);
   std::uint32_t signs = 0;
-  bool alike = true;  // the field means the same in all panes
+  bool alike = true;  // the colours mean the same in all panes
   // Where a picture takes long, others may be a frame late, and then come first; else the leading pane does.
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < count; ++i) order.push_back((shown_ - first + i) % count);
@@ -54,11 +59,14 @@ void Panes::draw(const Look& look, const Session& session, std::size_t most, Vie
                       count > 1 ? 0 : legend, may_wait);
     grid.draw_parting(at);
     signs |= canvas(pane).scene().signs;
-    alike = alike && canvas(pane).scene().field_words == scene().field_words;
+    alike = alike && field_alike(canvas(pane).scene(), scene());
+    const ScreenArea area{grid.min(at), grid.max(at)};
+    if (interactive && area.holds(ImGui::GetIO().MousePos)) pointed_ = pane;
   }
   area_ = {grid.min(shown_ - first), grid.max(shown_ - first)};
-  const std::string_view of = alike ? std::string_view() : session.runs()[shown_]->info().name;
-  if (state.legend) legend_.draw(look, scene(), of, state.colours, signs, min, foot);
+  if (!interactive || pointed_ < first || pointed_ >= first + count) pointed_ = shown_;
+  const std::string_view of = alike ? std::string_view() : session.runs()[pointed_]->info().name;
+  if (state.legend) legend_.draw(look, canvas(pointed_).scene(), of, state.colours, signs, min, foot);
 }
 
 }  // namespace replan::ui

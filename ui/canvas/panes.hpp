@@ -31,6 +31,8 @@ class Panes {
   std::vector<std::unique_ptr<Canvas>> canvases_;  // by pane
   Legend legend_;
   std::size_t shown_ = 0;  // the pane of scene() and area()
+  /// That the legend speaks of: the one under the mouse, or the last that was, for the way from there to the legend.
+  std::size_t pointed_ = 0;
   ScreenArea area_;
 };
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/scene/view.hpp"
+#include "core/world/map_frame.hpp"
 #include "ui/canvas/editing.hpp"
 #include "ui/colormap.hpp"
 #include "ui/tools/tool_box.hpp"
@@ -23,6 +24,7 @@ struct ViewState {
   bool panels = true;  ///< side panel and tool strip shown
   std::string tab;     ///< the id of the chosen side tab; empty: the one that shows at first
   bool legend = true;
+  bool metres = true;        ///< lengths in metres on a map that says how large its cells are; else in cells
   bool minimap = true;       ///< the whole world in a corner, while some of it is out of sight
   bool hides_panes = false;  ///< there is no room for all of them
   static constexpr int kSmallest = -3, kLargest = 8;
@@ -44,5 +46,10 @@ struct ViewState {
   bool captured = false;  ///< a picture or a film is made of the canvas: what only serves its user stays away
   bool live = true;  ///< a window; else a picture, which shows no wall times and waits for what is worked out
 };
+
+/// The frame in which places and lengths of the map are shown; nothing: in cells.
+inline std::optional<MapFrame> shown_frame(const ViewState& view, const GridMap& map) {
+  return view.metres ? metric_frame(map) : std::nullopt;
+}
 
 }  // namespace replan::ui

@@ -139,7 +139,7 @@ void Documents::save_figures(const Session& session, const std::string& path) {
   for (const FiguresFormatInfo& format : figures_formats()) {
     if (file_extension(path) != format.extension) continue;
     const auto done = write_file_atomically(
-        path, figures_text(format.format, window_.panels.tabs.get<FiguresTab>().now(session)));
+        path, figures_text(format.format, window_.panels.tabs.get<FiguresTab>().now(session, window_.view)));
     if (!done) return complain(done.error());
     window_.dialogs.close();
     return window_.message.tell("Saved " + file_name(path), false);

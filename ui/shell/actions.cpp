@@ -195,7 +195,7 @@ void ActionContext::toggle_overlay(Overlay overlay) {
   if (!on || panels.zoom / view.view.scale >= info.readable_from) return;
   panels.said = "Zoom in to see all of them: they appear once cells are " + fixed(info.readable_from, 0) +
                 " pixels wide.";
-  panels.said_bad = false;
+  panels.tone = Tone::hint;
 }
 
 bool ActionContext::is_busy() const {

@@ -9,28 +9,25 @@
 namespace replan::ui {
 namespace {
 
-bool item(const char* label, const char* icon, bool on = false, bool enabled = true) {
-  return ImGui::MenuItemEx(label, icon, nullptr, on, enabled);
-}
-
 void breakpoint_item(Frame& frame, const std::string& label, const std::string& condition) {
   if (condition.empty()) return;
   const bool set = find_breakpoint(frame.session, condition).has_value();
-  if (item(label.c_str(), icon::circle, set))
+  if (menu_item(frame.look, label.c_str(), {.icon = icon::circle, .on = set}))
     frame.commands.push_back(toggle_breakpoint(frame.session, condition));
 }
 
 void watch_item(Frame& frame, const std::string& expression) {
   if (expression.empty()) return;
   const std::string label = "Watch " + expression;
-  if (item(label.c_str(), icon::line_chart, is_watched(frame.session, expression)))
+  const bool watched = is_watched(frame.session, expression);
+  if (menu_item(frame.look, label.c_str(), {.icon = icon::line_chart, .on = watched}))
     frame.commands.push_back(toggle_watch(frame.session, expression));
 }
 
 void change_items(Frame& frame, const std::string& name, EventKind kind, NodeId node) {
-  if (item(("Previous change of " + name).c_str(), icon::caret_left))
+  if (menu_item(frame.look, ("Previous change of " + name).c_str(), {icon::caret_left}))
     frame.commands.push_back(GoToChange{kind, node, -1});
-  if (item(("Next change of " + name).c_str(), icon::caret_right))
+  if (menu_item(frame.look, ("Next change of " + name).c_str(), {icon::caret_right}))
     frame.commands.push_back(GoToChange{kind, node, 1});
 }
 
@@ -56,7 +53,7 @@ void cell_menu_items(Frame& frame, Cell cell) {
   text(look.fonts.title, look.theme.text, "Cell " + cell_text(cell));
   ImGui::Separator();
   const bool pinned = frame.view.view.pinned == cell;
-  if (item(pinned ? "Unpin it" : "Pin it", icon::pin)) {
+  if (menu_item(look, pinned ? "Unpin it" : "Pin it", {icon::pin})) {
     if (pinned)
       frame.view.view.pinned.reset();
     else

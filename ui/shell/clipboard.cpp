@@ -54,7 +54,7 @@ std::vector<Cell> standing(const Session& session) {
 
 void say(PanelState& panels, std::string sentence, bool bad = false) {
   panels.said = std::move(sentence);
-  panels.said_bad = bad;
+  panels.tone = bad ? Tone::bad : Tone::done;
 }
 
 WorkPlace place_for(bool large) {

@@ -20,7 +20,7 @@ float width_of(DialogKind kind) {
     case DialogKind::worlds:
       return 1080;
     case DialogKind::keys:
-      return 1240;
+      return 1400;
     case DialogKind::recover:
       return 600;
     default:

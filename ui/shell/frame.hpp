@@ -17,6 +17,7 @@
 #include "ui/canvas/canvas.hpp"
 #include "ui/look.hpp"
 #include "ui/shell/clipboard.hpp"
+#include "ui/shell/message.hpp"
 #include "ui/shell/recording.hpp"
 #include "ui/tabs/tab_box.hpp"
 
@@ -115,7 +116,7 @@ struct PanelState {
   double frame_ms = 0;                       ///< CPU time of a frame, smoothed; 0: not measured
   float tool_height = 0;                     ///< what the tool's choices took in the last frame, in pixels
   std::string said;                          ///< a sentence for the user, to be shown over the canvas
-  bool said_bad = false;
+  Tone tone = Tone::done;
   std::vector<std::string> recent;             ///< files that were opened last, the latest first
   std::string wished;                          ///< the file, or the lesson, that a wish is about
   std::optional<std::vector<Lesson>> lessons;  ///< once they were asked for

@@ -116,7 +116,7 @@ bool LessonCard::do_it(Frame& frame) {
   const Result<std::vector<Deed>> deeds = player_->deeds(frame.session);
   if (!deeds) {
     frame.panels.said = deeds.error();
-    frame.panels.said_bad = true;
+    frame.panels.tone = Tone::bad;
     return false;
   }
   for (const Deed& deed : *deeds) {
@@ -203,7 +203,7 @@ void draw_lesson_menu(Frame& frame) {
   const std::vector<Lesson>& lessons = lessons_of(frame.panels);
   if (!ImGui::BeginMenuEx("Lessons", icon::graduation, !lessons.empty())) return;
   for (const Lesson& lesson : lessons) {
-    if (ImGui::MenuItemEx(lesson.title.c_str(), "")) wish_for_lesson(frame.wish, frame.panels, lesson.id);
+    if (menu_item(frame.look, lesson.title.c_str())) wish_for_lesson(frame.wish, frame.panels, lesson.id);
     hint(frame.look, {"", "", without_markdown(lesson.summary).c_str()});
   }
   ImGui::EndMenu();

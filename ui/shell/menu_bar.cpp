@@ -12,10 +12,10 @@
 namespace replan::ui {
 namespace {
 
-void menu_item(Frame& frame, const Action& each) {
+void action_item(Frame& frame, const Action& each) {
   const ActionContext context = context_of(frame);
-  if (ImGui::MenuItemEx(each.words(context).c_str(), each.icon, each.keys.c_str(), each.checked(context),
-                        each.available(context)))
+  if (menu_item(frame.look, each.words(context).c_str(),
+                {each.icon, each.keys.c_str(), each.checked(context), each.available(context)}))
     perform(frame, each.id);
   hint(frame.look, {"", "", each.teach.c_str()});
 }
@@ -27,7 +27,7 @@ void menu_items(Frame& frame, Menu menu) {
     if (each.menu != menu || each.hidden(context_of(frame))) continue;
     if (group >= 0 && each.group != group) ImGui::Separator();
     group = each.group;
-    menu_item(frame, each);
+    action_item(frame, each);
     if (each.rules.below != nullptr) each.rules.below(frame);
   }
 }
@@ -36,7 +36,7 @@ void planner_items(Frame& frame) {
   for (const PlannerInfo& info : planners()) {
     if (info.exercise && &info == sound_planners().data() + sound_planners().size()) ImGui::Separator();
     const bool chosen = frame.run().choice().id == info.id;
-    if (ImGui::MenuItemEx(std::string(info.name).c_str(), "", "", chosen))
+    if (menu_item(frame.look, std::string(info.name).c_str(), {.on = chosen}))
       frame.commands.push_back(ChoosePlanner{frame.session.lead(), std::string(info.id)});
     hint(frame.look, {"", "", std::string(info.summary).c_str()});
   }
@@ -130,7 +130,7 @@ void draw_recent_files(Frame& frame) {
   if (!ImGui::BeginMenuEx("Open recent", icon::history, !frame.panels.recent.empty())) return;
   for (const std::string& path : frame.panels.recent) {
     ImGui::PushID(path.c_str());
-    if (ImGui::MenuItemEx(file_name(path).c_str(), icon::file)) {
+    if (menu_item(frame.look, file_name(path).c_str(), {icon::file})) {
       frame.wish = Wish::recent;
       frame.panels.wished = path;
     }
@@ -138,7 +138,7 @@ void draw_recent_files(Frame& frame) {
     hint(frame.look, {"", "", path.c_str()});
   }
   ImGui::Separator();
-  if (ImGui::MenuItemEx("Forget these", icon::trash)) frame.wish = Wish::forget_recent;
+  if (menu_item(frame.look, "Forget these", {icon::trash})) frame.wish = Wish::forget_recent;
   ImGui::EndMenu();
 }
 

@@ -13,11 +13,12 @@ constexpr auto kMessageTime = std::chrono::seconds(6), kErrorTime = std::chrono:
 
 }  // namespace
 
-void Message::tell(std::string sentence, bool bad) {
+void Message::tell(std::string sentence, Tone tone) {
   if (sentence.empty()) return;
-  const auto time = bad ? std::chrono::duration_cast<std::chrono::seconds>(kErrorTime) : kMessageTime;
+  const auto time =
+      tone == Tone::bad ? std::chrono::duration_cast<std::chrono::seconds>(kErrorTime) : kMessageTime;
   text_ = as_sentence(std::move(sentence));
-  bad_ = bad;
+  tone_ = tone;
   until_ = std::chrono::steady_clock::now() + time;
 }
 
@@ -34,7 +35,16 @@ void Message::draw(const Look& look, ImVec2 min, ImVec2 max) {
   ImGui::Begin("message", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
-  text(look.fonts.ui, bad_ ? look.theme.bad : look.theme.good, bad_ ? icon::warning : icon::check);
+  switch (tone_) {
+    case Tone::done:
+      text(look.fonts.ui, look.theme.good, icon::check);
+      break;
+    case Tone::hint:
+      text(look.fonts.ui, look.theme.accent, icon::info);
+      break;
+    case Tone::bad:
+      text(look.fonts.ui, look.theme.bad, icon::warning);
+  }
   ImGui::SameLine(0, look.px(10));
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + words);
   text(look.fonts.ui, look.theme.text, text_);

@@ -16,14 +16,21 @@ namespace replan::ui {
 namespace {
 
 constexpr float kNarrowestSide = 340, kWidestSide = 640, kNarrowestCanvas = 320, kNarrowestTransport = 560;
-constexpr float kLow = 560, kLowTransport = 100;  // a low window, and its transport
-constexpr float kCaption = 32;                    // height of the line over the canvas
+constexpr float kLow = 560, kLowWithLesson = 680, kLowTransport = 100;  // low windows, and their transport
+constexpr float kNarrowestLesson = 560, kLessonSide = 0.31f;            // the latter of the window's width
+constexpr float kCaption = 32;                                          // height of the line over the canvas
 
 /// Whether a key presses or changes the control that has the keyboard.
 bool is_for_control(const Look& look, const Chord& chord) {
   if (look.focus == nullptr || !look.focus->shown() || chord.ctrl || chord.alt) return false;
   const bool arrow = chord.key == key::kLeft || chord.key == key::kRight;
   return chord.key == key::kSpace || (arrow && look.focus->has_arrows());
+}
+
+/// A menu's label without the dots that announce a dialog.
+std::string without_dots(const std::string& label) {
+  constexpr std::string_view kDots = "…";
+  return label.ends_with(kDots) ? label.substr(0, label.size() - kDots.size()) : label;
 }
 
 /// Seeks, steps and play are no edits: nobody needs to be told twice that there is nothing to undo.
@@ -70,7 +77,7 @@ void Shell::draw(const Look& look, Session& session, double) {
   world_dialogs_.draw(look, session, commands);
   context_of(frame).go_on_copying();
   context_of(frame).go_on_pasting();
-  if (!panels_.said.empty()) tell(std::exchange(panels_.said, {}), panels_.said_bad);
+  if (!panels_.said.empty()) message_.tell(std::exchange(panels_.said, {}), panels_.tone);
   take_commands(session, commands);
   follow_lesson(session);
   take_wish(session, wish);
@@ -91,6 +98,19 @@ bool Shell::wants_frames(const Session& session) const {
          panes_.animating();
 }
 
+namespace {
+
+/// A key whose action can do nothing now says why. Escape does not: it is pressed to be sure that nothing is on.
+void say_why_not(Frame& frame, ActionId id) {
+  const Action& each = action(id);
+  const std::string_view why_not = each.rules.why_not;
+  if (why_not.empty() || each.chord.key == key::kEscape || each.available(context_of(frame))) return;
+  frame.panels.said = without_dots(each.label) + ": " + std::string(why_not) + ".";
+  frame.panels.tone = Tone::hint;
+}
+
+}  // namespace
+
 void Shell::take_keys(Frame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool elsewhere =
@@ -105,6 +125,7 @@ void Shell::take_keys(Frame& frame) {
   }
   for (const ActionId id : pressed_actions(io)) {
     if (is_for_control(frame.look, action(id).chord)) continue;
+    say_why_not(frame, id);
     if (!action(id).rules.on_release) {
       perform(frame, id);
       continue;
@@ -148,14 +169,19 @@ void Shell::draw_parts(Frame& frame) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const bool panels = view_.panels;
   const std::string& session_caption = frame.session.scenario().caption;
-  // In a low window the hills of the timeline are.
-  const float transport = size.y < look.px(kLow) ? look.px(kLowTransport) : look.px.transport;
+  // In a low window the hills of the timeline are, and so they are where a lesson needs the room.
+  const float transport =
+      size.y < look.px(lesson_.open() ? kLowWithLesson : kLow) ? look.px(kLowTransport) : look.px.transport;
   const float bottom = size.y - look.px.status, under = bottom - transport;
   const float left = panels ? tool_strip_width(look, under - look.px.menu - look.px(16)) : 0;
   // In a small window the world keeps the larger half, and the transport goes under both.
   const float widest =
       std::max(size.x - left - look.px(kNarrowestCanvas), std::min(look.px(kNarrowestSide), size.x * 0.45f));
-  const float side = panels ? std::min(look.px(panels_.side_width), widest) : 0;
+  // Over a narrow canvas a lesson would be tall, and its cells too small for numbers: it takes the whole row, and the
+  // side gives way.
+  float side = panels ? std::min(look.px(panels_.side_width), widest) : 0;
+  const bool whole_row = lesson_.open() && size.x - left - side < look.px(kNarrowestLesson);
+  if (whole_row) side = std::min(side, size.x * kLessonSide);
   const float split = size.x - side;
   const bool small = split < look.px(kNarrowestTransport);
   const float transport_end = small ? size.x : split, side_end = small ? under : bottom;
@@ -170,11 +196,12 @@ void Shell::draw_parts(Frame& frame) {
     area("tools", {0, look.px.menu}, {left, under - look.px.menu}, look.theme.panel, {look.px(7), look.px(8)},
          [&] { draw_tool_strip(frame); });
   const bool told = panels_.caption && !session_caption.empty() && !lesson_.open();
-  const float strip = lesson_.open() ? lesson_.height(look, split - left) : told ? look.px(kCaption) : 0;
-  const float top = look.px.menu + strip;
-  if (told) draw_caption(frame, {left, look.px.menu}, {split - left, strip});
+  const float row = (whole_row ? size.x : split) - left;
+  const float strip = lesson_.open() ? lesson_.height(look, row) : told ? look.px(kCaption) : 0;
+  const float top = look.px.menu + strip, side_top = whole_row ? top : look.px.menu;
+  if (told) draw_caption(frame, {left, look.px.menu}, {row, strip});
   if (lesson_.open())
-    area("lesson", {left, look.px.menu}, {split - left, strip}, look.theme.panel, {look.px.m, look.px.s},
+    area("lesson", {left, look.px.menu}, {row, strip}, look.theme.panel, {look.px.m, look.px.s},
          [&] { lesson_.draw(frame); });
   draw_canvas(frame, {left, top}, {split, under});
   lesson_.enter_step(frame);
@@ -182,7 +209,7 @@ void Shell::draw_parts(Frame& frame) {
        [&] { draw_transport(frame); });
   if (panels) {
     const float tool = has_tool_options(frame) ? panels_.tool_height : 0;
-    area("side", {split, look.px.menu}, {side, side_end - tool - look.px.menu}, look.theme.panel, {0, 0},
+    area("side", {split, side_top}, {side, side_end - tool - side_top}, look.theme.panel, {0, 0},
          [&] { draw_side(frame); });
     if (has_tool_options(frame))
       area("tool options", {split, side_end - tool}, {side, tool}, look.theme.panel, {look.px.l, look.px.m},
@@ -192,7 +219,7 @@ void Shell::draw_parts(Frame& frame) {
     draw_status_bar(frame);
     draw_cell_menu(frame);
   });
-  if (panels) draw_splitter(frame, split, look.px.menu, side_end);
+  if (panels) draw_splitter(frame, split, side_top, side_end);
   draw_stop(frame, {split - look.px.m, under - look.px(52)});
   message_.draw(look, {left, look.px.menu}, {split, under});
   palette_.draw(frame, documents_.library());

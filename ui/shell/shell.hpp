@@ -53,6 +53,8 @@ class Shell {
   void welcome();
   /// A sentence over the canvas for a while.
   void tell(std::string sentence, bool bad) { message_.tell(std::move(sentence), bad); }
+  /// What stands over the canvas; empty: nothing.
+  [[nodiscard]] const std::string& told() const { return message_.sentence(); }
 
  private:
   /// A position that a run has yet to come to.

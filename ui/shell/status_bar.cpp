@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "core/debug/offers.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
@@ -42,6 +43,8 @@ Verdict verdict(const Theme& theme, const Run& run) {
       return {theme.bad, "would hit an obstacle", "collision"};
     case MissionState::loop:
       return {theme.bad, "goes round in a circle", "unchecked-parent"};
+    case MissionState::stuck:
+      return {theme.bad, "stuck: no arc leads on", "stuck"};
     case MissionState::endless:
       return {theme.bad, "turned back again and again", "moving-obstacle"};
     case MissionState::nearest:
@@ -73,7 +76,9 @@ std::string cell_state(const Frame& frame, Cell cell) {
   const SearchState& state = run.timeline().state();
   const NodeId node = run.lattice().node(cell);
   const bool truth = state.truly_blocked(node), known = state.known_blocked(node);
-  const std::string what = truth ? "obstacle" : "free";
+  const std::string what = truth                                   ? "obstacle"
+                           : too_near(run.log_view(), state, node) ? "free, but too near"
+                                                                   : "free";
   if (truth == known) return what + " · known";
   return what + (truth ? " · not seen yet" : " · believed blocked");
 }
@@ -292,6 +297,15 @@ void draw_status_bar(Frame& frame) {
   line.pair("Cell", inside ? place(cell->x, cell->y) : "–",
             {"Cell", "", "Column and row, from (0, 0) at the top left."},
             place(map.width - 1, map.height - 1).size());
+  const std::optional<MapFrame> metres = shown_frame(frame.view, map);
+  if (metres && inside) {
+    const Point middle = metres->to_metres(centre_of(*cell));
+    line.pair("at", fixed(middle.x, 2) + ", " + fixed(middle.y, 2) + " m",
+              {"Place", "", "The middle of the cell in the map's own frame: x to the right, y up."}, 16);
+  }
+  const auto length = [&metres](double cells) {
+    return metres ? fixed(metres->metres(cells), 2) + " m" : fixed(cells, 1);
+  };
   line.word(inside ? cell_state(frame, *cell) : "", text_width(look.fonts.ui, "obstacle · known"),
             {"What stands there", "",
              "In the true world, and whether the robot knows of it. It plans on what it believes alone."});
@@ -303,9 +317,9 @@ void draw_status_bar(Frame& frame) {
   checks(frame, line);
   const Decision* decision = run.decision_at(run.timeline().cursor());
   if (decision != nullptr && decision->state == MissionState::arrived)
-    line.pair("travelled", fixed(decision->figures.travelled, 1), term_hint("travelled"));
+    line.pair("travelled", length(decision->figures.travelled), term_hint("travelled"));
   else if (decision != nullptr && has_path(decision->plan->status))
-    line.pair("to go", fixed(std::max(decision->plan->length - decision->along_plan, 0.0), 1),
+    line.pair("to go", length(std::max(decision->plan->length - decision->along_plan, 0.0)),
               term_hint("to-go"));
   line.pair("|U|", grouped(run.timeline().state().queue_size()), term_hint("open-list"));
   if (run.info().from_goal) line.pair("km", cost_text(run.timeline().state().km(), 2), term_hint("km"));

@@ -23,7 +23,7 @@ ImVec2 best_place(const Look& look, const Scene& scene, Cell cell, ImVec2 size, 
   const PixelBox room{px(4), static_cast<double>(pane_title_height(look)), width - px(4),
                       height - static_cast<double>(Legend::height(look))};
   const PixelBox box{0, 0, static_cast<double>(size.x), static_cast<double>(size.y)};
-  const double reach = open ? std::max(width, height) : px(96), farther = px(open ? 0.5f : 2);
+  const double reach = open ? std::max(width, height) : px(96), farther = px(open ? 1.5f : 2);
   Cover cover(scene);
   const PixelBox about = Cover::cell(scene, cell);
   // The answer is about the neighbours as much as about the cell.

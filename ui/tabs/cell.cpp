@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/debug/offers.hpp"
 #include "core/debug/open_order.hpp"
 #include "core/trace/search_state.hpp"
 #include "ui/icons.hpp"
@@ -20,6 +21,7 @@ namespace {
 std::pair<const char*, ImU32> consistency(const Theme& theme, const CellView& view) {
   const Cost g = view.state.g(view.node), rhs = view.state.rhs(view.node);
   if (view.state.known_blocked(view.node)) return {"obstacle", theme.dim};
+  if (too_near(view.run.log_view(), view.state, view.node)) return {"too near", theme.dim};
   if (!view.lookahead)
     return g.is_infinite()                ? std::pair{"not seen", theme.dim}
            : view.state.queued(view.node) ? std::pair{"open", theme.accent}
@@ -203,6 +205,9 @@ void heading(Frame& frame, Cell cell) {
   if (small_button(look, "cell menu", {.icon = icon::angle_down, .hint = menu.hint()}))
     frame.view.menu = cell;
   ImGui::SetCursorScreenPos(below);
+  if (const auto metres = shown_frame(frame.view, frame.session.scenario().map))
+    text(look.fonts.mono, look.theme.dim,
+         "at " + metres_text(metres->to_metres(centre_of(cell)), frame.run().lattice().solid()));
 }
 
 class CellTab final : public SideTab {

@@ -20,6 +20,8 @@ const char* special_case(const CellView& view, const std::vector<Offer>& all) {
                           : "This is the start: its g is 0.";
   if (view.state.known_blocked(view.node))
     return "On the robot's map this cell is an obstacle, so no move leads in or out.";
+  if (too_near(view.run.log_view(), view.state, view.node))
+    return "This cell is nearer to an obstacle than the robot's radius: its centre keeps out.";
   if (all.empty()) return "There are obstacles all around: no move leads from here.";
   if (all.front().sum.is_infinite())
     return "No neighbour has a value, so no way through any of them is known.";

@@ -47,9 +47,13 @@ bool entry_field(Frame& frame, const Entry& entry, std::string& draft) {
   ImGui::PushID(entry.id);
   const std::string error = draft.empty() ? "" : language_error(frame.session, draft, entry.quantity);
   const float buttons = look.px(24) * 2 + look.px.xs * 2;
+  // Whether Enter was pressed on what stands there: who is still typing needs to be told what is missing, not scolded.
+  bool& refused = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("refused"));
+  const bool typing = ImGui::GetActiveID() == ImGui::GetID("##field");
+  const Fault fault = error.empty() ? Fault::none : refused || !typing ? Fault::refused : Fault::unfinished;
+  const std::string before = draft;
   bool entered = code_field(look, "##field", entry.placeholder, draft,
-                            ImGui::GetContentRegionAvail().x - buttons, !error.empty());
-  const bool typing = ImGui::IsItemActive();
+                            ImGui::GetContentRegionAvail().x - buttons, fault);
   ImGui::SameLine(0, look.px.xs);
   entered |=
       small_button(look, "add", {.icon = icon::plus, .hint = {"Add", "Enter"}, .enabled = !draft.empty()});
@@ -57,8 +61,9 @@ bool entry_field(Frame& frame, const Entry& entry, std::string& draft) {
   if (small_button(look, "help", {.icon = icon::question, .hint = {"What can be typed here"}}))
     ImGui::OpenPopup("language");
   language_help(frame, entry);
+  if (entered || draft != before) refused = entered && !error.empty();
   if (!error.empty())
-    paragraph(look.fonts.ui, look.theme.bad, as_sentence(error));
+    paragraph(look.fonts.ui, fault == Fault::refused ? look.theme.bad : look.theme.dim, as_sentence(error));
   else if (typing && !draft.empty())
     paragraph(look.fonts.small, look.theme.faint, "Enter adds it.");
   ImGui::PopID();

@@ -32,21 +32,28 @@ void draw_value(const Look& look, float right, float y, const std::string& text,
   list.AddRectFilled({right - width, foot}, {right, foot + look.px(2)}, look.theme.good);
 }
 
-/// How the columns lie: with one or two panes beside the row's name, with more below it.
+/// How the columns lie: beside the row's name, or below it where there are more than two panes, or too little room for
+/// the planners' names.
 struct FiguresLayout {
   float left, width, name;  // name: the share of the names; 0 if they stand above
   std::size_t panes;
-  [[nodiscard]] float ratio_width(const Look& look) const { return panes == 2 ? look.px(48) : 0; }
+  [[nodiscard]] float ratio_width(const Look& look) const { return panes == 2 && name > 0 ? look.px(48) : 0; }
   [[nodiscard]] float right(const Look& look, std::size_t pane) const {
     const float room = width - name - ratio_width(look);
     return left + name + room * static_cast<float>(pane + 1) / static_cast<float>(panes);
   }
 };
 
-FiguresLayout figures_layout(const Look& look, std::size_t panes) {
+FiguresLayout figures_layout(const Look& look, const FiguresTable& table) {
   const float width = ImGui::GetContentRegionAvail().x;
-  return {ImGui::GetCursorScreenPos().x, width, panes <= 2 ? std::min(look.px(140), width * 0.42f) : 0,
-          panes};
+  FiguresLayout layout{ImGui::GetCursorScreenPos().x, width, std::min(look.px(140), width * 0.42f),
+                       table.names.size()};
+  const float room = layout.right(look, 0) - layout.left - layout.name - look.px.s;
+  const bool fit = std::all_of(table.names.begin(), table.names.end(), [&](const std::string& each) {
+    return text_width(look.fonts.ui, each) <= room;
+  });
+  if (layout.panes > 2 || !fit) layout.name = 0;
+  return layout;
 }
 
 void draw_names(const Look& look, const FiguresLayout& layout, const FiguresTable& table) {
@@ -88,7 +95,7 @@ void draw_row(const Look& look, const FiguresLayout& layout, const FigureRow& ro
     list.AddRectFilled(origin, {origin.x + layout.width, origin.y + height}, look.theme.hover, look.px(4));
   hint(look, {row.info->label.data(), "", row.info->teach.data()});
   const std::string name =
-      std::string(row.info->label) + (row.info->unit.empty() ? "" : "  " + std::string(row.info->unit));
+      std::string(row.info->label) + (row.unit.empty() ? "" : "  " + std::string(row.unit));
   const float y = origin.y + (line - look.fonts.mono->FontSize) * 0.5f;
   draw_line(look, list, look.fonts.ui, {origin.x, y}, look.theme.dim, name,
             stacked ? layout.width : layout.name);
@@ -110,7 +117,7 @@ void export_menu(Frame& frame) {
     ImGui::OpenPopup("export");
   if (!ImGui::BeginPopup("export")) return;
   const auto entry = [&frame, &look](ActionId id) {
-    if (ImGui::MenuItem(action(id).label.c_str())) perform(frame, id);
+    if (menu_item(look, action(id).label.c_str())) perform(frame, id);
     hint(look, {"", "", action(id).teach.c_str()});
   };
   for (const ActionId id :
@@ -142,7 +149,7 @@ FiguresTab::Kept& FiguresTab::kept(const Run& run, std::size_t pane) {
   return *kept;
 }
 
-std::vector<RunReport> FiguresTab::as_known(const Session& session) {
+std::vector<RunReport> FiguresTab::as_known(const Session& session, const ViewState& view) {
   std::vector<RunReport> reports;
   for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
     const Run& run = *session.runs()[pane];
@@ -153,29 +160,31 @@ std::vector<RunReport> FiguresTab::as_known(const Session& session) {
       reports.back().planner = run.choice().id;
       reports.back().status = status_name(PlanStatus::searching);
     } else {
-      reports.push_back(report_at(*decision, *run.decisions().front().plan, *figures, run.choice()));
+      reports.push_back(report_at(*decision, *run.decisions().front().plan, *figures, run.choice(),
+                                  run.scenario().robot.radius));
+      reports.back().frame = shown_frame(view, run.scenario().map);
     }
   }
   return reports;
 }
 
-std::vector<RunReport> FiguresTab::now(const Session& session) {
-  static_cast<void>(as_known(session));  // begins what is not worked out yet
+std::vector<RunReport> FiguresTab::now(const Session& session, const ViewState& view) {
+  static_cast<void>(as_known(session, view));  // begins what is not worked out yet
   for (const auto& each : kept_)
     if (each) each->job.wait();
-  return as_known(session);
+  return as_known(session, view);
 }
 
 void ActionContext::copy_figures(FiguresFormat format) {
-  ImGui::SetClipboardText(figures_text(format, panels.tabs.get<FiguresTab>().now(session)).c_str());
+  ImGui::SetClipboardText(figures_text(format, panels.tabs.get<FiguresTab>().now(session, view)).c_str());
   panels.said =
       std::string("Copied the figures as ") + figures_formats()[static_cast<std::size_t>(format)].name;
-  panels.said_bad = false;
+  panels.tone = Tone::done;
 }
 
 void FiguresTab::draw(Frame& frame) {
   const Look& look = frame.look;
-  const std::vector<RunReport> reports = as_known(frame.session);
+  const std::vector<RunReport> reports = as_known(frame.session, frame.view);
   std::vector<bool> standing;
   for (const RunReport& report : reports)
     standing.push_back(report.status != status_name(PlanStatus::searching));
@@ -192,7 +201,7 @@ void FiguresTab::draw(Frame& frame) {
     return;
   }
   const FiguresTable table = figures_table(reports);
-  const FiguresLayout layout = figures_layout(look, standing.size());
+  const FiguresLayout layout = figures_layout(look, table);
   section_title(look, figure_group_title(FigureGroup::first_plan));
   export_menu(frame);
   draw_names(look, layout, table);

@@ -17,7 +17,7 @@ class FiguresTab final : public SideTab {
  public:
   void draw(Frame& frame) override;
   /// How all panes stand at their cursors, waiting for what is being worked out.
-  std::vector<RunReport> now(const Session& session);
+  std::vector<RunReport> now(const Session& session, const ViewState& view);
 
  private:
   /// Path figures of one pane's first plan, kept until it is another. Those on a large map are worked out beside the
@@ -30,7 +30,7 @@ class FiguresTab final : public SideTab {
     explicit Kept(bool large) : job(WorkPlace{.in_step = !large, .wake = {}}) {}
   };
   Kept& kept(const Run& run, std::size_t pane);
-  [[nodiscard]] std::vector<RunReport> as_known(const Session& session);
+  [[nodiscard]] std::vector<RunReport> as_known(const Session& session, const ViewState& view);
 
   std::vector<std::unique_ptr<Kept>> kept_;
 };

@@ -70,7 +70,7 @@ std::string story_words(const Run& run, const Milestone& milestone) {
 std::array<Column, 3> story_columns(const Look& look, const Run& run) {
   const auto width = [&](std::size_t most, const char* name) {
     return std::max(text_width(look.fonts.mono, grouped(most)), text_width(look.fonts.mono, name)) +
-           look.px(12);
+           look.px(16);
   };
   const std::int64_t clock = run.decisions().empty() ? 0 : run.decisions().back().clock;
   const float event = width(run.timeline().size(), "event"),

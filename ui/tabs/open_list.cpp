@@ -41,6 +41,13 @@ std::string widest_cell(const Run& run) {
   return cell_text({run.lattice().width() - 1, run.lattice().height() - 1});
 }
 
+/// The rows that a list is about to show: its columns are as wide as what stands in them.
+RowsInSight rows_ahead(const Look& look, const RowScroll& scroll, std::size_t count) {
+  const auto first = std::min(static_cast<std::size_t>(scroll.first), count - 1);
+  const auto rows = static_cast<std::size_t>(ImGui::GetContentRegionAvail().y / look.px.row) + 2;
+  return {first, std::min(first + rows, count)};
+}
+
 /// The costs of a row, in the order of their columns.
 std::vector<Cost> costs_of(const Run& run, const OpenEntry& entry) {
   const SearchState& state = run.timeline().state();
@@ -108,21 +115,45 @@ void open_row(Frame& frame, std::size_t rank, const OpenEntry& entry, const Open
   point_at(frame, cell);
 }
 
-void touched_row(Frame& frame, std::size_t row, const Touched& each, std::span<const Column> columns) {
+/// How the list of a repair's cells lies.
+struct TouchedLayout {
+  std::vector<Column> columns = {};
+  int decimals = 2;
+};
+
+/// The cells whole, and the costs in what is left, where decimals give way.
+TouchedLayout touched_layout(const Look& look, const Run& run, std::span<const Touched> in_sight) {
+  const bool lookahead = run.info().values.lookahead();
+  const float gap = look.px(12), cell = text_width(look.fonts.mono, widest_cell(run)) + gap;
+  const float cost = (ImGui::GetContentRegionAvail().x - cell) / (lookahead ? 4 : 2);
+  TouchedLayout layout{.columns = {{"cell", cell, Align::left}, {"g", cost}, {"→g", cost}}};
+  if (lookahead) layout.columns.insert(layout.columns.end(), {Column{"rhs", cost}, Column{"→rhs", cost}});
+  const auto fits = [&](Cost value) {
+    return text_width(look.fonts.mono, cost_text(value, layout.decimals)) + gap <= cost;
+  };
+  const auto all_fit = [&](const Touched& each) {
+    return fits(each.g_before) && fits(each.g_after) && fits(each.rhs_before) && fits(each.rhs_after);
+  };
+  while (layout.decimals > 0 && !std::all_of(in_sight.begin(), in_sight.end(), all_fit)) --layout.decimals;
+  return layout;
+}
+
+void touched_row(Frame& frame, std::size_t row, const Touched& each, const TouchedLayout& layout) {
   const Look& look = frame.look;
   const Cell cell = frame.run().lattice().position(each.node);
-  const std::string at = cell_text(cell), g_before = cost_text(each.g_before, 2),
-                    g_after = cost_text(each.g_after, 2), rhs_before = cost_text(each.rhs_before, 2),
-                    rhs_after = cost_text(each.rhs_after, 2);
+  const auto cost = [&layout](Cost value) { return cost_text(value, layout.decimals); };
+  const std::string at = cell_text(cell), g_before = cost(each.g_before), g_after = cost(each.g_after),
+                    rhs_before = cost(each.rhs_before), rhs_after = cost(each.rhs_after);
   const ImU32 dim = look.theme.dim, faint = look.theme.faint, text = look.theme.text;
   const bool g = each.g_before != each.g_after, rhs = each.rhs_before != each.rhs_after;
   std::vector<TableCell> cells = {{at}, {g_before, g ? dim : faint}, {g_after, g ? text : faint}};
-  if (columns.size() > 3) {
+  if (layout.columns.size() > 3) {
     cells.push_back({rhs_before, rhs ? dim : faint});
     cells.push_back({rhs_after, rhs ? text : faint});
   }
   const bool pinned = frame.view.view.pinned == cell;
-  if (table_row(look, static_cast<int>(row % kMostIds), columns, cells, pinned)) show_cell(frame, cell);
+  if (table_row(look, static_cast<int>(row % kMostIds), layout.columns, cells, pinned))
+    show_cell(frame, cell);
   point_at(frame, cell);
 }
 
@@ -159,10 +190,8 @@ void OpenListTab::draw_open_list(Frame& frame) {
   const bool late = order_.position() != run.timeline().cursor();
   paragraph(look.fonts.ui, look.theme.dim,
             late ? count + " at event " + grouped(order_.position()) : count + "; the first is taken next");
-  const auto first = std::min(static_cast<std::size_t>(order_rows_.first), order_.size() - 1);
-  const auto rows = static_cast<std::size_t>(ImGui::GetContentRegionAvail().y / look.px.row) + 2;
   const OpenListLayout layout =
-      open_list_layout(look, run, order_, {first, std::min(first + rows, order_.size())});
+      open_list_layout(look, run, order_, rows_ahead(look, order_rows_, order_.size()));
   table_head(look, layout.columns);
   const RowsInSight sight = begin_rows(look, "open list", order_.size(), 0, order_rows_);
   for (std::size_t rank = sight.first; rank < sight.last; ++rank) open_row(frame, rank, order_[rank], layout);
@@ -198,12 +227,13 @@ void OpenListTab::draw_touched(Frame& frame) {
               "The change made no difference to any cell: the plan is the same as before.");
     return;
   }
-  std::vector<Column> columns = {{"cell", 1.3f, Align::left}, {"g"}, {"→ g"}};
-  if (run.info().values.lookahead()) columns.insert(columns.end(), {Column{"rhs"}, Column{"→ rhs"}});
-  table_head(look, columns);
+  const RowsInSight ahead = rows_ahead(look, touched_rows_, touched->list().size());
+  const TouchedLayout layout =
+      touched_layout(look, run, std::span(touched->list()).subspan(ahead.first, ahead.last - ahead.first));
+  table_head(look, layout.columns);
   const RowsInSight sight = begin_rows(look, "touched", touched->list().size(), 0, touched_rows_);
   for (std::size_t row = sight.first; row < sight.last; ++row)
-    touched_row(frame, row, touched->list()[row], columns);
+    touched_row(frame, row, touched->list()[row], layout);
   end_rows();
 }
 

@@ -227,6 +227,23 @@ bool drive_settings(Frame& frame, RobotSetup& robot) {
          changed;
 }
 
+/// How large it is; true if that was changed.
+bool size_setting(Frame& frame, RobotSetup& robot) {
+  const Parameter radius{.key = "robot radius",
+                         .label = "Robot radius",
+                         .type = ParameterType::real,
+                         .initial = RobotSetup{}.radius,
+                         .low = 0,
+                         .high = std::max(8.0, robot.radius),
+                         .unit = "cells"};
+  return number_setting(
+      frame, radius,
+      {"Robot radius", "",
+       "Of its body. Its centre keeps so far away from the squares of all obstacles, and it "
+       "cuts no corners. 0: a point, which may go wherever a cell is free."},
+      robot.radius);
+}
+
 /// What it does where it cannot go on; true if something was changed.
 bool trouble_settings(const Look& look, RobotSetup& robot) {
   static constexpr std::array<const char*, 2> kUnreachable = {"wait for a way", "go as near as it can"};
@@ -253,6 +270,7 @@ void robot_settings(Frame& frame) {
   RobotSetup robot = frame.session.scenario().robot;
   int knowledge = static_cast<int>(robot.knowledge);
   bool changed = kind_settings(frame, robot);
+  changed |= size_setting(frame, robot);
   changed |= labelled_control(look, "The robot knows",
                               {"What the robot knows", "",
                                "Everything: each change as it happens. The map: as it is at the start; "
@@ -271,7 +289,7 @@ void robot_settings(Frame& frame) {
   changed |= number_setting(frame, radius,
                             {"Sensor radius", "",
                              "How far the robot sees, from its cell's centre to a cell's centre. The eight "
-                             "cells around it are always felt."},
+                             "cells around it, and what its body could touch in them, are always felt."},
                             robot.sensor_radius);
   changed |= toggle(look, "Obstacles block its view", robot.sensor_blocked);
   hint(look,

@@ -68,10 +68,20 @@ void tab_stop(const Look& look) {
   if (look.focus != nullptr) look.focus->offer(look.theme.accent, look.px.radius, look.px(2));
 }
 
+void first_tab_stop(const Look& look) {
+  if (look.focus != nullptr) look.focus->begin_at_item();
+}
+
 int arrow_steps(const Look& look) {
   if (look.focus == nullptr || !look.focus->takes_arrows() || ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyAlt)
     return 0;
   return (ImGui::IsKeyPressed(key::kRight) ? 1 : 0) - (ImGui::IsKeyPressed(key::kLeft) ? 1 : 0);
+}
+
+bool menu_item(const Look& look, const char* label, const MenuEntry& entry) {
+  const bool chosen = ImGui::MenuItemEx(label, entry.icon, entry.keys, entry.on, entry.enabled);
+  tab_stop(look);
+  return chosen;
 }
 
 bool tool_button(const Look& look, const char* id, const IconButton& button) {

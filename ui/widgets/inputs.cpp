@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
@@ -227,12 +228,15 @@ bool combo(const Look& look, const char* id, std::span<const char* const> items,
       ImGui::BeginCombo(id, preview.c_str(), ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLarge);
   if (open) {
     for (int i = 0; i < static_cast<int>(items.size()); ++i) {
-      if (ImGui::Selectable(items[static_cast<std::size_t>(i)], i == current)) current = i;
-      if (i == current) ImGui::SetItemDefaultFocus();
+      if (ImGui::Selectable(items[static_cast<std::size_t>(i)], i == before)) current = i;
+      tab_stop(look);
+      if (i == before && ImGui::IsWindowAppearing()) first_tab_stop(look);
     }
     ImGui::EndCombo();
   }
   ImGui::PopStyleVar();
+  bool& was_open = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetItemID());
+  if (std::exchange(was_open, open) && !open && look.focus != nullptr) look.focus->come_back_to_item();
   tab_stop(look);
   const ImVec2 max = ImGui::GetItemRectMax();
   const float y = (ImGui::GetItemRectMin().y + max.y) * 0.5f;
@@ -244,11 +248,11 @@ bool combo(const Look& look, const char* id, std::span<const char* const> items,
 }
 
 bool code_field(const Look& look, const char* id, const char* placeholder, std::string& text, float width,
-                bool bad) {
+                Fault fault) {
   const float vertical = (look.px.control - look.fonts.mono->FontSize) * 0.5f;
   ImGui::PushFont(look.fonts.mono);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(10), vertical));
-  if (bad) ImGui::PushStyleColor(ImGuiCol_Text, look.theme.bad);
+  if (fault == Fault::refused) ImGui::PushStyleColor(ImGuiCol_Text, look.theme.bad);
   ImGui::SetNextItemWidth(width);
   // Enter would take the keyboard away from the field, and the next keys would do what they do elsewhere.
   ImGuiIO& io = ImGui::GetIO();
@@ -257,12 +261,17 @@ bool code_field(const Look& look, const char* id, const char* placeholder, std::
       typing && (ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false));
   if (typing && is_enter_down(io))
     for (const int each : {key::kEnter, key::kKeypadEnter}) key::take(io, each);
+  // Escape leaves the field too, and ImGui's own would take back what was typed.
+  if (typing && ImGui::IsKeyPressed(key::kEscape, false)) {
+    ImGui::ClearActiveID();
+    key::take(io, key::kEscape);
+  }
   if (look.focus != nullptr) look.focus->offer_field(id);
   ImGui::InputTextWithHint(id, placeholder, &text);
   ImGuiInputTextState* state = ImGui::GetInputTextState(ImGui::GetID(id));
-  if (entered && state != nullptr && bad) state->SelectAll();
-  if (entered && state != nullptr && !bad) state->ClearText();
-  if (bad) ImGui::PopStyleColor();
+  if (entered && state != nullptr && fault != Fault::none) state->SelectAll();
+  if (entered && state != nullptr && fault == Fault::none) state->ClearText();
+  if (fault == Fault::refused) ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   ImGui::PopFont();
   return entered;

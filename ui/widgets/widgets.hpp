@@ -58,6 +58,8 @@ void key_chip(const Look& look, const char* keys);
 
 /// The last item can be come to by Tab and pressed by Space; while it has the keyboard there is a ring around it.
 void tab_stop(const Look& look);
+/// The last item, in a list that has just opened over the window, is where Up and Down begin.
+void first_tab_stop(const Look& look);
 /// For the last item, a control that Left and Right change: how often they were pressed to the right, below 0 to the left,
 /// while it has the keyboard.
 int arrow_steps(const Look& look);
@@ -84,6 +86,15 @@ bool small_button(const Look& look, const char* id, const IconButton& button);
 enum class ButtonKind { primary, plain, quiet, danger };
 /// A labelled button; `icon` may be empty. The label is its id; "##" hides what follows it.
 bool button(const Look& look, const char* label, ButtonKind kind = ButtonKind::plain, const char* icon = "");
+
+struct MenuEntry {
+  const char* icon = "";
+  const char* keys = "";
+  bool on = false;  ///< ticked
+  bool enabled = true;
+};
+/// A line of a menu, which Tab, Up and Down come to; whether it was chosen.
+bool menu_item(const Look& look, const char* label, const MenuEntry& entry = {});
 
 /// A tab's name, and what its tooltip says.
 struct Tab {
@@ -198,10 +209,14 @@ bool number_field(const Look& look, const char* id, ImGuiDataType type, void* va
 /// A label, its value with unit, and a track; the value can be typed. Whether it changed.
 bool slider(const Look& look, const SliderSpec& spec, double& value, const Hint& what = {});
 
-/// A field for an expression, in the face of numbers; its text is red while `bad`. Whether Enter was pressed: the field
-/// keeps the keyboard, with its text selected if that is bad, else ready for the next one.
+/// What is wrong with the text of a field: nothing, something that the typing may still mend, or what Enter was refused
+/// for.
+enum class Fault { none, unfinished, refused };
+/// A field for an expression, in the face of numbers, its text red where it was refused. Whether Enter was pressed: the
+/// field keeps the keyboard, with its text selected if there is a fault, else ready for the next one. Escape leaves the
+/// field, with what was typed.
 bool code_field(const Look& look, const char* id, const char* placeholder, std::string& text, float width,
-                bool bad);
+                Fault fault);
 /// Words that can be clicked, in the accent's colour.
 bool link(const Look& look, const char* id, std::string_view words, const ImFont* font);
 

@@ -58,6 +58,12 @@ std::vector<Section> sections() {
   return all;
 }
 
+/// From one column to the next, at least.
+constexpr float kColumn = 264;
+
+float column_gap(const Look& look) {
+  return look.px(28);
+}
 float line_height(const Look& look) {
   return look.px(20);
 }
@@ -130,7 +136,7 @@ float column_height(std::span<const float> heights, std::size_t columns) {
 /// All lines in columns of about equal height, no section torn apart.
 void draw_sections(const Look& look, std::size_t columns) {
   const std::vector<Section> all = sections();
-  const float gap = look.px(28), title = title_height(look);
+  const float gap = column_gap(look), title = title_height(look);
   const float whole = ImGui::GetContentRegionAvail().x;
   const float width = (whole - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
   std::vector<float> heights;
@@ -179,10 +185,8 @@ DialogDecision Dialogs::keys_dialog(const Look& look) {
   heading(look, "Keys and legend");
   const float whole = ImGui::GetContentRegionAvail().x;
   const float tallest = ImGui::GetIO().DisplaySize.y - look.px(32 + 40 + 40 + 52);
-  const std::size_t columns = whole > look.px(1080)  ? 4
-                              : whole > look.px(680) ? 3
-                              : whole > look.px(440) ? 2
-                                                     : 1;
+  const auto columns =
+      static_cast<std::size_t>(std::clamp((whole + column_gap(look)) / look.px(kColumn), 1.0f, 5.0f));
   ImGui::BeginChild("page", {0, std::min(tallest, page_height_)});
   const float top = ImGui::GetCursorPosY();
   draw_sections(look, columns);

@@ -1,0 +1,68 @@
+// A robot with two driven wheels that follows its plan by the dynamic window approach (core/drive/dynamic_window.hpp).
+//
+//  Fox D., Burgard W. & Thrun S., "The dynamic window approach to collision avoidance", IEEE Robotics & Automation
+//  Magazine 4(1), 1997, doi 10.1109/100.580977
+//  Liu J., Xue L., Zhang H. & Liu Z., "Robot dynamic path planning based on improved A* and DWA algorithm" (Henan
+//  University of Technology)
+//
+// What is settled here:
+// - Each of its steps is a period of the drive: it decides, and keeps its speed and turn rate until the next.
+// - The nodes of its plan are the sub-goals, taken in order: the next one when one is near, or when the way to the next
+//   is free on the robot's map.
+// - Known is what its map showed before it set out; what it has seen since is unknown to the plan of the paper, and has
+//   the other weight. The plan is renewed whenever the map changes, as with every robot here.
+// - It is never faster than it can turn to its sub-goal; one that lies behind it, it turns to on the spot.
+// - It has arrived when it is in the goal's cell or within the tolerance. It stops for nothing else.
+// - A robot that has lost sight of its sub-goal plans again from where it is.
+// - A robot that has turned all the way round and found no arc plans again, once; then it says that it is stuck, as it
+//   does when it has come no nearer to its goal for as long as its patience lasts.
+// - Nothing that moves comes onto the way that it needs to stop in; a surprise may, and then it hits that.
+// - The edge of the map holds its centre, not its body.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/drive/local_obstacles.hpp"
+#include "core/sim/mission.hpp"
+
+namespace replan {
+
+class DwaRobot final : public Mission {
+ public:
+  static RobotInfo describe();
+  DwaRobot(const Scenario& scenario, const PlannerChoice& choice, Recorder* recorder);
+
+ private:
+  void move() override;
+  bool stands() override;
+  [[nodiscard]] std::vector<Point> stopping_way() const override;
+  [[nodiscard]] bool is_at(NodeId cell) const override;
+
+  void take_up_pose();
+  [[nodiscard]] Spot sub_goal();
+  [[nodiscard]] bool sees(Spot from, Spot to) const;
+  [[nodiscard]] bool has_strayed(Spot goal);
+  [[nodiscard]] DriveSettings settings_towards(Spot goal) const;
+  [[nodiscard]] LocalObstacles obstacles() const;
+  void add_edge(std::vector<Spot>& walls, Spot at, double reach) const;
+  [[nodiscard]] bool comes_nearer(double to_go);
+  void turn_round_in_vain();
+  void keep(const Twist& motion);
+  void tell(const DriveState& before) const;
+  [[nodiscard]] Point in_cells(Spot spot) const {
+    return {spot.x / frame_.side, spot.y / frame_.side, 0.5};
+  }
+
+  CellFrame frame_;
+  DriveSettings settings_;
+  double heading_;    // rad, that it sets out with
+  double near_;       // m; so near a sub-goal the next one follows
+  double tolerance_;  // m, to the goal
+  SharedBytes mapped_;  // its map before it set out
+  // The nodes of the plan in metres, made anew where the plan's path is another one.
+  std::shared_ptr<const Path> path_;
+  std::vector<Spot> nodes_;
+};
+
+}  // namespace replan
