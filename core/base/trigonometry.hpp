@@ -154,7 +154,7 @@ constexpr double arc_tangent(double y, double x) {
 }
 
 /// The same angle in [-pi, pi].
-constexpr double wrapped(double angle) {
+constexpr double wrapped_angle(double angle) {
   if (angle >= -kPi && angle <= kPi) return angle;
   const std::int64_t turns = trigonometry::nearest_whole(angle / (2 * kPi));
   return trigonometry::less_quarters(angle, 4 * static_cast<double>(turns)).high;

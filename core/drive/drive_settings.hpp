@@ -39,11 +39,11 @@ enum class Normalise : std::uint8_t {
 /// All that a decision depends on besides where things are.
 struct DriveSettings {
   DriveLimits limits;
-  double period = 0;   ///< s, from one decision to the next
-  double horizon = 0;  ///< s, how far ahead an arc is looked at
-  int speeds = 0;      ///< samples of v
-  int turns = 0;       ///< samples of w
-  ScoreTerms weights{};     ///< alpha, beta, gamma, phi
+  double period = 0;     ///< s, from one decision to the next
+  double horizon = 0;    ///< s, how far ahead an arc is looked at
+  int speeds = 0;        ///< samples of v
+  int turns = 0;         ///< samples of w
+  ScoreTerms weights{};  ///< alpha, beta, gamma, phi
   Normalise normalise = Normalise::limits;
   double reach = 0;   ///< m; an obstacle farther away than this from the robot's edge is as good as none
   double margin = 0;  ///< m, kept from obstacles by the robot's edge

@@ -3,29 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace replan {
 namespace {
-
-/// Braking ends at a stand, and not at what roundings leave of a speed.
-double settled(double speed) {
-  return std::abs(speed) < 1e-12 ? 0 : speed;
-}
-
-/// The least and the greatest value within reach of `now`: rising from 0 at one rate, falling to 0 at another.
-std::pair<double, double> within_reach(double now, double rise, double fall, double period) {
-  const double up = now >= 0 ? now + rise * period : std::min(now + fall * period, rise * period);
-  const double down = now <= 0 ? now - rise * period : std::max(now - fall * period, -rise * period);
-  return {settled(down), settled(up)};
-}
-
-/// What the speed can fall by in a second if the turn rate falls in the same measure.
-double common_brake(const Twist& motion, const DriveLimits& limits) {
-  const double turn = std::abs(motion.w);
-  if (turn * limits.brake <= motion.v * limits.angular_brake) return limits.brake;
-  return motion.v * limits.angular_brake / turn;
-}
 
 /// Values spread evenly from low to high.
 double spread(double low, double high, int i, int count) {
@@ -50,11 +32,20 @@ double bearing_error(const Spot& at, const SineCosine& heading, Spot goal) {
   return std::abs(arc_tangent(across, along));
 }
 
+/// A robot that faces its goal so well does not turn in place.
+constexpr double kFacing = kPi / 12;
+
 /// One decision at work.
 class Judge {
  public:
   Judge(const DriveState& state, const LocalObstacles& obstacles, Spot goal, const DriveSettings& settings)
-      : state_(state), obstacles_(obstacles), goal_(goal), settings_(settings) {}
+      : state_(state), obstacles_(obstacles), goal_(goal), settings_(settings) {
+    error_ = bearing_error(state.pose.spot(), sine_cosine(state.pose.heading), goal);
+    const double far = distance(state.pose.spot(), goal);
+    const double across = error_ < kPi / 2 ? sine(error_) : 1;
+    homing_ = across > 0 ? settings.limits.w_max * far / (2 * across) : settings.limits.v_max;
+    homing_ = std::max(homing_, dynamic_window(state.motion, settings).v_low);
+  }
 
   [[nodiscard]] DriveSample assess(const Twist& motion) const;
   [[nodiscard]] std::vector<DriveSample> samples(const SpeedWindow& window) const;
@@ -63,6 +54,7 @@ class Judge {
                                      std::optional<std::size_t> best) const;
 
  private:
+  [[nodiscard]] Rejection reason(const Twist& motion, double contact) const;
   [[nodiscard]] ScoreTerms terms(const Arc& arc, double time) const;
   [[nodiscard]] DriveDecision turn_in_place() const;
   [[nodiscard]] double free_straight(double by) const;
@@ -72,6 +64,8 @@ class Judge {
   const LocalObstacles& obstacles_;
   Spot goal_;
   const DriveSettings& settings_;
+  double error_ = 0;   // of the bearing now
+  double homing_ = 0;  // the fastest that it can go and still turn in on the goal
 };
 
 DriveSample Judge::assess(const Twist& motion) const {
@@ -85,18 +79,19 @@ DriveSample Judge::assess(const Twist& motion) const {
   const double contact = time_to_contact(arc, obstacles_, settings_, looked_at);
   sample.hits = contact < span;
   sample.time = std::min(contact, span);
-  if (motion.v == 0 && motion.w == 0) {
-    sample.rejection = Rejection::stands;
-  } else if (contact < sample.stopping) {
-    DriveSettings turning_free = settings_;
-    turning_free.limits.angular_brake =
-        settings_.limits.brake * std::abs(motion.w) / std::max(motion.v, 1e-9);
-    sample.rejection =
-        contact < stopping_time(motion, turning_free) ? Rejection::too_fast : Rejection::turns_too_fast;
-  }
+  sample.rejection = reason(motion, contact);
   sample.end = arc.pose(sample.time);
   sample.raw = terms(arc, sample.time);
   return sample;
+}
+
+Rejection Judge::reason(const Twist& motion, double contact) const {
+  if (motion.v == 0) return motion.w == 0 || error_ < kFacing ? Rejection::stands : Rejection::none;
+  if (contact < stopping_time(motion, settings_)) {
+    const bool slow_enough = contact >= settings_.period + motion.v / (2 * settings_.limits.brake);
+    return slow_enough ? Rejection::turns_too_fast : Rejection::too_fast;
+  }
+  return motion.v > homing_ ? Rejection::circles : Rejection::none;
 }
 
 ScoreTerms Judge::terms(const Arc& arc, double time) const {
@@ -153,7 +148,8 @@ bool before(const DriveSample& a, const DriveSample& b) {
 }
 
 /// The best admissible sample but for one that is left out; the first of equals.
-std::optional<std::size_t> best_of(const std::vector<DriveSample>& samples, std::optional<std::size_t> but = {}) {
+std::optional<std::size_t> best_of(const std::vector<DriveSample>& samples,
+                                   std::optional<std::size_t> but = {}) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < samples.size(); ++i)
     if (samples[i].admissible() && i != but && (!best || before(samples[i], samples[*best]))) best = i;
@@ -204,7 +200,7 @@ double Judge::free_straight(double by) const {
 /// The side, 1 or -1, to which it has to turn less until it has room to go; of equals that of the goal.
 double Judge::freer_side() const {
   const double to_goal = arc_tangent(goal_.y - state_.pose.y, goal_.x - state_.pose.x);
-  const double side = wrapped(to_goal - state_.pose.heading) < 0 ? -1 : 1;
+  const double side = wrapped_angle(to_goal - state_.pose.heading) < 0 ? -1 : 1;
   constexpr int kDirections = 8;
   double best = side, farthest = 0;
   for (int i = 1; i <= kDirections; ++i)
@@ -218,56 +214,9 @@ double Judge::freer_side() const {
 
 }  // namespace
 
-SpeedWindow dynamic_window(const Twist& now, const DriveSettings& settings) {
-  const DriveLimits& limits = settings.limits;
-  const auto [v_down, v_up] = within_reach(now.v, limits.acceleration, limits.brake, settings.period);
-  const auto [w_down, w_up] =
-      within_reach(now.w, limits.angular_acceleration, limits.angular_brake, settings.period);
-  const double v_low = std::clamp(v_down, limits.v_min, limits.v_max);
-  const double w_low = std::clamp(w_down, -limits.w_max, limits.w_max);
-  return {v_low, std::clamp(v_up, v_low, limits.v_max), w_low, std::clamp(w_up, w_low, limits.w_max)};
-}
-
-double stopping_time(const Twist& motion, const DriveSettings& settings) {
-  if (motion.v <= 0) return 0;
-  return settings.period + motion.v / (2 * common_brake(motion, settings.limits));
-}
-
-Twist braked(const Twist& motion, const DriveSettings& settings) {
-  if (motion.v <= 0) {
-    const double less = std::max(std::abs(motion.w) - settings.limits.angular_brake * settings.period, 0.0);
-    return {0, motion.w < 0 ? -less : less};
-  }
-  const double v = settled(std::max(motion.v - common_brake(motion, settings.limits) * settings.period, 0.0));
-  return {v, motion.w * (v / motion.v)};
-}
-
-double time_to_contact(const Arc& arc, const LocalObstacles& obstacles, const DriveSettings& settings,
-                       double most) {
-  const double v = arc.motion().v;
-  if (v <= 0) return most;
-  const double radius = settings.limits.radius, far = radius + settings.reach + settings.margin;
-  const double stopping = stopping_time(arc.motion(), settings), approach = v + 2 * obstacles.speed_of_moving;
-  // What braking takes altogether, and at most until the robot is where the arc is after `time` (see the test).
-  const double to_stand = 2 * stopping - settings.period;
-  const auto braking = [&](double time) {
-    return std::min(time + std::max(0.0, time - settings.period), to_stand);
-  };
-  constexpr double kLeastStep = 0.001;  // m
-  double kept = settings.margin, last = 0;
-  for (double time = 0; time < most;) {
-    const double gap = obstacles.to_any(arc.spot(time), braking(time), far) - radius;
-    if (time == 0) kept = std::min(kept, gap - 1e-9);
-    if (gap < kept) return last;
-    last = time;
-    time += std::max(gap - kept, kLeastStep) / approach;
-  }
-  return most;
-}
-
 std::string_view rejection_name(Rejection rejection) {
-  constexpr std::array<std::string_view, 5> kNames = {"none", "outside", "too-fast", "turns-too-fast",
-                                                      "stands"};
+  constexpr std::array<std::string_view, 6> kNames = {"none",           "outside", "too-fast",
+                                                      "turns-too-fast", "circles", "stands"};
   return kNames[static_cast<std::size_t>(rejection)];
 }
 
@@ -297,7 +246,7 @@ DriveDecision decide(const DriveState& state, const LocalObstacles& obstacles, S
 }
 
 DriveSample assess(const DriveState& state, const LocalObstacles& obstacles, Spot goal,
-              const DriveSettings& settings, const Twist& motion) {
+                   const DriveSettings& settings, const Twist& motion) {
   DriveSample sample = Judge(state, obstacles, goal, settings).assess(motion);
   if (!dynamic_window(state.motion, settings).contains(motion)) sample.rejection = Rejection::outside;
   return sample;

@@ -15,7 +15,12 @@
 // - A robot nearer to an obstacle than its margin may go anywhere that is no nearer.
 // - A term is taken at the end of the arc: at the horizon, or where the arc meets an obstacle or is as long as the goal
 //   is far.
-// - Of the turn rates tried the one nearest to 0 is 0. Standing still is no choice; turning in place is.
+// - What may move and is wholly behind the robot is not in its way: it may be run into, but does not run into anything.
+// - The circle through the goal that the robot's heading touches has the radius d / (2 sin e), with d the goal's
+//   distance and e the bearing's error, at least d / 2. A speed for which that is too tight a turn is not chosen while
+//   there is a lower one: the speed's term would let the robot circle round its goal for ever.
+// - Of the turn rates tried the one nearest to 0 is 0. Standing still is no choice; turning in place is, unless the
+//   robot faces its goal: near obstacles a slow start would always score less.
 //
 // A decision is a function of its arguments alone: who keeps pose and motion of a moment can ask for its reasons later.
 #pragma once
@@ -25,6 +30,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/drive/braking.hpp"
 #include "core/drive/drive_settings.hpp"
 #include "core/drive/local_obstacles.hpp"
 #include "core/drive/motion.hpp"
@@ -39,25 +45,14 @@ struct DriveState {
   friend bool operator==(const DriveState&, const DriveState&) = default;
 };
 
-/// The motions within reach.
-struct SpeedWindow {
-  double v_low = 0, v_high = 0;
-  double w_low = 0, w_high = 0;
-  [[nodiscard]] bool contains(const Twist& motion) const {
-    return motion.v >= v_low && motion.v <= v_high && motion.w >= w_low && motion.w <= w_high;
-  }
-};
-
-/// The speed limits, cut down to what can be reached from this motion within a period.
-SpeedWindow dynamic_window(const Twist& now, const DriveSettings& settings);
-
 /// Why a motion is not to be chosen.
 enum class Rejection : std::uint8_t {
   none,
   outside,         ///< it cannot be taken up within a period
   too_fast,        ///< it could not stop before it touches something
   turns_too_fast,  ///< as too_fast, but its turn rate alone is what falls too slowly
-  stands           ///< it neither drives nor turns
+  circles,         ///< at that speed it cannot turn in on the goal, but would circle round it
+  stands           ///< it does not drive, nor turn to face a goal that it does not face
 };
 /// As its fixed name in texts and conditions.
 std::string_view rejection_name(Rejection rejection);
@@ -66,14 +61,14 @@ std::string_view rejection_name(Rejection rejection);
 struct DriveSample {
   Twist motion;
   Rejection rejection = Rejection::none;
-  bool hits = false;    ///< its arc meets an obstacle before the horizon
-  double time = 0;      ///< s until then, or the horizon
-  double stopping = 0;  ///< s that this has to be at least
-  Pose end;             ///< where it is then
-  ScoreTerms raw{};          ///< rad, m/s, m, m: larger is better
-  ScoreTerms normalised{};   ///< of an admissible sample, 0 .. 1
-  ScoreTerms weighted{};     ///< times its weight
-  double score = 0;     ///< the sum of these
+  bool hits = false;        ///< its arc meets an obstacle before the horizon
+  double time = 0;          ///< s until then, or the horizon
+  double stopping = 0;      ///< s that this has to be at least
+  Pose end;                 ///< where it is then
+  ScoreTerms raw{};         ///< rad, m/s, m, m: larger is better
+  ScoreTerms normalised{};  ///< of an admissible sample, 0 .. 1
+  ScoreTerms weighted{};    ///< times its weight
+  double score = 0;         ///< the sum of these
 
   [[nodiscard]] bool admissible() const { return rejection == Rejection::none; }
 };
@@ -102,8 +97,8 @@ struct Explanation {
   DriveDecision decision;
   SpeedWindow window;
   std::vector<DriveSample> samples;  ///< speed by speed from the lowest, each from the lowest turn rate on
-  std::optional<std::size_t> runner_up;  ///< the next best sample
-  ScoreTerm lost_by = ScoreTerm::heading;          ///< the term that put the winner before it, by most
+  std::optional<std::size_t> runner_up;    ///< the next best sample
+  ScoreTerm lost_by = ScoreTerm::heading;  ///< the term that put the winner before it, by most
 };
 
 /// What a robot with these obstacles about it does on its way to `goal`.
@@ -114,16 +109,6 @@ Explanation explain(const DriveState& state, const LocalObstacles& obstacles, Sp
                     const DriveSettings& settings);
 /// Any motion as if it had been among the samples, its normalised terms and score left out.
 DriveSample assess(const DriveState& state, const LocalObstacles& obstacles, Spot goal,
-              const DriveSettings& settings, const Twist& motion);
-
-/// The way that it needs to stop in after a period at that motion, as the time that the motion itself would take for
-/// it.
-double stopping_time(const Twist& motion, const DriveSettings& settings);
-/// How long the robot can drive along an arc before it touches something, at most `most` seconds; at most a millimetre
-/// of its way too short. What moves comes nearer while a robot on that arc brakes.
-double time_to_contact(const Arc& arc, const LocalObstacles& obstacles, const DriveSettings& settings,
-                       double most);
-/// The motion after a period of braking.
-Twist braked(const Twist& motion, const DriveSettings& settings);
+                   const DriveSettings& settings, const Twist& motion);
 
 }  // namespace replan

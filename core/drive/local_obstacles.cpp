@@ -43,13 +43,15 @@ int ObstacleSet::row(double y) const {
   return static_cast<int>(std::clamp((y - corner_.y) * (1 / bin_), 0.0, rows_ - 1.0));
 }
 
-/// `least` is a squared distance, to the squares' edges or the discs' centres.
-void ObstacleSet::look_at(int column, int row, Spot at, double& least) const {
-  const std::size_t bin =
-      static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
-  for (std::uint32_t i = first_[bin]; i < first_[bin + 1]; ++i) {
-    const double x = std::max(std::abs(at.x - centres_[i].x) - shape_.half, 0.0);
-    const double y = std::max(std::abs(at.y - centres_[i].y) - shape_.half, 0.0);
+/// `least` is a squared distance, to the squares' edges or the discs' centres. The bins of a row lie one behind the
+/// other.
+void ObstacleSet::look_at(int row, int left, int right, Spot at, double& least) const {
+  const std::size_t begin = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
+  const Spot* const end = &centres_[0] + first_[begin + static_cast<std::size_t>(right) + 1];
+  for (const Spot* centre = &centres_[0] + first_[begin + static_cast<std::size_t>(left)]; centre < end;
+       ++centre) {
+    const double x = std::max(std::abs(at.x - centre->x) - shape_.half, 0.0);
+    const double y = std::max(std::abs(at.y - centre->y) - shape_.half, 0.0);
     least = std::min(least, x * x + y * y);
   }
 }
@@ -58,22 +60,34 @@ double ObstacleSet::distance(Spot at, double most) const {
   if (empty() || most + shape_.radius <= 0) return most;
   const double far = (most + shape_.radius) * (most + shape_.radius);
   double least = far;
-  // By rings of bins around the one that `at` is in, or that is nearest to it. A bin of the ring is at least so many
-  // bins away, less the one that `at` may stand at the edge of.
-  const int middle_x = column(at.x), middle_y = row(at.y);
-  for (int ring = 0;; ++ring) {
-    const double nearest = (ring - 1) * bin_ - shape_.half;
-    if (ring > 0 && nearest > 0 && nearest * nearest >= least) break;
-    const int left = middle_x - ring, right = middle_x + ring, top = middle_y - ring,
-              bottom = middle_y + ring;
-    if (left < 0 && top < 0 && right >= columns_ && bottom >= rows_) break;
-    for (int y = std::max(top, 0); y <= std::min(bottom, rows_ - 1); ++y) {
-      const int step = y == top || y == bottom ? 1 : std::max(1, 2 * ring);
-      for (int x = left; x <= right; x += step)
-        if (x >= 0 && x < columns_) look_at(x, y, at, least);
-    }
+  const auto look_around = [&](int left, int right, int top, int bottom) {
+    for (int y = std::max(top, 0); y <= std::min(bottom, rows_ - 1); ++y)
+      look_at(y, std::max(left, 0), std::min(right, columns_ - 1), at, least);
+  };
+  // First the bin that `at` is in, or that is nearest to it, and the eight about it: what is in none of them is at
+  // least a bin's side away, less what its square reaches over.
+  const int x = column(at.x), y = row(at.y);
+  look_around(x - 1, x + 1, y - 1, y + 1);
+  const double seen = bin_ - shape_.half;
+  if (least > seen * seen) {
+    const double reach = std::sqrt(least) + shape_.half;
+    look_around(column(at.x - reach), column(at.x + reach), row(at.y - reach), row(at.y + reach));
   }
   return least >= far ? most : std::sqrt(least) - shape_.radius;
+}
+
+double LocalObstacles::to_moving(Spot at, const SineCosine& heading, double time, double most) const {
+  const auto [half, radius] = moving.shape();
+  const double come_nearer = speed_of_moving * time;
+  double least = most;
+  for (const Spot& centre : moving.centres()) {
+    const double x = centre.x - at.x, y = centre.y - at.y;
+    const double nearest_edge = half * (std::abs(heading.cosine) + std::abs(heading.sine));
+    if (x * heading.cosine + y * heading.sine + nearest_edge + come_nearer <= 0) continue;
+    const double beside_x = std::max(std::abs(x) - half, 0.0), beside_y = std::max(std::abs(y) - half, 0.0);
+    least = std::min(least, std::sqrt(beside_x * beside_x + beside_y * beside_y) - radius - come_nearer);
+  }
+  return least;
 }
 
 }  // namespace replan

@@ -36,7 +36,7 @@ class ObstacleSet {
  private:
   [[nodiscard]] int column(double x) const;
   [[nodiscard]] int row(double y) const;
-  void look_at(int column, int row, Spot at, double& least) const;
+  void look_at(int row, int left, int right, Spot at, double& least) const;
 
   ObstacleShape shape_;
   std::vector<Spot> centres_;         // bin by bin
@@ -58,13 +58,12 @@ struct LocalObstacles {
   [[nodiscard]] double to_unknown(Spot at, double most) const {
     return moving.distance(at, unknown.distance(at, most));
   }
-  /// To anything at all, after what moves has had `time` seconds to come nearer.
-  [[nodiscard]] double to_any(Spot at, double time, double most) const {
-    const double still = unknown.distance(at, known.distance(at, most));
-    if (moving.empty()) return still;
-    const double come_nearer = speed_of_moving * time;
-    return moving.distance(at, still + come_nearer) - come_nearer;
+  [[nodiscard]] double to_still(Spot at, double most) const {
+    return unknown.distance(at, known.distance(at, most));
   }
+  /// To what may move, after it has had `time` seconds to come nearer. What lies behind a robot that looks that way even
+  /// then is left out: what comes from there would run into the robot, not the robot into it.
+  [[nodiscard]] double to_moving(Spot at, const SineCosine& heading, double time, double most) const;
 };
 
 /// Where the cells of a map lie in metres: cell (x, y) covers x .. x + 1 times the side, y likewise.

@@ -48,7 +48,7 @@ class Arc {
   [[nodiscard]] Spot spot(double time) const { return spot_at(time, half_turn(time)); }
   [[nodiscard]] Pose pose(double time) const {
     const Spot at = spot(time);
-    return {at.x, at.y, wrapped(from_.heading + motion_.w * time)};
+    return {at.x, at.y, wrapped_angle(from_.heading + motion_.w * time)};
   }
   /// The direction that it looks in, as its sine and cosine.
   [[nodiscard]] SineCosine heading(double time) const {
@@ -83,7 +83,7 @@ inline Pose driven(const Pose& from, const Twist& motion, double time) {
 inline Pose euler_step(const Pose& from, const Twist& motion, double time) {
   const auto [sine, cosine] = sine_cosine(from.heading);
   return {from.x + motion.v * cosine * time, from.y + motion.v * sine * time,
-          wrapped(from.heading + motion.w * time)};
+          wrapped_angle(from.heading + motion.w * time)};
 }
 
 }  // namespace replan

@@ -1,9 +1,10 @@
 #include "core/study/barn.hpp"
 
 #include <algorithm>
-#include <array>
+#include <atomic>
 #include <cmath>
 #include <memory>
+#include <thread>
 
 #include "core/drive/sub_goals.hpp"
 #include "core/plan/navigator.hpp"
@@ -224,43 +225,40 @@ BarnDrive drive_barn(const BarnWorld& world, const BarnSettings& settings) {
   return BarnRun(world, settings).drive();
 }
 
-BarnSettings barn_settings() {
-  BarnSettings settings;
-  settings.drive = drive_settings({});
-  settings.drive.limits = {.radius = 0.267,
-                           .v_min = 0,
-                           .v_max = 0.5,
-                           .w_max = 1.57,
-                           .acceleration = 10,
-                           .brake = 10,
-                           .angular_acceleration = 20,
-                           .angular_brake = 20};
-  settings.drive.period = 0.05;
-  settings.drive.horizon = 1;
-  settings.drive.reach = 0.3;
-  settings.global = {"adaptive-astar", {}, {{"floyd", {}}}};
+Settings barn_drive() {
+  Settings settings;
+  const auto set = [&settings](std::string_view key, double value) { settings.set(key, value); };
+  set("radius", 0.267);
+  set("w_max", 1.57);
+  for (const char* key : {"acceleration", "brake"}) set(key, 10);
+  for (const char* key : {"angular_acceleration", "angular_brake"}) set(key, 20);
+  set("period", 0.05);
+  set("horizon", 1);
+  set("reach", 0.3);
   return settings;
 }
 
-std::string_view barn_end_name(BarnEnd end) {
-  constexpr std::array<std::string_view, 3> kNames = {"success", "collision", "timeout"};
-  return kNames[static_cast<std::size_t>(end)];
+BarnSettings barn_settings(const Settings& drive, const std::string& global) {
+  Settings all = barn_drive();
+  for (const auto& [key, value] : drive.values()) all.set(key, value);
+  BarnSettings settings;
+  settings.drive = drive_settings(all);
+  settings.global.id = global;
+  settings.global.stages = {{"floyd", {}}};
+  return settings;
 }
 
-BarnSummary summary_of(const std::vector<BarnDrive>& drives) {
-  BarnSummary sum;
-  sum.worlds = drives.size();
-  for (const BarnDrive& drive : drives) {
-    sum.success += drive.end == BarnEnd::success ? 1 : 0;
-    sum.collision += drive.end == BarnEnd::collision ? 1 : 0;
-    sum.timeout += drive.end == BarnEnd::timeout ? 1 : 0;
-    sum.time += drive.end == BarnEnd::success ? drive.time : 0;
-    sum.score += drive.score;
-  }
-  const auto all = static_cast<double>(std::max<std::size_t>(drives.size(), 1));
-  sum.time /= std::max(sum.success, 1.0);
-  for (double* share : {&sum.success, &sum.collision, &sum.timeout, &sum.score}) *share /= all;
-  return sum;
+std::vector<BarnDrive> drive_barn(const std::vector<BarnWorld>& worlds, const BarnSettings& settings) {
+  std::vector<BarnDrive> drives(worlds.size());
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < worlds.size(); i = next++) drives[i] = drive_barn(worlds[i], settings);
+  };
+  std::vector<std::jthread> threads;
+  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) threads.emplace_back(work);
+  work();
+  threads.clear();
+  return drives;
 }
 
 }  // namespace replan

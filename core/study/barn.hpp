@@ -49,8 +49,11 @@ struct BarnSettings {
   double next_turn = 0.3;     ///< m; so near a sub-goal the next one follows
 };
 
-/// The published limits of the Jackal for this benchmark, and the best settings found for them.
-BarnSettings barn_settings();
+/// The drive's parameters for this benchmark: the Jackal's published limits, 20 decisions a second, a horizon of 1 s and
+/// obstacles that count within 0.3 m, since its passages are narrow; the fusion paper's weights.
+Settings barn_drive();
+/// With these on top of barn_drive(), and Floyd's smoothing behind the global planner, if there is one.
+BarnSettings barn_settings(const Settings& drive, const std::string& global);
 
 /// How a drive ended.
 enum class BarnEnd : std::uint8_t { success, collision, timeout };
@@ -75,13 +78,23 @@ struct BarnDrive {
 
 BarnDrive drive_barn(const BarnWorld& world, const BarnSettings& settings);
 
+/// All worlds, as many at a time as the machine has processors.
+std::vector<BarnDrive> drive_barn(const std::vector<BarnWorld>& worlds, const BarnSettings& settings);
+
 /// Figures over worlds.
 struct BarnSummary {
+  std::string name;
   std::size_t worlds = 0;
   double success = 0, collision = 0, timeout = 0;  ///< shares
   double time = 0;                                 ///< s, mean of the successful
   double score = 0;                                ///< mean of all
+  double least_gap = 0;                            ///< m, over all
 };
-BarnSummary summary_of(const std::vector<BarnDrive>& drives);
+BarnSummary summary_of(const std::string& name, const std::vector<BarnDrive>& drives);
+
+/// A Markdown table of them below the figures that the benchmark's authors publish for DWA.
+std::string barn_table(const std::vector<BarnSummary>& summaries);
+/// World by world: the heading with `name` empty, else its lines.
+std::string barn_csv(const std::string& name, const std::vector<BarnDrive>& drives);
 
 }  // namespace replan

@@ -11,7 +11,7 @@
 namespace replan::test::help_test {
 namespace {
 
-const std::vector<std::string> kCommands = {"run", "batch", "render", "convert", "show", "list"};
+const std::vector<std::string> kCommands = {"run", "batch", "barn", "render", "convert", "show", "list"};
 
 /// The options of a help text: the words that begin with "-" in its first column.
 std::set<std::string> options_in(const std::string& help) {
@@ -106,7 +106,8 @@ TEST(Manual, namesNothingThatIsNotThere) {
 /// Planners and their settings come and go; the page says who lists them.
 TEST(Manual, leadsToPlannersAndTheirSettings) {
   const std::string page = manual();
-  for (const char* command : {"replan list planners", "replan list stages", "replan list robots", "replan run"})
+  for (const char* command :
+       {"replan list planners", "replan list stages", "replan list robots", "replan run"})
     EXPECT_NE(page.find(command), std::string::npos) << command;
 }
 

@@ -93,10 +93,10 @@ TEST(Trigonometry, IsExactWhereItCanBe) {
   EXPECT_EQ(arc_tangent(3, 3), kPi / 4);
   EXPECT_EQ(exponential(0), 1);
   EXPECT_EQ(exponential(-1000), 0);
-  EXPECT_EQ(wrapped(kPi), kPi);
-  EXPECT_EQ(wrapped(1), 1);
-  EXPECT_NEAR(wrapped(1 + 2 * kPi), 1, 1e-15);
-  EXPECT_NEAR(wrapped(-1 - 20 * kPi), -1, 1e-14);
+  EXPECT_EQ(wrapped_angle(kPi), kPi);
+  EXPECT_EQ(wrapped_angle(1), 1);
+  EXPECT_NEAR(wrapped_angle(1 + 2 * kPi), 1, 1e-15);
+  EXPECT_NEAR(wrapped_angle(-1 - 20 * kPi), -1, 1e-14);
 }
 
 /// The same bits from every compiler, at every level of optimisation.
@@ -111,7 +111,7 @@ TEST(Trigonometry, GivesTheSameBitsEverywhere) {
     take(cosine);
     take(arc_tangent(other, sine));
     take(exponential(angle));
-    take(wrapped(angle));
+    take(wrapped_angle(angle));
   }
   EXPECT_EQ(hash, 0x9d36694b4fb3a3d7u);
 }
