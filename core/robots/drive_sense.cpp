@@ -48,9 +48,12 @@ std::vector<Spot> DriveSense::nodes_of(const Path& path) const {
   return nodes;
 }
 
-/// Squares so far outside the map that a robot which keeps away from them keeps its centre on the map.
+/// Squares so far outside the map that a robot which keeps away from them keeps its centre on the map, a centimetre from
+/// its edge.
 void DriveSense::add_edge(std::vector<Spot>& walls, Spot at) const {
-  const double away = settings_.limits.radius + settings_.margin, half = frame_.side / 2, far = reach();
+  const double inside = std::min(0.01, frame_.side / 4);
+  const double away = settings_.limits.radius + settings_.margin - inside, half = frame_.side / 2,
+               far = reach();
   const double right = frame_.box.width() * frame_.side, bottom = frame_.box.height() * frame_.side;
   const auto each = [&](double middle, double most, auto&& add) {
     const double first = std::max(-away, middle - far), last = std::min(most + away, middle + far);
@@ -75,9 +78,8 @@ std::optional<DriveWhy> why_it_drives(const Scenario& scenario, const Decision& 
   const DriveState& now = decision.drive.state;
   const std::vector<Spot> nodes = sense.nodes_of(path);
   const Spot goal = nodes[sense.sub_goal(nodes, decision.drive.sub_goal, now.pose.spot(), known)];
-  const DriveSettings settings = sense.settings_towards(now, goal);
-  return DriveWhy{now, goal, sense.frame(), settings,
-                  explain(now, sense.obstacles(now, known), goal, settings)};
+  return DriveWhy{now, goal, sense.frame(),
+                  explain(now, sense.obstacles(now, known), goal, sense.settings_towards(now, goal))};
 }
 
 }  // namespace replan

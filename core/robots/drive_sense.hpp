@@ -81,7 +81,6 @@ struct DriveWhy {
   DriveState state;
   Spot goal;  ///< the sub-goal
   CellFrame frame;
-  DriveSettings settings;
   Explanation explanation;
 };
 /// Nothing where the robot does not drive, has not set out, or has no plan. `state` is the log's at the decision.

@@ -11,7 +11,6 @@
 //   is free on the robot's map.
 // - Known is what its map showed before it set out; what it has seen since is unknown to the plan of the paper, and has
 //   the other weight. The plan is renewed whenever the map changes, as with every robot here.
-// - It is never faster than it can turn to its sub-goal; one that lies behind it, it turns to on the spot.
 // - It has arrived when it is in the goal's cell or within the tolerance. It stops for nothing else.
 // - A robot that has lost sight of its sub-goal plans again from where it is.
 // - A robot that has turned all the way round and found no arc plans again, once; then it says that it is stuck, as it

@@ -154,7 +154,6 @@ void Mission::follow(const Path& path, PlanStatus status) {
   now_.next = 0;
   now_.along_plan = 0;
   now_.drive.sub_goal = 0;
-  now_.drive.to_go = std::numeric_limits<double>::infinity();
   now_.before = now_.at = now_.drive.begun ? now_.at : point(robot_);
   now_.after = point_ahead();
 }
@@ -277,6 +276,8 @@ void Mission::learn(const std::vector<CellEdit>& edits, EventKind how, std::opti
     tr_.note(how, edit.node, edit.blocked ? 1 : 0);
     tr_.change(EventKind::known, edit.node, std::uint64_t{!edit.blocked}, std::uint64_t{edit.blocked});
   }
+  // Another map may ask for a longer way; planning again on the same one is no progress.
+  if (!edits.empty() || afresh_to) now_.drive.to_go = std::numeric_limits<double>::infinity();
   if (!crowd_.empty())
     now_.sightings = std::make_shared<const Sightings>(noted(*now_.sightings, edits, truth_));
   const Stopwatch watch(now_.figures.replan_ms);

@@ -2,6 +2,7 @@
 // that the same scenario always gives the same events.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -56,10 +57,11 @@ struct Drive {
   bool begun = false;        ///< it has taken up its pose
   DriveState state;          ///< in metres; y downwards, as rows count
   std::size_t sub_goal = 0;  ///< the place of the plan's path that it makes for
-  double to_go = 0;          ///< m, the least that was left of the plan to it ...
-  SimTime since = 0;         ///< ... and when that was
-  SimTime planned = 0;       ///< when it last planned again since it had lost its way
-  int stuck = 0;             ///< how often it has turned all the way round since it last drove
+  double to_go =
+      std::numeric_limits<double>::infinity();  ///< m, the least that was left of the plan to it ...
+  SimTime since = 0;                            ///< ... and when that was
+  SimTime planned = 0;                          ///< when it last planned again since it had lost its way
+  int stuck = 0;  ///< how often it has turned all the way round since it last drove
   friend bool operator==(const Drive&, const Drive&) = default;
 };
 

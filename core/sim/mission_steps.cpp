@@ -146,7 +146,8 @@ void Mission::drive_on(std::span<const Point> points, double way, SimTime time) 
   for (const Point& next : points) {
     if (!box_.contains(cell_of(next))) return collide(robot_);
     const NodeId cell = box_.node(cell_of(next));
-    if (truth_[cell] != 0 || hits(box_, truth_, robot_setup_.radius, at, next)) return collide(cell);
+    const bool enters = cell != left && truth_[cell] != 0;  // what came onto its own cell it may leave
+    if (enters || hits(box_, truth_, robot_setup_.radius, at, next)) return collide(cell);
     at = next;
   }
   const NodeId cell = box_.node(cell_of(at));

@@ -36,6 +36,8 @@ Scenario random_hall(Random& random) {
   for (int i = random.between(0, 2); i > 0; --i) {
     MovingObstacle mover = random_mover(random, scenario.map);
     mover.at_end = WayEnd::back;
+    mover.from = 0;  // what appears does not look whether somebody comes
+    mover.way.front() = {scenario.map.width / 2, scenario.map.height / 2};
     mover.speed = 0.25 * random.unit() / scenario.map.resolution + 0.01;
     scenario.movers.push_back(mover);
   }
