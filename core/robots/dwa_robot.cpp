@@ -117,7 +117,7 @@ void DwaRobot::take_up_pose() {
   tell(before);
 }
 
-/// Gives up where it has come no nearer for too long.
+/// What it makes for, and how far the goal is by that way; it gives up where it has come no nearer for too long.
 Spot DwaRobot::sub_goal() {
   const std::shared_ptr<const Path>& path = moment().plan->path;
   if (path != path_) {
