@@ -37,5 +37,13 @@ draw breakpoints.png --theme dark --at replan:1 --pin 20,22 --action break_on_ce
 # Four planners side by side, with their figures.
 draw figures.png --theme light --at-end --action four_panes,show_figures
 
+# A robot on two wheels among boxes that are on no map: the arcs that it tries, and the one that it takes.
+world=fusion-boxes draw arcs.png --theme dark --at move:52 --camera 7,4,46 --panes 1
+# The reference planners beside D* Lite, each with the cells that it worked at.
+for planner in weighted-astar adaptive-astar jps theta-star lazy-theta-star lpa-star; do
+  world=fusion-maze draw "$planner.png" --theme light --planner "dstar-lite,$planner" --overlay g,scanned,path,queue,grid \
+    --canvas-only --panes all --size 960x520
+done
+
 # The whole story as a film, small enough for a page: two planners, the surprise and the repairs.
 draw demo.gif --canvas-only --panes all --size 840x560 --fps 20 --speed 10/s --hold 0.8 --theme dark
