@@ -203,7 +203,11 @@ TEST_F(CommandLine, radiusGivesTheRobotASize) {
                 .out.find("The goal is inside an obstacle, or nearer to one than the robot's "
                           "radius: move it, clear cells, or make the radius smaller."),
             std::string::npos);
-  for (const char* wrong : {"-1", "33", "wide", "1m"})
+  EXPECT_EQ(
+      run_program({"run", gap, "--radius=1m"}).err,
+      "replan: --radius 1m is in metres, but the map does not say how large its cells are: give a number of "
+      "cells\n");
+  for (const char* wrong : {"-1", "33", "wide"})
     EXPECT_EQ(
         run_program({"run", gap, std::string("--radius=") + wrong}).err,
         std::string("replan: --radius cannot be '") + wrong + "': give a number of cells from 0 to 32\n");

@@ -2,6 +2,7 @@
 #include "core/session/trace_export.hpp"
 
 #include <bit>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <yaml-cpp/yaml.h>
@@ -165,7 +166,8 @@ class Rebuilt {
  private:
   [[nodiscard]] EventKind kind(const std::string& name) const {
     int kind = 0;
-    while (event_name(values_, static_cast<EventKind>(kind)) != name) ++kind;
+    while (event_name(values_, static_cast<EventKind>(kind)) != name)
+      if (++kind == kEventKinds) kind = kFirstOwnField;  // there are none between
     return static_cast<EventKind>(kind);
   }
   static NodeId scalar(const std::string& name) {

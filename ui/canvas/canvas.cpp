@@ -148,6 +148,11 @@ void Canvas::Parts::prepare(const Look& look, const Session& session, const Run&
 void Canvas::Parts::glide(ViewState& state, ImVec2 min) {
   if (!zooming.active) return;
   Camera& camera = state.view.camera;
+  // Something else shows the whole world meanwhile.
+  if (camera.zoom <= 0) {
+    zooming.active = false;
+    return;
+  }
   const double rest = std::log(zooming.target / camera.zoom);
   const double step = 1 - std::exp(-18.0 * static_cast<double>(ImGui::GetIO().DeltaTime));
   zooming.active = std::abs(rest) > 0.004;
