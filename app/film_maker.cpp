@@ -43,7 +43,8 @@ Result<void> FilmMaker::begin(const ui::CaptureRequest& request, FilmSet set, Se
   log_ = session.run().log_id();
   if (!ui::is_complete(request_.film.part, session.run())) {
     if (Result<void> sent = session.apply(RunToEnd{}); !sent) return sent;
-    if (Result<void> stayed = session.apply(Seek{cursor_, session.run().travel()}); !stayed) return stayed;
+    // No step: the playhead does not go along with the run. A Seek to the end of what there is would let it.
+    if (Result<void> stayed = session.apply(Step{StepUnit::expansion, 0}); !stayed) return stayed;
   }
   at_work_ = true;
   return {};

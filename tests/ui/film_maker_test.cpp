@@ -75,6 +75,20 @@ TEST_F(FilmMakerTest, WhoeverAskedForItGoesOnLookingAtWhatTheyWant) {
   maker_.cancel();
 }
 
+TEST_F(FilmMakerTest, ThePlayheadStaysAtTheFirstPlanWhileTheRunGoesOnForTheFilm) {
+  const std::size_t plan = session_->run().timeline().size();
+  ASSERT_TRUE(session_->apply(Seek{plan}).ok());
+  ASSERT_TRUE(maker_.begin(request(ui::FilmPart::whole), set(), *session_).ok());
+  for (int i = 0; i < 5; ++i) {
+    session_->settle();
+    static_cast<void>(session_->update(0.02));
+    ASSERT_TRUE(maker_.go_on(*session_, [] {}).ok());
+    EXPECT_EQ(session_->run().timeline().cursor(), plan);
+  }
+  EXPECT_GT(session_->run().timeline().size(), plan);
+  maker_.cancel();
+}
+
 TEST_F(FilmMakerTest, AReplanIsFilmedFromItsBeginningToItsEnd) {
   ASSERT_TRUE(session_->apply(RunToEnd{}).ok());
   session_->settle();

@@ -162,8 +162,9 @@ std::vector<RunReport> FiguresTab::as_known(const Session& session, const ViewSt
     } else {
       reports.push_back(report_at(*decision, *run.decisions().front().plan, *figures, run.choice(),
                                   run.scenario().robot.radius));
-      reports.back().frame = shown_frame(view, run.scenario().map);
     }
+    // Also of a pane that has no figures yet: the table is in metres only where all are.
+    reports.back().frame = shown_frame(view, run.scenario().map);
   }
   return reports;
 }
