@@ -4,6 +4,7 @@
 #include "core/plan/figures.hpp"
 #include "core/plan/replanner.hpp"
 #include "core/trace/search_state.hpp"
+#include "tests/support/each_planner.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace replan::test::planner_conformance_test {
@@ -310,16 +311,8 @@ TEST_P(EveryPlanner, tracedOrNotReplansAlikeAndCountsItsWork) {
   }
 }
 
-std::vector<const PlannerInfo*> every_planner() {
-  std::vector<const PlannerInfo*> all;
-  for (const PlannerInfo& info : sound_planners()) all.push_back(&info);
-  return all;
-}
-INSTANTIATE_TEST_SUITE_P(Planners, EveryPlanner, ::testing::ValuesIn(every_planner()), [](const auto& param) {
-  std::string name(param.param->id);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Planners, EveryPlanner, ::testing::ValuesIn(each_of(sound_planners())),
+                         planner_test_name);
 
 }  // namespace
 }  // namespace replan::test::planner_conformance_test

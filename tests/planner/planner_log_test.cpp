@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/trace/search_state.hpp"
+#include "tests/support/each_planner.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace replan::test::planner_log_test {
@@ -372,16 +373,7 @@ TEST_P(EveryLog, aSearchTakenUpFromItsLogGoesOnEventForEventIn3d) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) check_restore<3>(*GetParam(), seed);
 }
 
-std::vector<const PlannerInfo*> every_planner() {
-  std::vector<const PlannerInfo*> all;
-  for (const PlannerInfo& info : planners()) all.push_back(&info);
-  return all;
-}
-INSTANTIATE_TEST_SUITE_P(Planners, EveryLog, ::testing::ValuesIn(every_planner()), [](const auto& param) {
-  std::string name(param.param->id);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Planners, EveryLog, ::testing::ValuesIn(each_of(planners())), planner_test_name);
 
 TEST_P(EveryLog, holdsNoValueThatThePlannerHasNotDeclared) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {

@@ -9,6 +9,7 @@
 #include "core/debug/law_checker.hpp"
 #include "core/sim/mission.hpp"
 #include "core/trace/timeline.hpp"
+#include "tests/support/each_planner.hpp"
 #include "tests/support/law_oracle.hpp"
 #include "tests/support/missions.hpp"
 
@@ -178,16 +179,7 @@ TEST_P(Laws, areTheSameAfterALogWasCut) {
   EXPECT_GT(cut, kMissions / 8);
 }
 
-std::vector<const PlannerInfo*> every_planner() {
-  std::vector<const PlannerInfo*> all;
-  for (const PlannerInfo& info : planners()) all.push_back(&info);
-  return all;
-}
-INSTANTIATE_TEST_SUITE_P(Planners, Laws, ::testing::ValuesIn(every_planner()), [](const auto& param) {
-  std::string name(param.param->id);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Planners, Laws, ::testing::ValuesIn(each_of(planners())), planner_test_name);
 
 /// Each mistake of the exercise, and a remote parent that is trusted unseen, breaks a law in some missions.
 class Mistakes : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/session/session.hpp"
+#include "tests/support/each_planner.hpp"
 #include "tests/support/missions.hpp"
 #include "tests/support/worlds.hpp"
 
@@ -295,16 +296,7 @@ TEST_P(LongLogs, EditsWhileTheBackgroundIsAtWorkLeadToTheRunOfTheirScenario) {
   }
 }
 
-std::vector<const PlannerInfo*> every_planner() {
-  std::vector<const PlannerInfo*> all;
-  for (const PlannerInfo& info : planners()) all.push_back(&info);
-  return all;
-}
-INSTANTIATE_TEST_SUITE_P(Planners, LongLogs, ::testing::ValuesIn(every_planner()), [](const auto& param) {
-  std::string name(param.param->id);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Planners, LongLogs, ::testing::ValuesIn(each_of(planners())), planner_test_name);
 
 }  // namespace
 }  // namespace replan::test::long_log_property_test

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/each_planner.hpp"
 #include "tests/support/mission_witness.hpp"
 
 namespace replan::test::mission_property_test {
@@ -49,17 +50,8 @@ TEST_P(RandomMissions, endWithoutACollision) {
     EXPECT_GT(count_of, 20);
 }
 
-std::vector<const PlannerInfo*> every_planner() {
-  std::vector<const PlannerInfo*> all;
-  for (const PlannerInfo& info : sound_planners()) all.push_back(&info);
-  return all;
-}
-INSTANTIATE_TEST_SUITE_P(Planners, RandomMissions, ::testing::ValuesIn(every_planner()),
-                         [](const auto& param) {
-                           std::string name(param.param->id);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Planners, RandomMissions, ::testing::ValuesIn(each_of(sound_planners())),
+                         planner_test_name);
 
 }  // namespace
 }  // namespace replan::test::mission_property_test

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/debug/plan_oracle.hpp"
+#include "tests/support/each_planner.hpp"
 #include "tests/support/missions.hpp"
 
 namespace replan::test::plan_oracle_property_test {
@@ -84,16 +85,7 @@ TEST_P(PlanOracle, saysWhatBruteForceSays) {
     EXPECT_EQ(tally.disagreements, 0);
 }
 
-std::vector<const PlannerInfo*> every_planner() {
-  std::vector<const PlannerInfo*> all;
-  for (const PlannerInfo& info : planners()) all.push_back(&info);
-  return all;
-}
-INSTANTIATE_TEST_SUITE_P(Planners, PlanOracle, ::testing::ValuesIn(every_planner()), [](const auto& param) {
-  std::string name(param.param->id);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Planners, PlanOracle, ::testing::ValuesIn(each_of(planners())), planner_test_name);
 
 }  // namespace
 }  // namespace replan::test::plan_oracle_property_test

@@ -9,6 +9,7 @@
 #include "core/lattice/sight.hpp"
 #include "core/lattice/way_out.hpp"
 #include "core/sim/body.hpp"
+#include "tests/support/each_planner.hpp"
 #include "tests/support/mission_witness.hpp"
 
 namespace replan::test::robot_size_property_test {
@@ -291,17 +292,8 @@ TEST_P(SizedMissions, EndWithoutACollision) {
     EXPECT_GT(count_of, 20);
 }
 
-std::vector<const PlannerInfo*> every_planner() {
-  std::vector<const PlannerInfo*> all;
-  for (const PlannerInfo& info : sound_planners()) all.push_back(&info);
-  return all;
-}
-INSTANTIATE_TEST_SUITE_P(Planners, SizedMissions, ::testing::ValuesIn(every_planner()),
-                         [](const auto& param) {
-                           std::string name(param.param->id);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Planners, SizedMissions, ::testing::ValuesIn(each_of(sound_planners())),
+                         planner_test_name);
 
 }  // namespace
 }  // namespace replan::test::robot_size_property_test
