@@ -60,7 +60,7 @@ void Run::begin_log() {
   dispose(std::exchange(stops_, {}));
   curve_.clear();
   earlier_.clear();
-  handover_.reset();
+  dispose(std::exchange(handover_, std::nullopt));
   travel_ = 1;
   log_id_ = next_log_id();
 }

@@ -4,6 +4,8 @@
 #include <new>
 #include <utility>
 
+#include "core/base/disposal.hpp"
+
 namespace replan {
 namespace {
 
@@ -13,6 +15,8 @@ constexpr int kBatchDecisions = 64;
 constexpr std::size_t kBatchEvents = 100000;
 /// Batches that wait to be taken. With more the thread waits too.
 constexpr std::size_t kMostReady = 16;
+/// Events: a larger batch gives its memory back to the system, which takes too long for who has taken it over.
+constexpr std::size_t kMostSpared = std::size_t{1} << 20;
 
 }  // namespace
 
@@ -48,7 +52,7 @@ void RunWorker::begin_afresh(std::shared_ptr<const Scenario> scenario) {
   const std::scoped_lock lock(mutex_);
   ++begun_;
   orders_ = {.fresh = std::move(scenario), .script = {}, .back = {}};
-  ready_.clear();
+  dispose(std::exchange(ready_, {}));
   failure_.clear();
 }
 
@@ -81,8 +85,12 @@ std::optional<RunWorker::Batch> RunWorker::take() {
 }
 
 void RunWorker::give_back(std::vector<Event> memory) {
-  const std::scoped_lock lock(mutex_);
-  if (spare_.size() < kMostReady / 2) spare_.push_back(std::move(memory));
+  {
+    const std::scoped_lock lock(mutex_);
+    if (memory.capacity() <= kMostSpared && spare_.size() < kMostReady / 2)
+      return spare_.push_back(std::move(memory));
+  }
+  dispose(std::move(memory));  // a whole world's, of a planner that sets up every cell
 }
 
 bool RunWorker::at_rest() const {

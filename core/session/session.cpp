@@ -56,14 +56,23 @@ void Session::restart_runs() {
   follow_ = !player_.plays();
 }
 
+/// Whoever has waited for a long search hears that an edit makes it begin again.
+void Session::note_lost_search() {
+  constexpr std::size_t kLongSearch = 1'000'000;  // events
+  if (!run().decisions().empty() || run().timeline().size() < kLongSearch) return;
+  notice_ = {"The first plan was not found yet: its search begins again on the changed world.", false};
+  say(notice_.words);
+}
+
 void Session::replace(std::shared_ptr<const Scenario> scenario) {
   go_another_way();
   const auto common = common_surprises(*scenario_, *scenario);
   const bool same_script = scenario_->surprises == scenario->surprises;
   scenario_ = std::move(scenario);
-  if (!common)
+  if (!common) {
+    note_lost_search();
     restart_runs();
-  else if (same_script)
+  } else if (same_script)
     replace_panes();
   else
     rebase_runs(*common);

@@ -132,6 +132,7 @@ class Session {
   [[nodiscard]] const Surprise* surprise_of_stroke(std::uint64_t stroke, const Decision& decision,
                                                    bool announced) const;
   void note_early_ends(std::int64_t clock);
+  void note_lost_search();
   Result<void> edit_cells(const std::vector<CellChange>& cells, bool announced, std::uint64_t stroke,
                           std::string label = {});
   void commit(std::string label, std::uint64_t stroke, Scenario changed) {

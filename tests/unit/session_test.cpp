@@ -86,6 +86,22 @@ TEST(Session, SaysWhoseRobotHadComeToItsEndBeforeAChange) {
   EXPECT_EQ(session.take_notice().words, "") << "once";
 }
 
+TEST(Session, SaysThatAnEditMakesALongSearchBeginAgain) {
+  Scenario scenario;
+  scenario.map = GridMap(1000, 1000);
+  scenario.goal = {999, 999};
+  scenario.planners = {{"dijkstra", {}}};
+  Session session(std::move(scenario));
+  ASSERT_TRUE(session.apply(PaintCells{block(5, 5, 1, 1), 1}).ok());
+  EXPECT_EQ(session.take_notice().words, "") << "nobody has waited yet";
+  while (session.run().timeline().size() < 1'200'000) session.update(0);
+  ASSERT_TRUE(session.run().decisions().empty()) << "the search is not over";
+  ASSERT_TRUE(session.apply(PaintCells{block(7, 7, 1, 1), 2}).ok());
+  EXPECT_NE(session.take_notice().words.find("its search begins again"), std::string::npos);
+  ASSERT_TRUE(session.apply(PaintCells{block(8, 8, 1, 1), 2}).ok());
+  EXPECT_EQ(session.take_notice().words, "") << "a stroke says it once";
+}
+
 TEST_P(SessionOf, AnEditWhileAPlanStandsIsRepairedAndTheRunRepeatsFromItsScenario) {
   Session session(wall_with_gap(GetParam()));
   session.settle();
