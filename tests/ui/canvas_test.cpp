@@ -41,6 +41,29 @@ TEST_F(CanvasTest, AGrabbedStartMovesWithAnyTool) {
   EXPECT_TRUE(cells_of<PaintCells>().empty());
 }
 
+TEST_F(CanvasTest, ARectangleOrASelectionMayBeginBesideTheWorld) {
+  choose_tool(state_, "rectangle");
+  drag({3, -2}, {5, 1});
+  const std::vector<CellChange> cells = cells_of<PaintCells>();
+  EXPECT_EQ(cells.size(), 6u) << "what of it lies in the world: 3 x 2";
+  EXPECT_TRUE(std::all_of(cells.begin(), cells.end(), [](const CellChange& each) { return each.blocked; }));
+  commands_.clear();
+  drag({3, -2}, {9, -1});
+  move_to({4, -2});
+  button(0, true);
+  button(0, false);
+  EXPECT_TRUE(cells_of<PaintCells>().empty()) << "none of it lies in the world";
+  choose_tool(state_, "select");
+  drag({18, 11}, {20, 8});
+  ASSERT_TRUE(state_.editing.region);
+  EXPECT_EQ(state_.editing.region->low, (Cell{18, 8}));
+  EXPECT_EQ(state_.editing.region->high, (Cell{19, 9}));
+  move_to({4, -2});
+  button(0, true);
+  button(0, false);
+  EXPECT_FALSE(state_.view.pinned) << "a click beside the world is a click on no cell";
+}
+
 TEST_F(CanvasTest, RectangleAndSurpriseComeWhenLetGo) {
   choose_tool(state_, "rectangle");
   drag({5, 1}, {7, 2});

@@ -224,7 +224,8 @@ void Canvas::Parts::point(const Session& session, std::size_t pane, ViewState& s
   screen.camera = resolve(state.view.camera, columns, rows, viewport);
   const Point at = screen.world(ImGui::GetIO().MousePos);
   const Cell cell{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))};
-  const bool inside = is_hovered && !panning && run.lattice().contains(cell);
+  const bool over = is_hovered && !panning;
+  const bool inside = over && run.lattice().contains(cell);
   if (inside) {
     state.view.hovered = hovered = cell;
     state.pointed = {cell, pane};
@@ -238,6 +239,7 @@ void Canvas::Parts::point(const Session& session, std::size_t pane, ViewState& s
   if (menu && inside && !hand.busy()) state.menu = cell;
   const double radius = 9 * state.view.scale / screen.camera.zoom;
   const Pointer pointer{.cell = cell,
+                        .over = over,
                         .inside = inside,
                         .left_pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Left),
                         .right_pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Right) && !menu,

@@ -27,7 +27,9 @@ void Hand::update(const Session& session, const Run& run, ViewState& state, cons
                   std::vector<Command>& commands) {
   ToolContext context{session, run, state, commands, pointer, press_};
   if (!busy_) {
-    if (!pointer.inside || !(pointer.left_pressed || pointer.right_pressed)) return;
+    if (!(pointer.left_pressed || pointer.right_pressed)) return;
+    const bool beside = pointer.over && state.tools.chosen().begins_outside(!pointer.left_pressed);
+    if (!pointer.inside && !beside) return;
     press(context);
     move(context);
   } else {
@@ -43,10 +45,10 @@ void Hand::update(const Session& session, const Run& run, ViewState& state, cons
 
 void Hand::press(ToolContext& context) {
   const Run& run = context.run;
-  const Cell at = clamped(run.lattice(), context.pointer.cell);
-  const bool right = !context.pointer.left_pressed;
-  press_ = {right, false, at, at, at, StrokeKind::paints, next_stroke()};
-  if (is_wall(run, at)) press_.kind = StrokeKind::erases_wall;
+  const Cell at = context.pointer.cell;
+  const bool right = !context.pointer.left_pressed, outside = !context.pointer.inside;
+  press_ = {right, false, at, at, at, outside, StrokeKind::paints, next_stroke()};
+  if (!outside && is_wall(run, at)) press_.kind = StrokeKind::erases_wall;
   if (right) press_.kind = StrokeKind::erases;
   busy_ = true;
   Tool& tool = context.view.tools.chosen();

@@ -65,6 +65,14 @@ CellRect rectangle(Cell a, Cell b) {
   return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 
+std::optional<CellRect> in_world(const Box& lattice, const CellRect& all) {
+  const CellRect kept = {
+      {std::max(all.low.x, 0), std::max(all.low.y, 0)},
+      {std::min(all.high.x, lattice.width() - 1), std::min(all.high.y, lattice.height() - 1)}};
+  if (kept.low.x > kept.high.x || kept.low.y > kept.high.y) return std::nullopt;
+  return kept;
+}
+
 Brush brush_of(const ViewState& view) {
   return {view.brush, view.editing.round};
 }
@@ -106,7 +114,11 @@ CellPreview ShapeDrag::preview(const Press& press, const ViewState& view) const 
 }
 
 std::vector<CellSpan> ShapeDrag::spans(const ToolContext& context) const {
-  return shape_(context.press, context.view);
+  std::vector<CellSpan> inside;
+  for (const CellSpan& span : shape_(context.press, context.view))
+    if (const auto part = in_world(context.run.lattice(), {{span.first, span.y}, {span.last, span.y}}))
+      inside.push_back({span.y, part->low.x, part->high.x});
+  return inside;
 }
 
 }  // namespace replan::ui

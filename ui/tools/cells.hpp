@@ -17,6 +17,8 @@ bool is_wall(const Run& run, Cell cell);
 Cell goal_cell(const Run& run);
 Cell robot_cell(const Run& run);
 CellRect rectangle(Cell a, Cell b);
+/// What of a rectangle lies in the world, if anything.
+std::optional<CellRect> in_world(const Box& lattice, const CellRect& all);
 Brush brush_of(const ViewState& view);
 
 /// Of the spans the cells that lie in the world and would change by the press. Start and goal keep standing on free
@@ -39,6 +41,7 @@ class ShapeDrag : public Drag {
   void end(ToolContext& context) override;
   [[nodiscard]] CellPreview preview(const Press& press, const ViewState& view) const override;
   [[nodiscard]] bool draws() const override { return true; }
+  [[nodiscard]] bool leaves_world() const override { return true; }
 
  protected:
   [[nodiscard]] std::vector<CellSpan> spans(const ToolContext& context) const;

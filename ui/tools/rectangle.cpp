@@ -12,6 +12,7 @@ std::vector<CellSpan> cells_between(const Press& press, const ViewState&) {
 class RectangleTool final : public DrawingTool {
   std::unique_ptr<Drag> press(ToolContext&) override { return std::make_unique<ShapeDrag>(cells_between); }
   std::unique_ptr<Drag> press_right(ToolContext& context) override { return press(context); }
+  [[nodiscard]] bool begins_outside(bool) const override { return true; }
 };
 
 }  // namespace

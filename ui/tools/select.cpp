@@ -26,6 +26,7 @@ class SelectTool final : public Tool {
     return view.editing.region.has_value();
   }
   void draw_options(Frame& frame) override;
+  [[nodiscard]] bool begins_outside(bool right) const override { return !right; }
   void leave(ViewState& view) override { view.editing.region.reset(); }
 };
 
@@ -34,11 +35,13 @@ class RegionDrag final : public Drag {
   explicit RegionDrag(SelectTool& tool) : tool_(tool) {}
   void move(ToolContext& context) override {
     const Press& press = context.press;
-    if (press.moved) select_region(context.view.editing, rectangle(press.first, press.last));
+    const auto region = in_world(context.run.lattice(), rectangle(press.first, press.last));
+    if (press.moved && region) select_region(context.view.editing, *region);
   }
   void end(ToolContext& context) override {
-    if (!context.press.moved) tool_.click(context);
+    if (!context.press.moved && !context.press.outside) tool_.click(context);
   }
+  [[nodiscard]] bool leaves_world() const override { return true; }
 
  private:
   SelectTool& tool_;

@@ -41,6 +41,8 @@ class SurpriseDrag final : public ShapeDrag {
     context.commands.emplace_back(ScheduleSurprise{later(press, std::move(cells))});
   }
   [[nodiscard]] bool draws() const override { return false; }
+  /// The middle of what is drawn has to be a cell.
+  [[nodiscard]] bool leaves_world() const override { return false; }
 
  private:
   [[nodiscard]] Surprise later(const Press& press, std::vector<CellChange> cells) const {

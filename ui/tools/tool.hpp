@@ -25,7 +25,8 @@ struct ViewState;
 /// What the mouse does in one frame.
 struct Pointer {
   Cell cell;    ///< under the cursor; may lie outside the world
-  bool inside;  ///< the cursor is over the canvas, and the canvas has the mouse
+  bool over;    ///< the cursor is over the canvas, and the canvas has the mouse
+  bool inside;  ///< and it is over the world
   bool left_pressed, right_pressed;
   bool left_down, right_down;
   double reach;  ///< how many cells away a start or goal can still be grabbed
@@ -36,6 +37,7 @@ struct Press {
   bool right = false;  ///< of the right button, which erases
   bool moved = false;
   Cell first, before, last;  ///< where it began, and where it was and is in this frame
+  bool outside = false;      ///< it began beside the world, and `first` is there
   StrokeKind kind = StrokeKind::none;
   std::uint64_t stroke = 0;  ///< what it does is undone as one
   [[nodiscard]] bool adds() const { return kind == StrokeKind::paints; }
@@ -85,6 +87,8 @@ class Tool {
   virtual std::unique_ptr<Drag> press_right(ToolContext& context);
   /// A click on the start, the goal or the robot, which a drag would have moved.
   virtual void click(ToolContext&) {}
+  /// Whether such a press may begin beside the world: its Drag then has to leave it (Drag::leaves_world).
+  [[nodiscard]] virtual bool begins_outside(bool /*right*/) const { return false; }
   /// Whether a press takes hold of the start, the goal or the robot where they stand.
   [[nodiscard]] virtual bool grabs() const { return true; }
 
