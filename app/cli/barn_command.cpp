@@ -59,15 +59,17 @@ Result<int> barn(const BarnArguments& arguments) {
   const auto worlds = worlds_of(arguments);
   if (!worlds) return Error{worlds.error()};
   std::vector<BarnSummary> summaries;
-  std::string csv = barn_csv({}, {});
+  std::string csv = barn_csv({}, {}), failures;
   for (const std::string& id : globals) {
     const bool alone = id == kNoPlan;
     const std::string name = alone ? "dwa" : "fusion with " + id;
-    const auto drives = drive_barn(*worlds, barn_settings(*drive, alone ? "" : id));
+    const BarnSettings settings = barn_settings(*drive, alone ? "" : id);
+    const auto drives = drive_barn(*worlds, settings);
+    failures += barn_failures(name, *worlds, drives, settings);
     summaries.push_back(summary_of(name, drives));
     csv += barn_csv(name, drives);
   }
-  print(barn_table(summaries));
+  print(barn_table(summaries) + (failures.empty() ? "" : "\n" + failures));
   if (!arguments.csv.empty())
     if (const auto written = write_file_atomically(arguments.csv, csv); !written)
       return Error{written.error()};

@@ -94,6 +94,10 @@ BarnSummary summary_of(const std::string& name, const std::vector<BarnDrive>& dr
 
 /// A Markdown table of them below the figures that the benchmark's authors publish for DWA.
 std::string barn_table(const std::vector<BarnSummary>& summaries);
+/// Why drives failed, a sentence each: how far from the goal it ended, since when it had not left a place of two metres,
+/// and what stands in the straight way from there for a robot of that radius. Empty if all arrived.
+std::string barn_failures(const std::string& name, const std::vector<BarnWorld>& worlds,
+                          const std::vector<BarnDrive>& drives, const BarnSettings& settings);
 /// World by world: the heading with `name` empty, else its lines.
 std::string barn_csv(const std::string& name, const std::vector<BarnDrive>& drives);
 
