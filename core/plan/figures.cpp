@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <vector>
 
 #include "core/lattice/segment.hpp"
@@ -207,6 +208,20 @@ double path_length(const Path& path) {
   double length = 0;
   for (std::size_t i = 1; i < path.size(); ++i) length += distance(path.point(i - 1), path.point(i));
   return length;
+}
+
+double distance_to(const Path& path, const Point& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const Point from = path.point(i == 0 ? 0 : i - 1), to = path.point(i);
+    const Point way{to.x - from.x, to.y - from.y, to.z - from.z};
+    const double squared = way.x * way.x + way.y * way.y + way.z * way.z;
+    const double along = (point.x - from.x) * way.x + (point.y - from.y) * way.y + (point.z - from.z) * way.z;
+    const double part = squared > 0 ? std::clamp(along / squared, 0.0, 1.0) : 0;
+    least = std::min(least,
+                     distance(point, {from.x + part * way.x, from.y + part * way.y, from.z + part * way.z}));
+  }
+  return least;
 }
 
 PathFigures path_figures(const Box& box, std::span<const std::uint8_t> cells, const Path& path) {

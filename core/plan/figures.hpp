@@ -24,6 +24,9 @@ struct PathFigures {
 /// The length alone: what a batch over thousands of problems needs.
 double path_length(const Path& path);
 
+/// The distance from a point to the polyline, in cells; infinite to an empty path.
+double distance_to(const Path& path, const Point& point);
+
 /// All figures of a path in a box of cells, nonzero = obstacle.
 PathFigures path_figures(const Box& box, std::span<const std::uint8_t> cells, const Path& path);
 template <int D>

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "core/plan/figures.hpp"
+
 namespace replan {
 namespace {
 
@@ -171,6 +173,8 @@ void DwaRobot::keep(const Twist& motion) {
     now = before;
     return;
   }
+  const double away = distance_to(*moment().first_path, moment().at) * sense_.frame().side;
+  moment().figures.drive.add(motion, sense_.settings().period, away);
   const auto [sine, cosine] = sine_cosine(now.pose.heading);
   moment().after = {moment().at.x + cosine, moment().at.y + sine, moment().at.z};
   tell(before);

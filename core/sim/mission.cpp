@@ -151,6 +151,7 @@ void Mission::follow(const Path& path, PlanStatus status) {
   route_ = lay_out(box_, path);
   const double length = route_.along.empty() ? 0 : route_.along.back();
   now_.plan = std::make_shared<const Plan>(Plan{std::move(kept), status, length});
+  if (!now_.first_path && !path.empty()) now_.first_path = now_.plan->path;
   now_.next = 0;
   now_.along_plan = 0;
   now_.drive.sub_goal = 0;

@@ -9,6 +9,7 @@
 
 #include "core/drive/dynamic_window.hpp"
 #include "core/plan/navigator.hpp"
+#include "core/sim/drive_figures.hpp"
 #include "core/sim/mover.hpp"
 #include "core/sim/route.hpp"
 #include "core/sim/senses.hpp"
@@ -50,6 +51,7 @@ struct MissionFigures {
   Counters counters;           ///< of the planner, all plans together
   Counters last_plan;          ///< of the latest plan or replan alone
   std::size_t peak_bytes = 0;  ///< held by the planner at most, the map not counted
+  DriveFigures drive;          ///< of a robot that drives
 };
 
 /// How a robot stands that drives instead of going from cell to cell.
@@ -76,7 +78,8 @@ struct Decision {
   MissionFigures figures;
   Counters before_goal;  ///< of the figures' counters: the planner's work for earlier goals
   std::shared_ptr<const Plan> plan;
-  std::size_t next = 0;   ///< the cell of the plan's route that the robot enters next
+  std::shared_ptr<const Path> first_path;  ///< of the first plan that had one
+  std::size_t next = 0;                    ///< the cell of the plan's route that the robot enters next
   Point before;           ///< where on the plan it was before its last move; `at` if it has not moved since
   Point at;               ///< where it is: not in the middle of the cell that the path crosses there
   Point after;            ///< where its next move leads; `at` if the plan has none

@@ -46,6 +46,21 @@ constexpr FigureInfo kFigures[] = {
     {"moves", robot, "moves", "", neither, 0, false, "Cells that the robot has entered."},
     {"travelled", robot, "travelled", "cells", lower, 3, false,
      "The way that the robot has gone, along its paths. Drives are compared once all robots have arrived."},
+    {"seconds", robot, "time", "s", lower, 1, false,
+     "Of the world's own time since the robot set out, waiting counted."},
+    {"mean_speed", robot, "mean speed", "m/s", neither, 3, false,
+     "Of a robot that drives: its way by its time."},
+    {"top_speed", robot, "top speed", "m/s", neither, 3, false, "The fastest that it has driven."},
+    {"mean_curvature", robot, "mean curvature", "1/m", lower, 3, false,
+     "How much its way bends: what it turned while it drove, for each metre. 0 is a straight line; 1 is a "
+     "circle of one "
+     "metre's radius."},
+    {"turned_deg", robot, "turned", "°", lower, 1, false,
+     "The sum of all changes of its heading, those on the spot too."},
+    {"mean_off_plan", robot, "mean distance to the first plan", "m", neither, 3, false,
+     "How far its way keeps from the path of the plan that it set out with."},
+    {"max_off_plan", robot, "greatest distance to the first plan", "m", neither, 3, false,
+     "The same where it is farthest from it."},
     {"collisions", robot, "collisions", "", lower, 0, false,
      "Times that a plan led into an obstacle. Only with remote parents as printed."},
 };
@@ -64,6 +79,8 @@ std::vector<NamedFigure> all_figures(const RunReport& report) {
   if (report.robot)
     for (const NamedFigure& figure : named_figures(*report.robot))
       if (figure.key != "replans") figures.push_back(figure);
+  if (report.robot)
+    for (const NamedFigure& figure : drive_figures(*report.robot)) figures.push_back(figure);
   return figures;
 }
 

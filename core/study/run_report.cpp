@@ -1,5 +1,6 @@
 #include "core/study/run_report.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -49,8 +50,9 @@ RobotReport robot_report(const Decision& decision) {
           .travelled = decision.figures.travelled,
           .collisions = decision.figures.collisions,
           .replans = decision.figures.replans,
+          .seconds = static_cast<double>(decision.time) / static_cast<double>(kSecond),
           .last_plan = decision.plan->status,
-          .drives = decision.drive.begun};
+          .drive = decision.drive.begun ? std::optional(decision.figures.drive) : std::nullopt};
 }
 
 /// Why the robot did not arrive, where its ending alone does not say it: how things stood in the end.
@@ -176,7 +178,7 @@ std::string explanation(const RunReport& report) {
     return "The plan leads round in a circle: set remote_parents=checked.";
   if (ending == mission_state_name(MissionState::stuck))
     return "The robot did not arrive: it has a plan, and finds no arc that leads along it.";
-  if (ending == mission_state_name(MissionState::collision) && report.robot && report.robot->drives)
+  if (ending == mission_state_name(MissionState::collision) && report.robot && report.robot->drive)
     return "The robot hit something that came nearer than it can stop.";
   if (ending == mission_state_name(MissionState::collision))
     return "The plan leads into an obstacle: set remote_parents=checked.";
@@ -247,7 +249,20 @@ std::vector<NamedFigure> named_figures(const RobotReport& robot) {
   return {{"moves", static_cast<double>(robot.moves), true},
           {"travelled", finite(robot.travelled), false},
           {"collisions", static_cast<double>(robot.collisions), true},
-          {"replans", static_cast<double>(robot.replans), true}};
+          {"replans", static_cast<double>(robot.replans), true},
+          {"seconds", finite(robot.seconds), false}};
+}
+
+std::vector<NamedFigure> drive_figures(const RobotReport& robot) {
+  const auto of_drive = [&robot](std::string_view key, auto&& value) {
+    return NamedFigure{key, robot.drive ? finite(value(*robot.drive)) : std::nullopt, false};
+  };
+  return {of_drive("mean_speed", [](const DriveFigures& all) { return all.mean_speed(); }),
+          of_drive("top_speed", [](const DriveFigures& all) { return all.top_speed; }),
+          of_drive("mean_curvature", [](const DriveFigures& all) { return all.mean_curvature(); }),
+          of_drive("turned_deg", [](const DriveFigures& all) { return all.turned * 180 / kPi; }),
+          of_drive("mean_off_plan", [](const DriveFigures& all) { return all.mean_off_plan(); }),
+          of_drive("max_off_plan", [](const DriveFigures& all) { return all.most_off_plan; })};
 }
 
 std::vector<NamedFigure> in_metres(std::span<const NamedFigure> figures, const MapFrame& frame) {
@@ -284,6 +299,7 @@ std::string runs_json(std::span<const RunReport> reports) {
                       {"last_status", status_name(report.robot->last_plan)}};
       if (report.robot->short_of_goal) run["robot"]["short_of_goal"] = *report.robot->short_of_goal;
       run["robot"].update(figures_json(named_figures(*report.robot)));
+      if (report.robot->drive) run["robot"].update(figures_json(drive_figures(*report.robot)));
       if (report.frame)
         run["robot"].update(figures_json(in_metres(named_figures(*report.robot), *report.frame)));
     }
@@ -295,6 +311,8 @@ std::string runs_json(std::span<const RunReport> reports) {
 std::string runs_csv(std::span<const RunReport> reports) {
   const bool robots = !reports.empty() && reports.front().robot.has_value();
   const bool metric = !reports.empty() && reports.front().frame.has_value();
+  const bool drives = std::any_of(reports.begin(), reports.end(),
+                                  [](const RunReport& each) { return each.robot && each.robot->drive; });
   std::string names = "planner,status", lines;
   RunReport some;
   if (!reports.empty()) some.radius = reports.front().radius;  // one robot has one size, whoever plans for it
@@ -304,6 +322,9 @@ std::string runs_csv(std::span<const RunReport> reports) {
     for (const NamedFigure& figure : named_figures(RobotReport{}))
       names += ",robot_" + std::string(figure.key);
   }
+  if (drives)
+    for (const NamedFigure& figure : drive_figures(RobotReport{}))
+      names += ",robot_" + std::string(figure.key);
   if (metric)
     for (const auto& [name, figure] : metric_columns(reports.front())) names += "," + name;
   for (const RunReport& report : reports) {
@@ -313,6 +334,8 @@ std::string runs_csv(std::span<const RunReport> reports) {
       lines += std::string(report.robot->reached() ? ",true," : ",false,") +
                mission_state_name(report.robot->ending);
       for (const NamedFigure& figure : named_figures(*report.robot)) lines += "," + csv_number(figure);
+      if (drives)
+        for (const NamedFigure& figure : drive_figures(*report.robot)) lines += "," + csv_number(figure);
     }
     if (metric)
       for (const auto& [name, figure] : metric_columns(report)) lines += "," + csv_number(figure);

@@ -23,8 +23,9 @@ struct RobotReport {
   double travelled = 0;  ///< cells, along the route
   std::int64_t collisions = 0;
   std::int64_t replans = 0;
+  double seconds = 0;                            ///< of the world's time, waiting counted
   PlanStatus last_plan = PlanStatus::searching;  ///< how the latest plan stands
-  bool drives = false;                           ///< on wheels, not from cell to cell
+  std::optional<DriveFigures> drive = {};        ///< of a robot on wheels
   bool covered = false;                          ///< an obstacle stands on its cell
   std::optional<double> short_of_goal = {};      ///< cells from where it ends to its goal, as the crow flies
   [[nodiscard]] bool reached() const { return ending == MissionState::arrived; }
@@ -80,8 +81,11 @@ struct NamedFigure {
 /// The 13 figures of a run: nodes, length, ... memory_bytes; and of a robot with a size the clearance of its edge
 /// besides, behind that of its centre. Lengths are in cells.
 std::vector<NamedFigure> named_figures(const RunReport& report);
-/// moves, travelled, collisions, replans.
+/// moves, travelled, collisions, replans, seconds.
 std::vector<NamedFigure> named_figures(const RobotReport& robot);
+/// What there is to say of a way on wheels besides: mean_speed, top_speed (m/s), mean_curvature (1/m), turned_deg,
+/// mean_off_plan and max_off_plan, the distance to the first plan's path (m). Without values where nothing drives.
+std::vector<NamedFigure> drive_figures(const RobotReport& robot);
 /// Those of the figures that are lengths, in metres: length_m, min_clearance_m ...
 std::vector<NamedFigure> in_metres(std::span<const NamedFigure> figures, const MapFrame& frame);
 

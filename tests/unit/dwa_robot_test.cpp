@@ -1,6 +1,7 @@
 // A robot that drives by the dynamic window approach: what its log says of it, and that the reasons that are worked out
 // later are those by which it drove.
 #include <bit>
+#include <cmath>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -54,6 +55,46 @@ TEST(DwaRobot, HasInItsPastTheReasonsByWhichItDrove) {
   }
   EXPECT_GT(told, 400);
   EXPECT_LE(driven - told, 1);
+}
+
+TEST(DwaRobot, HasTheFiguresOfTheWayThatItsPosesTell) {
+  const auto scenario = boxes();
+  replan::Run run(scenario, 0);
+  run.finish(Target::end());
+  const auto decisions = run.decisions();
+  const Path& first = *decisions.front().plan->path;
+  double way = 0, turned = 0, bent = 0, top = 0, most = 0, sum = 0;
+  for (std::size_t i = 0; i + 1 < decisions.size(); ++i) {
+    const Drive& to = decisions[i + 1].drive;
+    Pose from = decisions[i].drive.state.pose;
+    if (!decisions[i].drive.begun) from = {1.5, 1.5, 0};  // where it sets out
+    if (!to.begun || to.state.pose == from) continue;
+    const double angle = std::abs(wrapped_angle(to.state.pose.heading - from.heading));
+    const double chord = distance(from.spot(), to.state.pose.spot());
+    const double part = angle > 1e-9 ? chord * (angle / 2) / std::sin(angle / 2) : chord;  // of the arc
+    // The nearest of many points of the polyline, in cells of a metre.
+    double away = 1e9;
+    for (std::size_t k = 1; k < first.size(); ++k)
+      for (int t = 0; t <= 2000; ++t) {
+        const Point a = first.point(k - 1), b = first.point(k);
+        away = std::min(away, std::hypot(a.x + (b.x - a.x) * t / 2000 - to.state.pose.x,
+                                         a.y + (b.y - a.y) * t / 2000 - to.state.pose.y));
+      }
+    way += part;
+    turned += angle;
+    bent += to.state.motion.v > 0 ? angle : 0;
+    top = std::max(top, to.state.motion.v);
+    most = std::max(most, away);
+    sum += away * part;
+  }
+  const DriveFigures& told = decisions.back().figures.drive;
+  EXPECT_NEAR(told.way, way, 1e-6);
+  EXPECT_NEAR(told.way, decisions.back().figures.travelled, 1e-6) << "cells of a metre";
+  EXPECT_NEAR(told.turned, turned, 1e-6);
+  EXPECT_NEAR(told.mean_curvature(), bent / way, 1e-6);
+  EXPECT_EQ(told.top_speed, top);
+  EXPECT_NEAR(told.most_off_plan, most, 1e-4);
+  EXPECT_NEAR(told.mean_off_plan(), sum / way, 1e-3);
 }
 
 /// The same bits by every compiler and at every level of optimisation.

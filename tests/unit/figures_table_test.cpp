@@ -127,7 +127,7 @@ TEST(FiguresTable, HasTheLatestPlanAndTheRobotOnlyWhereThereIsOne) {
   driven.robot = RobotReport{.ending = MissionState::arrived, .moves = 9, .travelled = 10.5};
   const RunReport plain[] = {report_of("astar", 50, 1)}, whole[] = {driven};
   EXPECT_EQ(figures_table(plain).rows.size(), 13u);
-  EXPECT_EQ(figures_table(whole).rows.size(), 19u);
+  EXPECT_EQ(figures_table(whole).rows.size(), 20u);
   EXPECT_EQ(row_of(figures_table(whole), "last_queue_operations").values.front(), 6);
   EXPECT_EQ(row_of(figures_table(whole), "travelled").values.front(), 10.5);
 }

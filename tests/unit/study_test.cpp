@@ -217,7 +217,24 @@ TEST(RunReport, csvHasOneColumnForEachName) {
   const std::string csv = runs_csv(reports);
   const std::string names = csv.substr(0, csv.find('\n')), line = csv.substr(names.size() + 1);
   EXPECT_EQ(std::count(names.begin(), names.end(), ','), std::count(line.begin(), line.end(), ','));
-  EXPECT_TRUE(names.ends_with("robot_moves,robot_travelled,robot_collisions,robot_replans"));
+  EXPECT_TRUE(names.ends_with("robot_moves,robot_travelled,robot_collisions,robot_replans,robot_seconds"));
+}
+
+TEST(RunReport, hasTheFiguresOfADriveOnlyWhereSomethingDrives) {
+  Scenario world = corridor();
+  const RunReport walks = drive(world, world.planners.front());
+  world.robot.kind = "dwa";
+  const RunReport drives = drive(world, world.planners.front());
+  ASSERT_TRUE(drives.succeeded());
+  for (const NamedFigure& figure : drive_figures(*walks.robot)) EXPECT_FALSE(figure.value) << figure.key;
+  for (const NamedFigure& figure : drive_figures(*drives.robot)) EXPECT_TRUE(figure.value) << figure.key;
+  const RunReport both[] = {walks, drives};
+  const std::string csv = runs_csv(both), names = csv.substr(0, csv.find('\n'));
+  EXPECT_NE(names.find("robot_mean_speed,robot_top_speed,robot_mean_curvature,robot_turned_deg,"),
+            std::string::npos);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), ','), 3 * std::count(names.begin(), names.end(), ','));
+  EXPECT_EQ(runs_json({both, 1}).find("mean_speed"), std::string::npos);
+  EXPECT_NE(runs_json({both + 1, 1}).find("mean_speed"), std::string::npos);
 }
 
 /// What is said of an open field whose script goes wrong at the robot's second step.

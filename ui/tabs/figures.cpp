@@ -8,6 +8,7 @@
 #include "ui/parts.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
+#include "ui/tabs/speed_chart.hpp"
 
 namespace replan::ui {
 namespace {
@@ -218,6 +219,10 @@ void FiguresTab::draw(Frame& frame) {
     draw_row(look, layout, row, standing);
   }
   ImGui::PopStyleVar();
+  if (!has_speeds(frame.session)) return;
+  section_rule(look);
+  section_title(look, "Speed over time");
+  speed_chart(frame, look.px(72));
 }
 
 TabKind figures_tab() {
