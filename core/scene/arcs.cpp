@@ -28,7 +28,21 @@ double from_line(Point place, const std::vector<Point>& line) {
 
 }  // namespace
 
+bool plans_at_cursor(const Run& run) {
+  const auto all = run.milestones();
+  const std::size_t cursor = run.timeline().cursor();
+  auto at = std::partition_point(all.begin(), all.end(),
+                                 [cursor](const Milestone& each) { return each.event < cursor; });
+  while (at != all.begin()) {
+    --at;
+    if (at->kind == EventKind::plan_begin) return true;
+    if (at->kind == EventKind::plan_end) return false;
+  }
+  return false;
+}
+
 std::optional<DriveWhy> why_at_cursor(const Run& run) {
+  if (plans_at_cursor(run)) return std::nullopt;
   const Decision* decision = run.decision_at(run.timeline().cursor());
   if (decision == nullptr || decision->state != MissionState::driving) return std::nullopt;
   return why_it_drives(run.scenario(), *decision, run.timeline().state());

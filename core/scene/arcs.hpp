@@ -8,8 +8,10 @@
 
 namespace replan {
 
+/// Whether a search is under way at the cursor.
+bool plans_at_cursor(const Run& run);
 /// What a run's robot has decided at the cursor, with its reasons; nothing where it does not drive, or could not decide
-/// there.
+/// there, or plans.
 std::optional<DriveWhy> why_at_cursor(const Run& run);
 
 /// The colours of the samples of one decision.

@@ -1,6 +1,9 @@
 #include "ui/tabs/drive.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/debug/arc_words.hpp"
@@ -42,23 +45,12 @@ NoArcs ended(MissionState state) {
   }
 }
 
-/// Whether a search is under way at the cursor.
-bool plans(const replan::Run& run) {
-  bool under_way = false;
-  for (const Milestone& each : run.milestones()) {
-    if (each.event >= run.timeline().cursor()) break;
-    if (each.kind == EventKind::plan_begin) under_way = true;
-    if (each.kind == EventKind::plan_end) under_way = false;
-  }
-  return under_way;
-}
-
 NoArcs no_arcs(const replan::Run& run) {
   if (!drives(run.scenario())) return goes_from_cell_to_cell();
   const Decision* decision = run.decision_at(run.timeline().cursor());
   if (decision == nullptr)
     return {"No plan yet", "It chooses its first arc when its plan stands: step on, or play."};
-  if (plans(run))
+  if (plans_at_cursor(run))
     return {"It plans again", "It chooses its next arc when the new plan stands: step on, or play."};
   return ended(decision->state);
 }
@@ -75,11 +67,16 @@ void heading(Frame& frame, const Decision& decision, const DriveWhy& why) {
       {"away", fixed(distance(why.state.pose.spot(), why.goal), 2) + " m"},
       {"speed", speed_text(why.state.motion.v)},
       {"samples", std::to_string(why.explanation.samples.size())},
-      {"turns", turn_text(why.state.motion.w)},
+      {why.state.motion.w < 0 ? "turn left" : "turn right",
+       fixed(std::abs(why.state.motion.w), 2) + " rad/s"},
       {"admissible", std::to_string(made.admissible)}};
   std::vector<KeyValue> pairs;
-  for (const auto& [name, value] : values) pairs.push_back({name, value});
-  key_values(look, pairs, 2);
+  float widest = 0;
+  for (const auto& [name, value] : values) {
+    pairs.push_back({name, value});
+    widest = std::max(widest, text_width(look.fonts.mono, name) + text_width(look.fonts.mono, value));
+  }
+  key_values(look, pairs, 2 * (widest + look.px(18)) <= ImGui::GetContentRegionAvail().x ? 2 : 1);
 }
 
 /// A sample that is told of, and what it is.
@@ -137,7 +134,7 @@ void DriveTab::follow(const Frame& frame) {
   const Moment now{frame.session.revision(), run.log_id(), run.timeline().cursor()};
   if (moment_ == now) return;
   moment_ = now;
-  why_ = plans(run) ? std::nullopt : why_at_cursor(run);
+  why_ = why_at_cursor(run);
 }
 
 void DriveTab::draw(Frame& frame) {

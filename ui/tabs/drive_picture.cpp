@@ -152,13 +152,22 @@ void step_motion(Frame& frame, const DriveWhy& why, int steps) {
   looked_at = all.samples[static_cast<std::size_t>(to)].motion;
 }
 
-/// Words at both ends of a line.
+/// Words at both ends of a line, and in its middle what there is room for.
 void ends(const Look& look, float left, float right, float y, const std::string& at_left,
-          const std::string& at_right) {
+          const std::string& at_right, const std::string& between = "") {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImFont* small = look.fonts.mono_small;
+  const float begin = left + text_width(small, at_left) + look.px.xs,
+              end = right - text_width(small, at_right), wide = text_width(small, between);
   draw_text(list, small, {left, y}, look.theme.faint, at_left);
-  draw_text(list, small, {right - text_width(small, at_right), y}, look.theme.faint, at_right);
+  if (end >= begin) draw_text(list, small, {end, y}, look.theme.faint, at_right);
+  if (end - begin >= wide + look.px.xs)
+    draw_text(list, small, {std::round((begin + end - wide) * 0.5f), y}, look.theme.faint, between);
+}
+
+/// "0.21 left", in rad/s.
+std::string side_text(double turn) {
+  return fixed(std::abs(turn), 2) + (turn > 0 ? " right" : " left");
 }
 
 void draw_samples(Frame& frame, const DriveWhy& why, ImVec2 min, ImVec2 max) {
@@ -223,7 +232,7 @@ void draw_windows(Frame& frame, const DriveWhy& why) {
   const float foot = top + height + look.px.xs;
   ends(look, left, far, foot, "left", "right");
   ends(look, origin.x, right, foot, speed_text(window.v_low), "");
-  ends(look, origin.x, right, foot + small, turn_text(window.w_low), turn_text(window.w_high));
+  ends(look, origin.x, right, foot + small, side_text(window.w_low), side_text(window.w_high), "rad/s");
   ImGui::SetCursorScreenPos({origin.x, foot + 2 * small + look.px.xs});
   ImGui::Dummy({0, 0});
   paragraph(

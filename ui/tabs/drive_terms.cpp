@@ -52,8 +52,8 @@ TermRow sum_row(const DriveSample& sample, const DriveSample* other) {
 void term_table(Frame& frame, const DriveWhy& why, const DriveSample& sample, const DriveSample* other) {
   const Look& look = frame.look;
   // Wide enough for what stands in them.
-  std::vector<Column> columns = {{"term", 62, Align::left}, {"value", 70}, {"× weight", 92}, {"share", 50}};
-  if (other != nullptr) columns.push_back({"lead", 56});
+  std::vector<Column> columns = {{"term", 66, Align::left}, {"value", 72}, {"× weight", 92}, {"share", 48}};
+  if (other != nullptr) columns.push_back({"lead", 55});
   table_header(look, columns);
   hint(look,
        {"", "",

@@ -61,7 +61,7 @@ class ArcPen {
     const double part = radius / far;
     const Spot edge{end.x + (nearest->x - end.x) * part, end.y + (nearest->y - end.y) * part};
     context_.add(Line{place(edge), place(*nearest), colour, context_.pixels(1.6)});
-    context_.add(Label{place(*nearest), Anchor::lower_left, colour,
+    context_.add(Label{place(*nearest), nearest->y > end.y ? Anchor::upper_left : Anchor::lower_left, colour,
                        std::string(what) + ": " + decimal_text(far - radius, 2) + " m",
                        context_.palette.background});
   }
@@ -100,7 +100,7 @@ OverlayKind overlay_arcs() {
           {.label = "arcs",
            .help =
                "The arcs that a robot which drives tries before its next step: those with the best scores "
-               "strongest, and those on which it could not stop in time dashed.",
+               "strongest, and those on which it could not stop in time dashed. A click on one tells why.",
            .at_first = true},
       .layer = Layer::routes,
       .draw = draw_arcs};
