@@ -134,6 +134,21 @@ TEST(ArcWords, TellHowFarAheadTheObstacleIs) {
     EXPECT_GT(seen[static_cast<std::size_t>(each)], 100) << rejection_name(each);
 }
 
+TEST(ArcWords, TellWhatTheRobotDoes) {
+  const auto words = [](DriveDeed deed, Twist motion) {
+    return deed_sentence({.deed = deed, .motion = motion, .winner = {}});
+  };
+  EXPECT_EQ(words(DriveDeed::drive, {0.5, 0}), "It drives straight on at 0.50 m/s.");
+  EXPECT_EQ(words(DriveDeed::drive, {0.42, -0.1}),
+            "It drives at 0.42 m/s and turns to the left at 0.10 rad/s.");
+  EXPECT_EQ(words(DriveDeed::drive, {0, 0.2}), "It turns to the right on the spot at 0.20 rad/s.");
+  EXPECT_EQ(words(DriveDeed::brake, {0.3, 0}), "No arc is admissible: it brakes to 0.30 m/s.");
+  EXPECT_EQ(words(DriveDeed::brake, {0, 0}), "No arc is admissible: it brakes to a stand.");
+  EXPECT_TRUE(
+      words(DriveDeed::turn, {0, -1}).starts_with("It can drive nowhere from here: it turns to the left"));
+  EXPECT_TRUE(words(DriveDeed::stuck, {0, 0}).ends_with("it needs another plan."));
+}
+
 TEST(ArcWords, TellWhatTheMotorsCannotReach) {
   Random random(3);
   const DriveMoment moment = any_moment(random);

@@ -1,6 +1,7 @@
 #include "ui/tabs/drive.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -109,10 +110,35 @@ std::string told_title(const ToldSample& told) {
          turn_text(told.sample.motion.w);
 }
 
+/// Where nothing won: how many samples were rejected for which reason.
+void draw_reasons(const Look& look, const DriveWhy& why) {
+  section_rule(look);
+  section_title(look, "Why nothing won");
+  constexpr std::array<std::pair<Rejection, const char*>, 5> kReasons = {
+      {{Rejection::too_fast, "too fast to stop"},
+       {Rejection::turns_too_fast, "turn too fast to stop"},
+       {Rejection::circles, "would circle"},
+       {Rejection::stands, "stand"},
+       {Rejection::none, "admissible"}}};
+  std::vector<std::string> counts;
+  std::vector<const char*> names;
+  for (const auto& [reason, words] : kReasons) {
+    const auto count = std::count_if(why.explanation.samples.begin(), why.explanation.samples.end(),
+                                     [&](const DriveSample& each) { return each.rejection == reason; });
+    if (count == 0) continue;
+    counts.push_back(std::to_string(count));
+    names.push_back(words);
+  }
+  std::vector<KeyValue> pairs;
+  for (std::size_t i = 0; i < names.size(); ++i) pairs.push_back({names[i], counts[i]});
+  key_values(look, pairs, 1);
+}
+
 /// Both samples with their terms; of the first it is told why it won or lost.
 void draw_comparison(Frame& frame, const DriveWhy& why) {
   const Look& look = frame.look;
   const std::vector<ToldSample> told = told_samples(frame.view.view, why);
+  if (!why.explanation.decision.winner) draw_reasons(look, why);
   for (std::size_t i = 0; i < told.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     section_rule(look);

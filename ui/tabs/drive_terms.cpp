@@ -51,9 +51,12 @@ TermRow sum_row(const DriveSample& sample, const DriveSample* other) {
 
 void term_table(Frame& frame, const DriveWhy& why, const DriveSample& sample, const DriveSample* other) {
   const Look& look = frame.look;
-  // Wide enough for what stands in them.
-  std::vector<Column> columns = {{"term", 66, Align::left}, {"value", 72}, {"× weight", 92}, {"share", 48}};
-  if (other != nullptr) columns.push_back({"lead", 55});
+  // Each as wide as what stands in it; where there is no room for all, the shares say enough.
+  const bool wide = ImGui::GetContentRegionAvail().x >= look.px(320);
+  std::vector<Column> columns = {{"term", 63, Align::left}, {"value", 70.5f}};
+  if (wide) columns.push_back({"× weight", 91.5f});
+  columns.push_back({"share", 48.7f});
+  if (other != nullptr) columns.push_back({"lead", 55.7f});
   table_header(look, columns);
   hint(look,
        {"", "",
@@ -64,8 +67,9 @@ void term_table(Frame& frame, const DriveWhy& why, const DriveSample& sample, co
   rows.push_back(sum_row(sample, other));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const TermRow& row = rows[i];
-    std::vector<TableCell> cells = {
-        {row.name, look.theme.dim}, {row.raw}, {row.weighing, look.theme.dim}, {row.share, 0, row.strong}};
+    std::vector<TableCell> cells = {{row.name, look.theme.dim}, {row.raw}};
+    if (wide) cells.push_back({row.weighing, look.theme.dim});
+    cells.push_back({row.share, 0, row.strong});
     if (other != nullptr) cells.push_back({row.lead, 0, row.strong});
     table_row(look, static_cast<int>(i), columns, cells);
   }
