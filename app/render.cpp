@@ -145,6 +145,7 @@ Result<ui::ViewState> requested_view(const RenderRequest& request) {
     return Error{"there is no theme '" + theme + "'; take 'dark' or 'light'"};
   state.dark = theme == "dark";
   state.view.pinned = request.pinned;
+  state.view.motion = request.motion;
   state.view.slice = request.slice.value_or(request.scenario.start.z);
   state.view.scale = request.scale;
   state.view.range = request.range;

@@ -38,6 +38,7 @@ struct RenderRequest {
   FieldSpan range = FieldSpan::whole_run;
   ui::FieldColours colours = ui::FieldColours::viridis;
   std::optional<Cell> pinned;
+  std::optional<Twist> motion;              ///< of a driving robot: the one that is looked at
   std::optional<int> slice;                 ///< the layer that is shown; else that of the start
   std::optional<ViewSetup::Camera> camera;  ///< else the scenario's, else the whole world
   bool legend = true;

@@ -1,5 +1,7 @@
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -9,6 +11,7 @@
 #include "app/render.hpp"
 #include "core/base/file.hpp"
 #include "core/lattice/box_words.hpp"
+#include "core/robots/drive_sense.hpp"
 #include "core/world/formats/text_lines.hpp"
 
 namespace replan::cli {
@@ -30,6 +33,7 @@ struct RenderArguments {
   std::vector<std::string> actions;
   std::string dialog;
   std::string pin;
+  std::string arc;
   std::string camera;
   std::string slice;
   std::string panes;
@@ -93,6 +97,28 @@ Result<void> read_looks(const RenderArguments& arguments, app::RenderRequest& re
   return {};
 }
 
+/// All numbers of a list such as 12,8.5,48; nothing if it has other parts, or another number of them.
+std::optional<std::vector<double>> numbers_in(const std::string& list, std::size_t count) {
+  const std::vector<std::string> parts = split_list(std::vector{list});
+  std::vector<double> numbers;
+  for (const std::string& part : parts)
+    if (const auto number = number_from<double>(part)) numbers.push_back(*number);
+  if (parts.size() != count || numbers.size() != count) return std::nullopt;
+  return numbers;
+}
+
+Result<void> read_arc(const RenderArguments& arguments, app::RenderRequest& request) {
+  if (arguments.arc.empty()) return {};
+  if (!drives(request.scenario))
+    return Error{"--arc is for a robot that drives, and this one goes from cell to cell: leave it out"};
+  const auto motion = numbers_in(arguments.arc, 2);
+  if (!motion)
+    return Error{"--arc cannot be '" + arguments.arc +
+                 "': give V,W, the speed in m/s and the turn rate in rad/s, for example 0.4,-0.1"};
+  request.motion = Twist{(*motion)[0], (*motion)[1]};
+  return {};
+}
+
 Result<void> read_place(const RenderArguments& arguments, app::RenderRequest& request) {
   if (!arguments.pin.empty()) {
     const Box world = request.scenario.map.box();
@@ -102,14 +128,11 @@ Result<void> read_place(const RenderArguments& arguments, app::RenderRequest& re
     request.pinned = *cell;
   }
   if (arguments.camera.empty()) return {};
-  const std::vector<std::string> parts = split_list(std::vector{arguments.camera});
-  std::vector<double> numbers;
-  for (const std::string& part : parts)
-    if (const auto number = number_from<double>(part)) numbers.push_back(*number);
-  if (parts.size() != 3 || numbers.size() != 3 || !(numbers[2] > 0))
+  const auto numbers = numbers_in(arguments.camera, 3);
+  if (!numbers || !((*numbers)[2] > 0))
     return Error{"--camera cannot be '" + arguments.camera +
                  "': give X,Y,ZOOM, the point in the middle and pixels per cell, for example 12,8.5,48"};
-  request.camera = ViewSetup::Camera{numbers[0], numbers[1], numbers[2]};
+  request.camera = ViewSetup::Camera{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
   return {};
 }
 
@@ -186,6 +209,7 @@ Result<int> render(const RenderArguments& arguments) {
   if (const auto moment = read_moment(arguments, request); !moment) return Error{moment.error()};
   if (const auto looks = read_looks(arguments, request); !looks) return Error{looks.error()};
   if (const auto place = read_place(arguments, request); !place) return Error{place.error()};
+  if (const auto arc = read_arc(arguments, request); !arc) return Error{arc.error()};
   if (const auto slice = read_slice(arguments, request); !slice) return Error{slice.error()};
   if (const auto panes = read_panes(arguments, request); !panes) return Error{panes.error()};
   if (const auto film = read_film(arguments, request); !film) return Error{film.error()};
@@ -272,6 +296,11 @@ Command add_render(CLI::App& program) {
          "Of a picture of the window: the dialog that is open, such as open or keys, or the menu, such as "
          "menu_view, with contents that are the same on every machine; a wrong name shows them all")
       ->type_name("NAME");
+  app->add_option("--arc", into.arc,
+                  "Of a robot that drives: the speed in m/s and the turn rate in rad/s, above 0 to the "
+                  "right, that the "
+                  "Drive tab tells of")
+      ->type_name("V,W");
   app->add_option("--pin", into.pin, "The cell that is pinned: the Cell tab tells of it")
       ->type_name("X,Y[,Z]");
   app->add_option("--slice", into.slice,

@@ -98,7 +98,7 @@ std::vector<Term> values_read(const Condition& condition) {
 }
 
 bool is_value(Op op) {
-  return op >= Op::g && op <= Op::last;
+  return op >= Op::g && op <= Op::score;
 }
 
 bool is_of_vertex(Op op) {

@@ -57,6 +57,9 @@ enum class Op : std::uint8_t {
   start,
   goal,
   last,
+  sub_goal,
+  admissible,
+  score,
   line,
   // About the latest event
   on_line,

@@ -236,6 +236,9 @@ class ConditionParser {
     } else if (name.op == Op::queue_size) {
       if (!in_.take('(') || in_.take_name() != "U" || !in_.take(')'))
         return failed(begin, "'size' is told of the open list only: size(U)");
+    } else if (name.op == Op::score) {
+      if (!in_.take('(') || in_.take_name() != "winner" || !in_.take(')'))
+        return failed(begin, "'score' is told of the arc that was chosen only: score(winner)");
     } else if (name.op == Op::on_line) {
       const auto number = whole_in_parentheses();
       if (!number) return failed(begin, "'line' needs the number of a pseudo-code line: line(48)");

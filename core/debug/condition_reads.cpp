@@ -62,6 +62,12 @@ std::optional<Scalar> scalar_of(Op op) {
       return Scalar::goal;
     case Op::last:
       return Scalar::last;
+    case Op::sub_goal:
+      return Scalar::sub_goal;
+    case Op::admissible:
+      return Scalar::admissible;
+    case Op::score:
+      return Scalar::score;
     default:
       return std::nullopt;
   }

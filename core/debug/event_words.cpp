@@ -79,8 +79,24 @@ std::string value_name(const Field& field) {
 
 const char* value_name(Scalar scalar) {
   static constexpr std::array<const char*, static_cast<std::size_t>(Scalar::count)> kNames = {
-      "km",         "s_start", "s_last", "s_goal", "the robot",   "moves",     "replans",      "the goal",
-      "the weight", "K",       "x",      "y",      "the heading", "the speed", "the turn rate"};
+      "km",
+      "s_start",
+      "s_last",
+      "s_goal",
+      "the robot",
+      "moves",
+      "replans",
+      "the goal",
+      "the weight",
+      "K",
+      "x",
+      "y",
+      "the heading",
+      "the speed",
+      "the turn rate",
+      "the sub-goal",
+      "admissible arcs",
+      "the score of the chosen arc"};
   return scalar < Scalar::count ? kNames[static_cast<std::size_t>(scalar)] : "";
 }
 
@@ -123,6 +139,8 @@ std::string scalar_text(const Box& lattice, Scalar scalar, std::uint64_t raw) {
   if (scalar == Scalar::km || scalar == Scalar::weight || scalar == Scalar::share)
     return cost_text(Cost{static_cast<std::int64_t>(raw)});
   if (is_real(scalar)) return decimal_text(std::bit_cast<double>(raw), 3);
+  if (scalar == Scalar::score) return raw == 0 ? "none" : decimal_text(score_of(raw), 3);
+  if (scalar == Scalar::admissible) return raw == 0 ? "none" : std::to_string(raw - 1);
   const bool number = scalar == Scalar::moves || scalar == Scalar::replans;
   return number ? std::to_string(raw) : node_text(lattice, static_cast<NodeId>(raw) - 1u);
 }

@@ -1,5 +1,6 @@
 // What the terms of an expression are where its probe stands.
 #include <algorithm>
+#include <limits>
 
 #include "core/debug/condition_reads.hpp"
 #include "core/debug/event_words.hpp"
@@ -118,6 +119,12 @@ Probe::Number Probe::number(const Term& term) {
     case Op::moves:
     case Op::replans:
       return count(raw(EventKind::scalar, static_cast<NodeId>(*scalar_of(term.op))));
+    case Op::admissible: {
+      const std::uint64_t held = raw(EventKind::scalar, static_cast<NodeId>(Scalar::admissible));
+      return held == 0 ? Number{std::numeric_limits<double>::infinity(), {}} : count(held - 1);
+    }
+    case Op::score:
+      return {score_of(raw(EventKind::scalar, static_cast<NodeId>(Scalar::score))), {}};
     case Op::queue_size:
       return {static_cast<double>(state_.queue_size()), {}};
     case Op::expansions:
@@ -206,7 +213,7 @@ bool Probe::changes(const Term& term) {
 std::string value_text(const Box& lattice, const Term& term, const TermValue& value) {
   if (value.type == ValueType::cell) return node_text(lattice, value.node);
   if (value.type == ValueType::truth) return value.truth ? "true" : "false";
-  const bool counts = (is_value(term.op) && !is_cost(term.op)) || term.op == Op::line;
+  const bool counts = (is_value(term.op) && !is_cost(term.op) && term.op != Op::score) || term.op == Op::line;
   return decimal_text(value.number, counts ? 0 : 3);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <tuple>
 
@@ -77,6 +78,7 @@ DriveSample Judge::assess(const Twist& motion) const {
   if (motion.v > 0) span = std::min(span, distance(state_.pose.spot(), goal_) / motion.v);
   const double looked_at = std::max(span, sample.stopping);
   const double contact = time_to_contact(arc, obstacles_, settings_, looked_at);
+  sample.contact = contact;
   sample.hits = contact < span;
   sample.time = std::min(contact, span);
   sample.rejection = reason(motion, contact);
@@ -156,17 +158,10 @@ std::optional<std::size_t> best_of(const std::vector<DriveSample>& samples,
   return best;
 }
 
-ScoreTerm largest_lead(const DriveSample& winner, const DriveSample& other) {
-  std::size_t term = 0;
-  const auto lead = [&](std::size_t i) { return winner.weighted[i] - other.weighted[i]; };
-  for (std::size_t i = 1; i < kScoreTerms; ++i)
-    if (lead(i) > lead(term)) term = i;
-  return static_cast<ScoreTerm>(term);
-}
-
 DriveDecision Judge::decide(const std::vector<DriveSample>& samples, std::optional<std::size_t> best) const {
   if (!best) {
-    if (state_.motion.v > 0) return {DriveDeed::brake, braked(state_.motion, settings_), {}, 0, 0};
+    if (state_.motion.v > 0)
+      return {.deed = DriveDeed::brake, .motion = braked(state_.motion, settings_), .winner = {}};
     return turn_in_place();
   }
   const DriveSample& winner = samples[*best];
@@ -177,17 +172,27 @@ DriveDecision Judge::decide(const std::vector<DriveSample>& samples, std::option
     if (!could_drive) return turn_in_place();
   }
   const double turned = winner.motion.v > 0 ? 0 : state_.turned + winner.motion.w * settings_.period;
-  return {DriveDeed::drive, winner.motion, best, winner.score, turned};
+  return {.deed = DriveDeed::drive,
+          .motion = winner.motion,
+          .winner = best,
+          .score = winner.score,
+          .turned = turned};
 }
 
 /// It goes on turning the way that it began.
 DriveDecision Judge::turn_in_place() const {
   if (std::abs(state_.turned) >= 2 * kPi)
-    return {DriveDeed::stuck, braked(state_.motion, settings_), {}, 0, state_.turned};
+    return {.deed = DriveDeed::stuck,
+            .motion = braked(state_.motion, settings_),
+            .winner = {},
+            .turned = state_.turned};
   const double side = state_.turned != 0 ? (state_.turned > 0 ? 1 : -1) : freer_side();
   const SpeedWindow window = dynamic_window(state_.motion, settings_);
   const double w = side > 0 ? window.w_high : window.w_low;
-  return {DriveDeed::turn, {0, w}, {}, 0, state_.turned + w * settings_.period};
+  return {.deed = DriveDeed::turn,
+          .motion = {0, w},
+          .winner = {},
+          .turned = state_.turned + w * settings_.period};
 }
 
 /// How far it could go straight on if it looked in another direction, in metres.
@@ -225,6 +230,14 @@ std::string_view drive_deed_name(DriveDeed deed) {
   return kNames[static_cast<std::size_t>(deed)];
 }
 
+ScoreTerm largest_lead(const DriveSample& winner, const DriveSample& other) {
+  std::size_t term = 0;
+  const auto lead = [&](std::size_t i) { return winner.weighted[i] - other.weighted[i]; };
+  for (std::size_t i = 1; i < kScoreTerms; ++i)
+    if (lead(i) > lead(term)) term = i;
+  return static_cast<ScoreTerm>(term);
+}
+
 Explanation explain(const DriveState& state, const LocalObstacles& obstacles, Spot goal,
                     const DriveSettings& settings) {
   const Judge judge(state, obstacles, goal, settings);
@@ -234,6 +247,8 @@ Explanation explain(const DriveState& state, const LocalObstacles& obstacles, Sp
   judge.score(why.samples);
   const auto best = best_of(why.samples);
   why.decision = judge.decide(why.samples, best);
+  why.decision.admissible = static_cast<std::size_t>(
+      std::count_if(why.samples.begin(), why.samples.end(), std::mem_fn(&DriveSample::admissible)));
   if (!best) return why;
   why.runner_up = best_of(why.samples, best);
   if (why.runner_up) why.lost_by = largest_lead(why.samples[*best], why.samples[*why.runner_up]);

@@ -61,8 +61,10 @@ std::string_view rejection_name(Rejection rejection);
 struct DriveSample {
   Twist motion;
   Rejection rejection = Rejection::none;
-  bool hits = false;        ///< its arc meets an obstacle before the horizon
-  double time = 0;          ///< s until then, or the horizon
+  bool hits = false;  ///< its arc meets an obstacle before the horizon
+  double time = 0;    ///< s until then, or the horizon
+  double contact =
+      0;  ///< s until it meets one, as far as it was looked at: `time` or `stopping`, if that is more
   double stopping = 0;      ///< s that this has to be at least
   Pose end;                 ///< where it is then
   ScoreTerms raw{};         ///< rad, m/s, m, m: larger is better
@@ -89,6 +91,7 @@ struct DriveDecision {
   std::optional<std::size_t> winner;  ///< the sample whose motion it is
   double score = 0;                   ///< of the winner
   double turned = 0;                  ///< DriveState::turned after the period
+  std::size_t admissible = 0;         ///< how many samples are
   friend bool operator==(const DriveDecision&, const DriveDecision&) = default;
 };
 
@@ -107,6 +110,8 @@ DriveDecision decide(const DriveState& state, const LocalObstacles& obstacles, S
 /// The same decision and why.
 Explanation explain(const DriveState& state, const LocalObstacles& obstacles, Spot goal,
                     const DriveSettings& settings);
+/// The term by which an admissible sample leads another by most.
+ScoreTerm largest_lead(const DriveSample& winner, const DriveSample& other);
 /// Any motion as if it had been among the samples, its normalised terms and score left out.
 DriveSample assess(const DriveState& state, const LocalObstacles& obstacles, Spot goal,
                    const DriveSettings& settings, const Twist& motion);

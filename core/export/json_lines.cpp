@@ -209,6 +209,18 @@ void JsonLines::scalar(std::string& out, Scalar which, std::uint64_t raw) const 
     case Scalar::speed:
     case Scalar::turning:
       return append_real(out, std::bit_cast<double>(raw));
+    case Scalar::admissible:
+      if (raw == 0)
+        out += "null";
+      else
+        append_whole(out, raw - 1);
+      return;
+    case Scalar::score:
+      if (raw == 0)
+        out += "null";
+      else
+        append_real(out, score_of(raw));
+      return;
     default:
       return cell(out, static_cast<NodeId>(raw) - 1u);
   }

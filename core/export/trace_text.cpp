@@ -18,8 +18,8 @@ std::string_view event_name(const SearchValues& values, EventKind kind) {
 
 std::string_view scalar_name(Scalar scalar) {
   static constexpr std::array<std::string_view, static_cast<std::size_t>(Scalar::count)> kNames = {
-      "km",     "start", "last", "goal", "robot",   "moves", "replans", "wanted",
-      "weight", "share", "x",    "y",    "heading", "speed", "turning"};
+      "km",    "start", "last", "goal",    "robot", "moves",   "replans",  "wanted",     "weight",
+      "share", "x",     "y",    "heading", "speed", "turning", "sub_goal", "admissible", "score"};
   return kNames[static_cast<std::size_t>(scalar)];
 }
 

@@ -196,8 +196,21 @@ constexpr GlossaryTerm kTerms[] = {
     {"moving-obstacle", "Moving obstacle",
      "A box of cells that goes along a drawn way. It waits for the robot rather than run into it."},
     {"stuck", "Stuck",
-     "A robot that drives has a plan, but none of the arcs that it can take up leads along it: it has turned all the way "
+     "A robot that drives has a plan, but none of the arcs that it can take up leads along it: it has turned "
+     "all the way "
      "round in vain, or come no nearer to its goal for as long as its patience lasts."},
+    {"sub-goal", "Sub-goal",
+     "The corner of its plan that a robot which drives makes for: the next one when it is near, or when the "
+     "way "
+     "to the one after it is free."},
+    {"admissible", "Admissible",
+     "A speed and turn rate that a robot which drives may choose: its motors can reach it within a period, "
+     "and it "
+     "could still stop before it touches anything."},
+    {"score", "Score of an arc",
+     "What a robot which drives chooses by: heading, speed and the distances from known and unknown "
+     "obstacles, each "
+     "brought to the scale of 0 to 1 and multiplied by its weight."},
     {"robot-moves", "Moves", "How many cells the robot has entered."},
     {"robot", "Robot",
      "What drives along the plan. It plans on the map that it believes in, which its sensor corrects within "

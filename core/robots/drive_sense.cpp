@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "core/drive/sample_grid.hpp"
 #include "core/robots/dwa_robot.hpp"
+#include "core/world/robot.hpp"
 
 namespace replan {
 namespace {
@@ -20,6 +22,7 @@ DriveSense::DriveSense(const Scenario& scenario)
       settings_(drive_settings(scenario.robot.settings)),
       radius_(scenario.robot.radius),
       near_(std::max(scenario.robot.settings.get(DwaRobot::near_parameter()), frame_.side / 2)),
+      heading_(-scenario.robot.settings.get(DwaRobot::heading_parameter()) * kPi / 180),
       mapped_(initial_knowledge(scenario)) {
   settings_.limits.radius = radius_ * frame_.side;
 }
@@ -39,6 +42,11 @@ DriveSettings DriveSense::settings_towards(const DriveState& state, Spot goal) c
     most = std::min(most, limits.w_max * (along * along + across * across) / (2 * across));
   limits.v_max = std::max({most, limits.v_min, state.motion.v - limits.brake * settings.period});
   return settings;
+}
+
+DriveState DriveSense::first_state(Cell cell) const {
+  const Spot middle = frame_.centre(cell);
+  return {.pose = {middle.x, middle.y, heading_}, .motion = {}, .turned = 0};
 }
 
 std::vector<Spot> DriveSense::nodes_of(const Path& path) const {
@@ -72,14 +80,39 @@ void DriveSense::add_edge(std::vector<Spot>& walls, Spot at) const {
 std::optional<DriveWhy> why_it_drives(const Scenario& scenario, const Decision& decision,
                                       const SearchState& state) {
   const Path& path = *decision.plan->path;
-  if (!decision.drive.begun || path.empty()) return std::nullopt;
+  if (!drives(scenario) || path.empty()) return std::nullopt;
   const DriveSense sense(scenario);
   const MapAt known{state};
-  const DriveState& now = decision.drive.state;
+  const Cell cell = sense.frame().box.position(state.node(Scalar::robot));
+  const DriveState now = decision.drive.begun ? decision.drive.state : sense.first_state(cell);
   const std::vector<Spot> nodes = sense.nodes_of(path);
   const Spot goal = nodes[sense.sub_goal(nodes, decision.drive.sub_goal, now.pose.spot(), known)];
-  return DriveWhy{now, goal, sense.frame(),
-                  explain(now, sense.obstacles(now, known), goal, sense.settings_towards(now, goal))};
+  DriveWhy why{now,
+               goal,
+               sense.frame(),
+               sense.obstacles(now, known),
+               sense.settings_towards(now, goal),
+               sense.settings().limits,
+               {}};
+  why.explanation = explain(now, why.obstacles, goal, why.settings);
+  return why;
+}
+
+DriveSample sample_of(const DriveWhy& why, const Twist& motion) {
+  const SampleGrid grid(why.explanation, why.settings);
+  if (const auto nearest = grid.nearest(why.explanation, motion)) return why.explanation.samples[*nearest];
+  DriveSample sample = assess(why.state, why.obstacles, why.goal, why.settings, motion);
+  // What the motors could do well, but not on the way to this sub-goal.
+  DriveSettings own = why.settings;
+  own.limits = why.limits;
+  if (dynamic_window(why.state.motion, own).contains(motion) && motion.v > why.explanation.window.v_high)
+    sample.rejection = Rejection::circles;
+  return sample;
+}
+
+bool drives(const Scenario& scenario) {
+  const RobotInfo* robot = find_robot(scenario.robot.kind);
+  return robot != nullptr && robot->drives;
 }
 
 }  // namespace replan

@@ -27,6 +27,13 @@ class DriveSense {
   /// With the top speed at which it can still turn to its sub-goal.
   [[nodiscard]] DriveSettings settings_towards(const DriveState& state, Spot goal) const;
   [[nodiscard]] Point in_cells(Spot spot) const { return {spot.x / frame_.side, spot.y / frame_.side, 0.5}; }
+  /// The cell of the map where a node of a path lies.
+  [[nodiscard]] Cell cell_of(Spot node) const {
+    const Cell cell = frame_.cell(node);
+    return {std::clamp(cell.x, 0, frame_.box.width() - 1), std::clamp(cell.y, 0, frame_.box.height() - 1), 0};
+  }
+  /// How it stands when it sets out from a cell: in its middle, at rest.
+  [[nodiscard]] DriveState first_state(Cell cell) const;
   /// The nodes of a path in metres.
   [[nodiscard]] std::vector<Spot> nodes_of(const Path& path) const;
 
@@ -73,6 +80,7 @@ class DriveSense {
   DriveSettings settings_;
   double radius_;       // cells
   double near_;         // m; so near a sub-goal the next one follows
+  double heading_;      // rad, that it sets out with
   SharedBytes mapped_;  // its map before it set out
 };
 
@@ -81,10 +89,17 @@ struct DriveWhy {
   DriveState state;
   Spot goal;  ///< the sub-goal
   CellFrame frame;
+  LocalObstacles obstacles;
+  DriveSettings settings;  ///< with the top speed at which it can still turn to its sub-goal
+  DriveLimits limits;      ///< with its own
   Explanation explanation;
 };
-/// Nothing where the robot does not drive, has not set out, or has no plan. `state` is the log's at the decision.
+/// Nothing where the robot does not drive or has no plan. `state` is the log's at the decision.
 std::optional<DriveWhy> why_it_drives(const Scenario& scenario, const Decision& decision,
                                       const SearchState& state);
+/// What came of a motion: of the nearest sample, or, where none is near, of the motion itself.
+DriveSample sample_of(const DriveWhy& why, const Twist& motion);
+/// Whether the scenario's robot drives.
+bool drives(const Scenario& scenario);
 
 }  // namespace replan

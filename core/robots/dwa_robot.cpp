@@ -59,17 +59,21 @@ RobotInfo DwaRobot::describe() {
               "Drives along arcs on two wheels: each time the one that scores best by the dynamic window "
               "approach.",
           .parameters = parameters_of_drive(),
-          .planar = true};
+          .planar = true,
+          .drives = true};
 }
 
 DwaRobot::DwaRobot(const Scenario& scenario, const PlannerChoice& choice, Recorder* recorder)
     : Mission(scenario, choice, recorder),
       sense_(scenario),
-      heading_(-scenario.robot.settings.get(kHeading) * kPi / 180),
       tolerance_(scenario.robot.settings.get(kTolerance)) {}
 
 const Parameter& DwaRobot::near_parameter() {
   return kNear;
+}
+
+const Parameter& DwaRobot::heading_parameter() {
+  return kHeading;
 }
 
 void DwaRobot::move() {
@@ -80,6 +84,7 @@ void DwaRobot::move() {
   DriveState& now = moment().drive.state;
   const DriveDecision decision =
       replan::decide(now, sense_.obstacles(now, known()), goal, sense_.settings_towards(now, goal));
+  tell(decision);
   if (decision.deed == DriveDeed::stuck) return turn_round_in_vain();
   if (decision.motion.v > 0) moment().drive.stuck = 0;
   keep(decision.motion);
@@ -113,9 +118,8 @@ void DwaRobot::take_up_pose() {
   Drive& drive = moment().drive;
   if (drive.begun) return;
   const DriveState before = drive.state;
-  const Spot middle = sense_.frame().centre(box().position(robot()));
   drive.begun = true;
-  drive.state = {.pose = {middle.x, middle.y, heading_}, .motion = {}, .turned = 0};
+  drive.state = sense_.first_state(box().position(robot()));
   tell(before);
 }
 
@@ -129,6 +133,7 @@ Spot DwaRobot::sub_goal() {
   Drive& drive = moment().drive;
   const Spot robot = drive.state.pose.spot();
   drive.sub_goal = sense_.sub_goal(nodes_, drive.sub_goal, robot, known());
+  tell_sub_goal();
   double to_go = distance(robot, nodes_[drive.sub_goal]);
   for (std::size_t i = drive.sub_goal; i + 1 < nodes_.size(); ++i)
     to_go += distance(nodes_[i], nodes_[i + 1]);
@@ -202,6 +207,23 @@ void DwaRobot::tell(const DriveState& before) const {
   change(Scalar::heading, before.pose.heading, now.pose.heading);
   change(Scalar::speed, before.motion.v, now.motion.v);
   change(Scalar::turning, before.motion.w, now.motion.w);
+}
+
+void DwaRobot::tell_sub_goal() {
+  Drive& drive = moment().drive;
+  tell(Scalar::sub_goal, drive.choice.sub_goal, box().node(sense_.cell_of(nodes_[drive.sub_goal])) + 1u);
+}
+
+/// Before it is carried out: who stops there can still look at what was decided.
+void DwaRobot::tell(const DriveDecision& decision) {
+  DriveChoice& choice = moment().drive.choice;
+  tell(Scalar::admissible, choice.admissible, decision.admissible + 1);
+  tell(Scalar::score, choice.score, decision.winner ? score_bits(decision.score) : 0);
+}
+
+void DwaRobot::tell(Scalar scalar, std::uint64_t& told, std::uint64_t now) const {
+  log().change(scalar, told, now);
+  told = now;
 }
 
 }  // namespace replan

@@ -31,6 +31,8 @@ class DwaRobot final : public Mission {
   static RobotInfo describe();
   /// How near a node of its plan it makes for the next one, in metres.
   static const Parameter& near_parameter();
+  /// Which way it looks when it sets out, in degrees.
+  static const Parameter& heading_parameter();
   DwaRobot(const Scenario& scenario, const PlannerChoice& choice, Recorder* recorder);
 
  private:
@@ -46,9 +48,11 @@ class DwaRobot final : public Mission {
   void turn_round_in_vain();
   void keep(const Twist& motion);
   void tell(const DriveState& before) const;
+  void tell_sub_goal();
+  void tell(const DriveDecision& decision);
+  void tell(Scalar scalar, std::uint64_t& told, std::uint64_t now) const;
 
   DriveSense sense_;
-  double heading_;    // rad, that it sets out with
   double tolerance_;  // m, to the goal
   // The nodes of the plan in metres, made anew where the plan's path is another one.
   std::shared_ptr<const Path> path_;

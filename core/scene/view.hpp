@@ -9,6 +9,7 @@
 
 #include "core/base/cell.hpp"
 #include "core/base/result.hpp"
+#include "core/drive/motion.hpp"
 #include "core/scene/pixel_box.hpp"
 
 namespace replan {
@@ -90,6 +91,10 @@ struct View {
   int slice = 0;  ///< the layer that is shown, of a world of more than one
   std::optional<Cell> hovered;
   std::optional<Cell> pinned;
+  // Of the motions that a driving robot can choose from: the one that is looked at, at every moment the arc nearest to
+  // it, and the one that is pointed at.
+  std::optional<Twist> motion;
+  std::optional<Twist> pointed_motion;
   // By their numbers in the scenario.
   std::optional<std::size_t> selected_mover;
   std::optional<std::size_t> selected_surprise;

@@ -54,6 +54,12 @@ struct MissionFigures {
   DriveFigures drive;          ///< of a robot that drives
 };
 
+/// What the log says of the latest decision of a robot that drives, as scalars (core/trace/event.hpp).
+struct DriveChoice {
+  std::uint64_t sub_goal = 0, admissible = 0, score = 0;
+  friend bool operator==(const DriveChoice&, const DriveChoice&) = default;
+};
+
 /// How a robot stands that drives instead of going from cell to cell.
 struct Drive {
   bool begun = false;        ///< it has taken up its pose
@@ -64,6 +70,7 @@ struct Drive {
   SimTime since = 0;                            ///< ... and when that was
   SimTime planned = 0;                          ///< when it last planned again since it had lost its way
   int stuck = 0;  ///< how often it has turned all the way round since it last drove
+  DriveChoice choice;
   friend bool operator==(const Drive&, const Drive&) = default;
 };
 

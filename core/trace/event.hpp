@@ -6,9 +6,11 @@
 // forgotten is not in the log; who walks back over an epoch takes the state before it from the Timeline.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 
 #include "core/base/cell.hpp"
 
@@ -96,12 +98,25 @@ enum class Scalar : std::uint8_t {
   heading,  ///< rad, from x towards y
   speed,    ///< m/s
   turning,  ///< rad/s
+  // Of its latest decision (core/drive/dynamic_window.hpp).
+  sub_goal,    ///< the cell that it makes for, node + 1
+  admissible,  ///< how many samples were, + 1; 0: it has decided nothing yet
+  score,       ///< of the winner, as score_bits(); 0: there is none
   count
 };
 
 /// Whether its 64 bits are those of a double.
 constexpr bool is_real(Scalar scalar) {
-  return scalar >= Scalar::x && scalar < Scalar::count;
+  return scalar >= Scalar::x && scalar <= Scalar::turning;
+}
+
+/// A score as its scalar holds it: infinite, which stands for none, is 0, as all scalars are at first.
+constexpr std::uint64_t score_bits(double score) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  return std::bit_cast<std::uint64_t>(score) ^ std::bit_cast<std::uint64_t>(kNone);
+}
+constexpr double score_of(std::uint64_t bits) {
+  return std::bit_cast<double>(bits ^ score_bits(0));
 }
 
 /// A set of kinds.

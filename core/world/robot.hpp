@@ -40,6 +40,7 @@ struct RobotInfo {
   std::string_view summary = {};  ///< one sentence
   std::vector<Parameter> parameters = {};
   bool planar = false;  ///< it drives in a plane: in worlds of one layer alone
+  bool drives = false;  ///< along arcs that it chooses by the dynamic window approach, not from cell to cell
 };
 
 /// All kinds, in the order of robots.def. The first is the usual one.

@@ -40,6 +40,22 @@ TEST(RunBreak, tellsTheValuesThatTheConditionReads) {
   EXPECT_EQ(values["queued(0, 0)"], false);
 }
 
+TEST(RunBreak, knowsWhatARobotThatDrivesDecides) {
+  const std::string boxes = std::string(REPLAN_SOURCE_DIR) + "/maps/fusion-boxes.json";
+  const auto stop = [&](const std::string& condition) {
+    const Outcome outcome =
+        run_program({"run", boxes, "--planner", "adaptive-astar", "--break", condition, "--json"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.json()["stops"][0];
+  };
+  const auto turn = stop("changed(sub_goal) && moves > 0");
+  EXPECT_EQ(turn["values"]["sub_goal"].size(), 2u);
+  const auto poor = stop("score(winner) < 0.5");
+  EXPECT_LT(poor["values"]["score(winner)"], 0.5);
+  EXPECT_GT(poor["clock"], 0);
+  EXPECT_GE(stop("admissible < 100")["clock"], 1);
+}
+
 TEST(RunBreak, saysWhatIsNotReached) {
   const Outcome outcome =
       run_program({"run", kDemo, "--planner", "astar,dstar-lite", "--break", "km > 0 && replans == 1"});
@@ -49,6 +65,7 @@ TEST(RunBreak, saysWhatIsNotReached) {
 }
 
 TEST(RunBreak, pointsAtMistakes) {
+  expect_complaint({"render", kDemo, "-o", "never.png", "--arc", "0.4,0"}, {"--arc", "from cell to cell"});
   expect_complaint({"run", kDemo, "--break", "rsh(3, 4) > 1"},
                    {"--break 'rsh(3, 4) > 1': character 1: unknown name 'rsh'; did you mean 'rhs'?"});
   expect_complaint({"run", kDemo, "--break", "km"}, {"compare it, as in km > 5"});

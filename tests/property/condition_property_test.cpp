@@ -34,10 +34,11 @@ struct Writer {
   }
   std::string value_number() {
     if (random.chance(0.7)) return pick({"g", "rhs", "dist", "k1", "k2", "order", "times"}) + cell();
-    return pick({"km", "size(U)", "moves", "replans", "expansions"});
+    return pick({"km", "size(U)", "moves", "replans", "expansions", "admissible", "score(winner)"});
   }
   std::string value_cell() {
-    return random.chance(0.6) ? pick({"lp", "rp"}) + cell() : pick({"robot", "start", "goal", "last"});
+    return random.chance(0.6) ? pick({"lp", "rp"}) + cell()
+                              : pick({"robot", "start", "goal", "last", "sub_goal"});
   }
   std::string value_truth() { return pick({"queued", "known", "wall", "consistent"}) + cell(); }
   std::string number(int depth) {
@@ -90,6 +91,19 @@ struct RandomLog {
   [[nodiscard]] LogView view() const { return {log, lattice, *info, choice.settings}; }
 };
 
+/// A quick one: its cells are a metre wide.
+void let_drive(Random& random, RobotSetup& robot) {
+  robot.kind = "dwa";
+  robot.radius = random.chance(0.5) ? 0 : 0.3;
+  robot.settings.set("v_max", 2);
+  robot.settings.set("w_max", 1.5);
+  robot.settings.set("acceleration", 2);
+  robot.settings.set("brake", 2);
+  robot.settings.set("speeds", 4);
+  robot.settings.set("turns", 7);
+  robot.settings.set("horizon", 1.5);
+}
+
 RandomLog random_log(Random& random, const PlannerInfo& info) {
   Scenario scenario;
   if (!info.planar && random.chance(0.3)) {
@@ -107,6 +121,7 @@ RandomLog random_log(Random& random, const PlannerInfo& info) {
   scenario.map.set(scenario.start, false);
   scenario.map.set(scenario.goal, false);
   scenario.robot.knowledge = static_cast<Knowledge>(random.below(3));
+  if (!world.solid() && random.chance(0.3)) let_drive(random, scenario.robot);
   for (int n = random.between(0, 4); n > 0; --n) {
     Surprise surprise;
     surprise.at.move = random.between(0, 12);
@@ -290,6 +305,8 @@ class Plain {
         return state.node(Scalar::goal);
       case Op::last:
         return state.node(Scalar::last);
+      case Op::sub_goal:
+        return state.node(Scalar::sub_goal);
       default:
         return term.cell == kNowhere ? kNoNode : node(term);
     }
@@ -326,6 +343,12 @@ class Plain {
         return static_cast<double>(state.scalar(Scalar::moves));
       case Op::replans:
         return static_cast<double>(state.scalar(Scalar::replans));
+      case Op::admissible: {
+        const std::uint64_t held = state.scalar(Scalar::admissible);
+        return held == 0 ? HUGE_VAL : static_cast<double>(held - 1);
+      }
+      case Op::score:
+        return state.scalar(Scalar::score) == 0 ? HUGE_VAL : score_of(state.scalar(Scalar::score));
       case Op::expansions:
         return static_cast<double>(at.expansions);
       case Op::line:

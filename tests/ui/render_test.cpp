@@ -79,6 +79,23 @@ TEST_P(RenderGolden, SliceOfABox) {
   compare_with_golden(request, std::string("decks_slice_") + GetParam());
 }
 
+/// The Drive tab before a box that is on no map, with an arc that runs into it clicked.
+TEST_P(RenderGolden, WhyAnArc) {
+  RenderRequest request = demo(GetParam());
+  auto boxes = read_scenario(std::string(REPLAN_SOURCE_DIR) + "/maps/fusion-boxes.json");
+  ASSERT_TRUE(boxes.ok()) << boxes.error();
+  request.scenario = *boxes;
+  request.window = true;
+  request.width = 1280;
+  request.height = 900;
+  request.panes = 1;
+  request.at = "move:52";
+  request.camera = ViewSetup::Camera{7, 4, 46};
+  request.motion = Twist{0.4, 0.5};
+  request.actions = {"show_drive"};
+  compare_with_golden(request, std::string("drive_why_") + GetParam());
+}
+
 INSTANTIATE_TEST_SUITE_P(Themes, RenderGolden, testing::Values("dark", "light"),
                          [](const auto& theme) { return std::string(theme.param); });
 

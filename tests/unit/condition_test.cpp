@@ -36,6 +36,8 @@ TEST(ConditionLanguage, spellsWhatItReadInOneWay) {
   EXPECT_EQ(spelt("taken || taken(3,4)"), "taken || taken(3, 4)");
   EXPECT_EQ(spelt("line(48) || line == 48"), "line(48) || line == 48");
   EXPECT_EQ(spelt("changed( g(1,2) ) || event( replan )"), "changed(g(1, 2)) || event(replan)");
+  EXPECT_EQ(spelt("score( winner )<0.20||admissible==0"), "score(winner) < 0.2 || admissible == 0");
+  EXPECT_EQ(spelt("changed(sub_goal) || sub_goal == (3,4)"), "changed(sub_goal) || sub_goal == (3, 4)");
   EXPECT_EQ(spelt("0.50 + 1e3 + inf"), "0.5 + 1000 + inf");
   EXPECT_EQ(spelt("(km > 1) == (km > 2)"), "km > 1 == km > 2");
 }
@@ -91,6 +93,8 @@ TEST(ConditionLanguage, pointsAtWhatIsWrongAndSaysTheMend) {
       {"km", "character 1: a breakpoint needs a truth, this is a number: compare it, as in km > 5"},
       {"km(3, 4) > 5", "character 3: 'km' takes nothing in parentheses"},
       {"size(V) > 5", "character 1: 'size' is told of the open list only: size(U)"},
+      {"score(loser) > 1", "character 1: 'score' is told of the arc that was chosen only: score(winner)"},
+      {"score < 0.2", "character 1: 'score' needs what it is about: score(winner)"},
       {"size > 5", "character 1: 'size' needs what it is about: size(U)"},
       {"line(x)", "character 1: 'line' needs the number of a pseudo-code line: line(48)"},
       {"line(300)", "character 1: 'line' needs the number of a pseudo-code line: line(48)"},

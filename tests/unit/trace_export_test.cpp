@@ -192,6 +192,8 @@ class Rebuilt {
     const bool cost = which == Scalar::km || which == Scalar::weight || which == Scalar::share;
     if (event.kind == EventKind::scalar && is_real(which))
       return std::bit_cast<std::uint64_t>(value.get<double>());
+    if (event.kind == EventKind::scalar && which == Scalar::score) return score_bits(value.get<double>());
+    if (event.kind == EventKind::scalar && which == Scalar::admissible) return value.get<std::uint64_t>() + 1;
     if (event.kind == EventKind::scalar && !cost) return value.get<std::uint64_t>();
     return static_cast<std::uint64_t>(cost_of(value).raw) + (event.kind == EventKind::queue ? 1 : 0);
   }

@@ -23,6 +23,7 @@ void forget_places(ViewState& state) {
   while (let_go(state)) {
   }
   state.view.pinned.reset();
+  state.view.motion.reset();
   state.view.hovered.reset();
   state.pointed.reset();
 }
@@ -37,6 +38,7 @@ struct Canvas::Parts {
     FieldSpan range = FieldSpan::whole_run;
     Camera camera;
     std::optional<Cell> hovered, pinned;
+    std::optional<Twist> motion, pointed_motion;
     std::optional<std::size_t> mover, surprise;
     std::optional<PixelBox> taken;
     double scale = 0;
@@ -134,10 +136,22 @@ void Canvas::Parts::prepare(const Look& look, const Session& session, const Run&
   View view = state.view;
   view.selected_mover = state.editing.mover;
   view.selected_surprise = state.editing.surprise;
-  const SceneKey now{
-      session.revision(), run.log_id(),        view.overlays,          view.range, view.camera, view.hovered,
-      view.pinned,        view.selected_mover, view.selected_surprise, view.taken, view.scale,  viewport,
-      look.theme.free,    state.colours};
+  const SceneKey now{session.revision(),
+                     run.log_id(),
+                     view.overlays,
+                     view.range,
+                     view.camera,
+                     view.hovered,
+                     view.pinned,
+                     view.motion,
+                     view.pointed_motion,
+                     view.selected_mover,
+                     view.selected_surprise,
+                     view.taken,
+                     view.scale,
+                     viewport,
+                     look.theme.free,
+                     state.colours};
   behind = key != now && may_wait;
   if (key == now || behind) return;
   scene = build_scene(run, view, viewport, scene_palette(look.theme, state.colours), memory);
@@ -245,6 +259,8 @@ void Canvas::Parts::point(const Session& session, std::size_t pane, ViewState& s
                         .right_pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Right) && !menu,
                         .left_down = ImGui::IsMouseDown(ImGuiMouseButton_Left),
                         .right_down = ImGui::IsMouseDown(ImGuiMouseButton_Right),
+                        .place = at,
+                        .pixel = state.view.scale / screen.camera.zoom,
                         .reach = std::max(0.5, radius)};
   if (hand.holds() || hand.could_hold(run, state, pointer)) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   hand.update(session, run, state, pointer, commands);

@@ -4,7 +4,9 @@
 namespace replan::ui {
 
 void ActionContext::let_go() {
-  if (!ui::let_go(view)) view.view.pinned.reset();
+  if (ui::let_go(view)) return;
+  if (view.view.motion) return view.view.motion.reset();
+  view.view.pinned.reset();
 }
 
 void ActionContext::delete_selected() {

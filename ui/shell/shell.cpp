@@ -303,6 +303,7 @@ void Shell::show(const ViewSetup& view) {
   // In a window the theme is the user's own.
   if (view.theme && !view_.live) view_.dark = *view.theme == "dark";
   view_.view.pinned.reset();
+  view_.view.motion.reset();
   view_.view.hovered.reset();
   view_.pointed.reset();
   panels_.drafts.clear();

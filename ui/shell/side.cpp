@@ -38,11 +38,21 @@ void choose_pane(Frame& frame, std::size_t shown) {
 /// The number of the tab that shows; a click chooses another one.
 std::size_t choose_tab(Frame& frame) {
   const auto kinds = tab_kinds();
+  std::size_t shown = tab_number(frame.view.tab);
   std::vector<Tab> all;
-  for (const TabKind& kind : kinds) all.push_back({kind.name, action(tab_action(kind.id)).hint()});
-  auto chosen = static_cast<int>(tab_number(frame.view.tab));
-  if (tabs(frame.look, "tabs", all, chosen)) frame.view.tab = kinds[static_cast<std::size_t>(chosen)].id;
-  return static_cast<std::size_t>(chosen);
+  std::vector<std::size_t> numbers;
+  int chosen = 0;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    if (i != shown && kinds[i].in_bar != nullptr && !kinds[i].in_bar(frame.session)) continue;
+    if (i == shown) chosen = static_cast<int>(all.size());
+    all.push_back({kinds[i].name, action(tab_action(kinds[i].id)).hint()});
+    numbers.push_back(i);
+  }
+  if (tabs(frame.look, "tabs", all, chosen)) {
+    shown = numbers[static_cast<std::size_t>(chosen)];
+    frame.view.tab = kinds[shown].id;
+  }
+  return shown;
 }
 
 }  // namespace
@@ -53,6 +63,7 @@ void draw_side(Frame& frame) {
   std::optional<Cell>& pointed = frame.panels.pointed;
   if (pointed && frame.view.view.hovered == pointed) frame.view.view.hovered.reset();
   pointed.reset();
+  frame.view.view.pointed_motion.reset();
   const std::size_t tab = choose_tab(frame);
   edge(look, Edge::left);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.l, look.px.m));

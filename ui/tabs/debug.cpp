@@ -1,10 +1,10 @@
 #include "ui/tabs/debug.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
+#include "core/robots/drive_sense.hpp"
 #include "ui/icons.hpp"
 #include "ui/parts.hpp"
 #include "ui/shell/conditions.hpp"
@@ -158,10 +158,14 @@ void breakpoints_section(Frame& frame, std::string& draft) {
               "The playhead stops where a condition comes true. Click beside a line in the Code tab, or take "
               "one of "
               "these:");
-    const std::array<std::pair<std::string, const char*>, 3> list = {
-        {{"event(replan)", "a replan begins"},
-         {when_taken(some_cell(frame)), "the cell is taken from U"},
-         {"km > 5 && size(U) >= 100", "values alone, or together"}}};
+    std::vector<std::pair<std::string, const char*>> list = {
+        {"event(replan)", "a replan begins"},
+        {when_taken(some_cell(frame)), "the cell is taken from U"},
+        {"km > 5 && size(U) >= 100", "values alone, or together"}};
+    if (drives(frame.session.scenario()))
+      list.insert(list.end(), {{"score(winner) < 0.5", "the arc that it takes is poor"},
+                               {"admissible == 0", "it may take none of its arcs"},
+                               {"changed(sub_goal)", "it makes for another sub-goal"}});
     examples(look, list, draft);
   }
   std::vector<std::int64_t> counts(breakpoints.list().size());
@@ -206,10 +210,12 @@ void watches_section(Frame& frame, std::string& draft) {
     paragraph(look.fonts.ui, look.theme.dim,
               "A watch draws a quantity over the whole run. Right click a value in the Cell tab, or take one "
               "of these:");
-    const std::array<std::pair<std::string, const char*>, 3> suggestions = {
-        {{value_expression(EventKind::g, some_cell(frame)), "the cost of a cell"},
-         {"size(U)", "how many cells wait"},
-         {"km", "how much is added to new keys"}}};
+    std::vector<std::pair<std::string, const char*>> suggestions = {
+        {value_expression(EventKind::g, some_cell(frame)), "the cost of a cell"},
+        {"size(U)", "how many cells wait"},
+        {"km", "how much is added to new keys"}};
+    if (drives(frame.session.scenario()))
+      suggestions.push_back({"score(winner)", "the score of the arc that it takes"});
     examples(look, suggestions, draft);
   }
   for (std::size_t i = 0; i < list.size(); ++i) watch_row(frame, i);

@@ -8,6 +8,10 @@
 
 #include "ui/chord.hpp"
 
+namespace replan {
+class Session;
+}
+
 namespace replan::ui {
 
 struct Frame;
@@ -32,8 +36,11 @@ struct TabKind {
   Chord chord;
   const char* teach;
   std::unique_ptr<SideTab> (*make)();
-  bool per_pane = true;      ///< it is about the leading pane, which can be chosen above it
-  bool at_first = false;     ///< it shows when the program begins
+  bool per_pane = true;   ///< it is about the leading pane, which can be chosen above it
+  bool at_first = false;  ///< it shows when the program begins
+  bool (*in_bar)(const Session& session) =
+      nullptr;               ///< whether it has a place in the bar of tabs while another one
+                             ///< shows; nullptr: always
   std::string_view id = {};  ///< as listed; settings are kept by it
 };
 

@@ -1,19 +1,34 @@
 #include "ui/tools/select.hpp"
 
+#include "core/scene/arcs.hpp"
 #include "ui/canvas/view_state.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/panels.hpp"
+#include "ui/tabs/drive.hpp"
 #include "ui/tools/cells.hpp"
 #include "ui/tools/surprise.hpp"
 
 namespace replan::ui {
 namespace {
 
+/// Whether the click was on an arc: the Drive tab tells of it.
+bool looks_at_arc(ToolContext& context) {
+  constexpr double kNear = 5;  // pixels
+  const auto arc =
+      arc_at(context.run, context.view.view, context.pointer.place, kNear * context.pointer.pixel);
+  if (!arc) return false;
+  context.view.view.motion = *arc;
+  show_drive(context.view);
+  return true;
+}
+
 class SelectTool final : public Tool {
  public:
   std::unique_ptr<Drag> press(ToolContext& context) override;
-  /// Pins a cell, or unpins it, and selects what is to happen there.
+  /// Takes up an arc that a driving robot tries. Where there is none it pins a cell, or unpins it, and selects what is to
+  /// happen there.
   void click(ToolContext& context) override {
+    if (looks_at_arc(context)) return;
     const Cell at = context.press.first;
     std::optional<Cell>& pinned = context.view.view.pinned;
     pinned = pinned == at ? std::nullopt : std::optional<Cell>(at);

@@ -29,6 +29,8 @@ struct Pointer {
   bool inside;  ///< and it is over the world
   bool left_pressed, right_pressed;
   bool left_down, right_down;
+  Point place;   ///< of the cursor in the world, in cells
+  double pixel;  ///< how many cells a pixel of the design is
   double reach;  ///< how many cells away a start or goal can still be grabbed
 };
 

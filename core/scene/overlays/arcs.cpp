@@ -1,33 +1,20 @@
+#include "core/scene/arcs.hpp"
+
 #include <algorithm>
+#include <string>
 #include <vector>
 
-#include "core/robots/drive_sense.hpp"
+#include "core/debug/event_words.hpp"
+#include "core/drive/nearest_obstacle.hpp"
 #include "core/scene/overlay.hpp"
 
 namespace replan {
 namespace {
 
-/// The scores that the colours reach over: the worst and the best few of them would make all others look alike.
-struct ScoreRange {
-  explicit ScoreRange(const std::vector<DriveSample>& samples) {
-    std::vector<double> scores;
-    for (const DriveSample& each : samples)
-      if (each.admissible()) scores.push_back(each.score);
-    if (scores.empty()) return;
-    std::sort(scores.begin(), scores.end());
-    low = scores[scores.size() / 20];
-    high = scores[scores.size() - 1 - scores.size() / 20];
-  }
-  [[nodiscard]] double share(double score) const {
-    return high > low ? std::clamp((score - low) / (high - low), 0.0, 1.0) : 1;
-  }
-  double low = 0, high = 0;
-};
-
 class ArcPen {
  public:
   ArcPen(SceneContext& context, const DriveWhy& why)
-      : context_(context), why_(why), range_(why.explanation.samples) {}
+      : context_(context), why_(why), colours_(why.explanation) {}
 
   /// From the worst to the best, so that these lie above.
   void draw() const {
@@ -38,52 +25,64 @@ class ArcPen {
       return a->admissible() != b->admissible() ? !a->admissible() : a->score < b->score;
     });
     for (const DriveSample* each : order) draw(*each);
-    if (const auto winner = why_.explanation.decision.winner) draw_winner(why_.explanation.samples[*winner]);
+    const Palette& palette = context_.palette;
+    if (const auto winner = why_.explanation.decision.winner)
+      draw_strong(why_.explanation.samples[*winner], palette.accent, Sign::arc_chosen);
+    for (const auto& motion : {context_.view.motion, context_.view.pointed_motion})
+      if (motion) draw_strong(sample_of(why_, *motion), palette.text, Sign::arc_looked_at);
+    if (context_.view.motion) draw_end(sample_of(why_, *context_.view.motion).end);
   }
 
  private:
-  [[nodiscard]] Polyline arc(const DriveSample& sample) const {
-    constexpr int kPieces = 12;
-    Polyline line;
-    const Arc arc(why_.state.pose, sample.motion);
-    for (int i = 0; i <= kPieces; ++i) {
-      const Spot at = arc.spot(sample.time * i / kPieces);
-      line.points.push_back({at.x / why_.frame.side, at.y / why_.frame.side, 0.5});
-    }
-    return line;
-  }
   void draw(const DriveSample& sample) const {
-    Polyline line = arc(sample);
-    const Palette& palette = context_.palette;
-    if (sample.admissible()) {
-      const auto share = static_cast<float>(range_.share(sample.score));
-      line.colour = faded(mix(palette.dim, palette.accent, share), 0.25 + 0.5 * static_cast<double>(share));
-    } else {
-      line.colour = faded(palette.bad, 0.45);
-      line.dash = context_.pixels(3);
-    }
-    line.width = context_.pixels(1.2);
+    Polyline line = line_of(sample, colours_.of(sample, context_.palette), 1.2);
     context_.scene.show(sample.admissible() ? Sign::arc : Sign::arc_rejected);
     context_.add(std::move(line));
   }
-  void draw_winner(const DriveSample& sample) const {
-    Polyline line = arc(sample);
-    line.colour = context_.palette.accent;
+  void draw_strong(const DriveSample& sample, Colour colour, Sign sign) const {
+    Polyline line = line_of(sample, colour, 3);
     line.casing = context_.palette.outline;
-    line.width = context_.pixels(3);
-    context_.scene.show(Sign::arc_chosen);
+    context_.scene.show(sign);
     context_.add(std::move(line));
+  }
+  /// The robot where the arc ends, and what is nearest to it there: the terms' distances.
+  void draw_end(const Pose& end) const {
+    const double radius = why_.settings.limits.radius;
+    context_.add(Ring{place(end.spot()), radius / why_.frame.side, context_.palette.text,
+                      context_.pixels(1.2), context_.pixels(3)});
+    draw_nearest(why_.obstacles.known, end.spot(), "known", context_.palette.text);
+    draw_nearest(why_.obstacles.unknown, end.spot(), "unknown", context_.palette.surprise);
+  }
+  /// A line from the robot's edge to the nearest obstacle, if that is within reach.
+  void draw_nearest(const ObstacleSet& obstacles, Spot end, const char* what, Colour colour) const {
+    const auto nearest = nearest_point(obstacles, end);
+    const double radius = why_.settings.limits.radius, far = nearest ? distance(end, *nearest) : 0;
+    if (!nearest || far - radius >= why_.settings.reach || far <= radius) return;
+    const double part = radius / far;
+    const Spot edge{end.x + (nearest->x - end.x) * part, end.y + (nearest->y - end.y) * part};
+    context_.add(Line{place(edge), place(*nearest), colour, context_.pixels(1.6)});
+    context_.add(Label{place(*nearest), nearest->y > end.y ? Anchor::upper_left : Anchor::lower_left, colour,
+                       std::string(what) + ": " + decimal_text(far - radius, 2) + " m",
+                       context_.palette.background});
+  }
+  [[nodiscard]] Point place(Spot spot) const {
+    return {spot.x / why_.frame.side, spot.y / why_.frame.side, 0.5};
+  }
+  [[nodiscard]] Polyline line_of(const DriveSample& sample, Colour colour, double width) const {
+    return {.points = arc_points(why_, sample),
+            .colour = colour,
+            .width = context_.pixels(width),
+            .casing = 0,
+            .dash = sample.admissible() ? 0 : context_.pixels(3)};
   }
 
   SceneContext& context_;
   const DriveWhy& why_;
-  ScoreRange range_;
+  ArcColours colours_;
 };
 
 void draw_arcs(SceneContext& context) {
-  const Decision* decision = context.run.decision_at(context.cursor);
-  if (decision == nullptr || decision->state != MissionState::driving) return;
-  const auto why = why_it_drives(context.run.scenario(), *decision, context.state);
+  const auto why = why_at_cursor(context.run);
   if (!why) return;
   ArcPen(context, *why).draw();
   const double radius = context.world(4);
@@ -101,7 +100,7 @@ OverlayKind overlay_arcs() {
           {.label = "arcs",
            .help =
                "The arcs that a robot which drives tries before its next step: those with the best scores "
-               "strongest, and those on which it could not stop in time dashed.",
+               "strongest, and those on which it could not stop in time dashed. A click on one tells why.",
            .at_first = true},
       .layer = Layer::routes,
       .draw = draw_arcs};
