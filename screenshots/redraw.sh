@@ -40,7 +40,7 @@ draw figures.png --theme light --at-end --action four_panes,show_figures
 # A robot on two wheels among boxes that are on no map: the arcs that it tries, and the one that it takes.
 world=fusion-boxes draw arcs.png --theme dark --at move:52 --camera 7,4,46 --panes 1
 # The reference planners beside D* Lite, each with the cells that it worked at.
-for planner in weighted-astar adaptive-astar jps theta-star lazy-theta-star lpa-star; do
+for planner in weighted-astar adaptive-astar jps theta-star lazy-theta-star lpa-star field-dstar; do
   world=fusion-maze draw "$planner.png" --theme light --planner "dstar-lite,$planner" --overlay g,scanned,path,queue,grid \
     --canvas-only --panes all --size 960x520
 done
