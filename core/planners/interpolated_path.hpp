@@ -45,6 +45,7 @@ class InterpolatedPath {
   struct Spot {
     NodeId a, b;
     double share = 0;  ///< of the way from a to b
+    Point at;
 
     [[nodiscard]] bool vertex() const { return a == b; }
   };
@@ -72,7 +73,7 @@ class InterpolatedPath {
     constexpr std::int64_t kHalfWay = 410903206;  // 2^30 sin(pi / 8)
     Line line;
     for (NodeId s = search_.start_;;) {
-      line.go_to(centre_of(search_.lattice_.position(s)));
+      line.go_to(centre(s));
       if (s == search_.goal_) return line;
       const auto& node = search_.nodes_[s];
       const NodeId straight = neighbour(s, node.parent);
@@ -84,8 +85,8 @@ class InterpolatedPath {
 
   [[nodiscard]] Line across_squares() const {
     Line line;
-    for (Spot spot{search_.start_, search_.start_};; spot = next(spot)) {
-      line.go_to(point(spot));
+    for (Spot spot = vertex(search_.start_);; spot = next(spot)) {
+      line.go_to(spot.at);
       if (spot.a == search_.goal_ && spot.vertex()) return line;
     }
   }
@@ -94,7 +95,7 @@ class InterpolatedPath {
     Spot best = from;
     double least = HUGE_VAL;
     each_step(from, [&](const Spot& to) {
-      const double sum = way(from, to) + left_from(to);
+      const double sum = distance(from.at, to.at) + left_from(to);
       if (!(sum < least)) return;
       least = sum;
       best = to;
@@ -105,7 +106,8 @@ class InterpolatedPath {
   [[nodiscard]] double left_from(const Spot& spot) const {
     if (spot.vertex()) return promised(spot);
     double least = HUGE_VAL;
-    each_step(spot, [&](const Spot& to) { least = std::min(least, way(spot, to) + promised(to)); });
+    each_step(spot,
+              [&](const Spot& to) { least = std::min(least, distance(spot.at, to.at) + promised(to)); });
     return least;
   }
   [[nodiscard]] double promised(const Spot& spot) const {
@@ -117,32 +119,28 @@ class InterpolatedPath {
   /// the squares' corners and where moves lead.
   template <class Visit>
   void each_step(const Spot& from, Visit&& visit) const {
+    const Cost least = std::max(g(from.a), g(from.b));
     const auto corner = [&](NodeId n) {
-      if (n != from.a && may_follow({n, n}, from)) visit(Spot{n, n});
+      if (leads_down(g(n), least, !from.vertex()) && search_.settled(n)) visit(vertex(n));
     };
     each_open_square(from, [&](const std::array<NodeId, 4>& square) {
       for (const auto& [i, k] : {std::pair{0, 1}, {2, 3}, {0, 2}, {1, 3}}) {
         const NodeId u = square[static_cast<std::size_t>(i)], w = square[static_cast<std::size_t>(k)];
-        const bool beside = u != from.a && w != from.a;
-        const bool other = from.vertex() ? beside : !(u == from.a && w == from.b);
-        if (!other || !may_follow({u, w}, from)) continue;
+        if (!leads_down(std::max(g(u), g(w)), least, false)) continue;
         const double share = best_share(from, u, w);
-        if (share > 0 && share < 1) visit(Spot{u, w, share});
+        if (share > 0 && share < 1 && search_.settled(u) && search_.settled(w)) visit(inside(u, w, share));
       }
       if (!from.vertex())
-        for (const NodeId n : square)
-          if (may_follow({n, n}, from)) visit(Spot{n, n});
+        for (const NodeId n : square) corner(n);
     });
     if (from.vertex())
       for (std::uint32_t rest = search_.lattice_.moves(from.a); rest != 0; rest &= rest - 1)
         corner(search_.lattice_.neighbour(from.a, std::countr_zero(rest)));
   }
 
-  /// Each step leads down: by the larger g of both ends, and of a side to its own ends.
-  [[nodiscard]] bool may_follow(const Spot& to, const Spot& from) const {
-    if (!search_.settled(to.a) || !search_.settled(to.b)) return false;
-    const Cost before = std::max(g(from.a), g(from.b)), after = std::max(g(to.a), g(to.b));
-    return after < before || (after == before && to.vertex() && !from.vertex());
+  /// By the larger g of both ends, and of a side to its own ends. So a side that the spot lies on never follows it.
+  static bool leads_down(Cost to, Cost from, bool to_own_end) {
+    return to < from || (to_own_end && to == from);
   }
 
   /// The squares that a spot is a corner of, or lies on a side of, as far as they are open; by rows.
@@ -168,19 +166,19 @@ class InterpolatedPath {
   [[nodiscard]] double best_share(const Spot& from, NodeId u, NodeId w) const {
     const double slope = g(w).to_double() - g(u).to_double();
     if (!(std::abs(slope) < 1)) return -1;
-    const Point p = point(from), q = centre_of(search_.lattice_.position(u));
+    const Point q = centre(u);
     const bool level = w == u + 1;
-    const double away = std::abs(level ? p.y - q.y : p.x - q.x), foot = level ? p.x - q.x : p.y - q.y;
+    const double away = std::abs(level ? from.at.y - q.y : from.at.x - q.x),
+                 foot = level ? from.at.x - q.x : from.at.y - q.y;
     return foot - away * slope / std::sqrt(1 - slope * slope);
   }
 
-  [[nodiscard]] double way(const Spot& from, const Spot& to) const {
-    return distance(point(from), point(to));
-  }
-  [[nodiscard]] Point point(const Spot& spot) const {
-    Point at = centre_of(search_.lattice_.position(spot.a));
-    if (!spot.vertex()) (spot.b == spot.a + 1 ? at.x : at.y) += spot.share;
-    return at;
+  [[nodiscard]] Point centre(NodeId n) const { return centre_of(search_.lattice_.position(n)); }
+  [[nodiscard]] Spot vertex(NodeId n) const { return {n, n, 0, centre(n)}; }
+  [[nodiscard]] Spot inside(NodeId a, NodeId b, double share) const {
+    Spot spot{a, b, share, centre(a)};
+    (b == a + 1 ? spot.at.x : spot.at.y) += share;
+    return spot;
   }
   [[nodiscard]] Cost g(NodeId n) const { return search_.nodes_[n].g; }
   [[nodiscard]] NodeId neighbour(NodeId s, std::uint32_t d) const {
