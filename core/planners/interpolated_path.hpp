@@ -41,6 +41,8 @@ class InterpolatedPath {
   }
 
  private:
+  static constexpr double kEnd = 1e-9;  // cells; a point nearer to a corner than that is the corner
+
   /// A vertex (both nodes are the same), or a point between two straight neighbours.
   struct Spot {
     NodeId a, b;
@@ -128,7 +130,8 @@ class InterpolatedPath {
         const NodeId u = square[static_cast<std::size_t>(i)], w = square[static_cast<std::size_t>(k)];
         if (!leads_down(std::max(g(u), g(w)), least, false)) continue;
         const double share = best_share(from, u, w);
-        if (share > 0 && share < 1 && search_.settled(u) && search_.settled(w)) visit(inside(u, w, share));
+        const bool is_inside = share > kEnd && share < 1 - kEnd;
+        if (is_inside && search_.settled(u) && search_.settled(w)) visit(inside(u, w, share));
       }
       if (!from.vertex())
         for (const NodeId n : square) corner(n);
@@ -138,9 +141,10 @@ class InterpolatedPath {
         corner(search_.lattice_.neighbour(from.a, std::countr_zero(rest)));
   }
 
-  /// By the larger g of both ends, and of a side to its own ends. So a side that the spot lies on never follows it.
-  static bool leads_down(Cost to, Cost from, bool to_own_end) {
-    return to < from || (to_own_end && to == from);
+  /// By the larger g of both ends; from a side to a corner it may stay the same. So a side that the spot lies on never
+  /// follows it.
+  static bool leads_down(Cost to, Cost from, bool side_to_corner) {
+    return to < from || (side_to_corner && to == from);
   }
 
   /// The squares that a spot is a corner of, or lies on a side of, as far as they are open; by rows.
