@@ -42,7 +42,7 @@ world=fusion-boxes draw arcs.png --theme dark --at move:52 --camera 7,4,46 --pan
 # Why it does not take another one: the tab Drive, with an arc clicked on which it could not stop.
 world=fusion-boxes draw why-arc.png --theme light --at move:52 --camera 5,3,96 --panes 1 --action show_drive --arc 0.42,0.15
 # The reference planners beside D* Lite, each with the cells that it worked at.
-for planner in weighted-astar adaptive-astar jps theta-star lazy-theta-star lpa-star; do
+for planner in weighted-astar adaptive-astar jps theta-star lazy-theta-star lpa-star field-dstar; do
   world=fusion-maze draw "$planner.png" --theme light --planner "dstar-lite,$planner" --overlay g,scanned,path,queue,grid \
     --canvas-only --panes all --size 960x520
 done

@@ -52,6 +52,7 @@ void try_from(const LogView& view, NodeId u, InHand& hand) {
   const bool lookahead = view.info.values.lookahead();
   hand.centre = u;
   for (Offer offer : offers_to(view, state, u)) {
+    if (offer.side != kNoNode) continue;
     const NodeId s = offer.node;
     offer.g = state.g(u);
     offer.dist = state.dist(u);
@@ -65,7 +66,8 @@ void try_to(const LogView& view, NodeId s, InHand& hand) {
   const SearchState& state = view.log.state();
   hand.centre = s;
   for (const Offer& offer : offers_to(view, state, s))
-    hand.trials.push_back({offer, !offer.sum.is_infinite() && offer.sum == state.rhs(s)});
+    if (offer.side == kNoNode)
+      hand.trials.push_back({offer, !offer.sum.is_infinite() && offer.sum == state.rhs(s)});
 }
 
 /// A settled u offers its cost to all around it. Where u is none, or was raised, each vertex that had relied on it

@@ -11,7 +11,7 @@
 
 namespace replan {
 
-/// A neighbour with the sum that goes over it: c + g + dist.
+/// A neighbour with the sum that goes over it: c + g + dist. Ways across squares are not among them.
 struct Trial {
   Offer offer;         ///< `offer.node` is the neighbour
   bool taken = false;  ///< the sum is the value that stands

@@ -83,6 +83,8 @@ std::unique_ptr<LawBook<D>> make_law_book(const LogView& view, LawValues<D>& val
 template <int D>
 std::unique_ptr<LawBook<D>> make_lookahead_laws(const LogView& view, LawValues<D>& values);
 template <int D>
+std::unique_ptr<LawBook<D>> make_interpolated_laws(const LogView& view, LawValues<D>& values);
+template <int D>
 std::unique_ptr<LawBook<D>> make_best_first_laws(const LogView& view, LawValues<D>& values);
 template <int D>
 std::unique_ptr<LawBook<D>> make_any_angle_laws(const LogView& view, LawValues<D>& values);

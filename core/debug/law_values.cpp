@@ -8,7 +8,7 @@ namespace replan {
 
 template <int D>
 LawValues<D>::LawValues(const LogView& view, std::size_t position)
-    : heuristic_(heuristic_of(view.info, view.settings)) {
+    : heuristic_(heuristic_of(view.info, view.settings)), interpolated_(view.info.values.interpolated) {
   const SearchState state = view.log.state_at(position);
   known_ = BoxLattice<D>(view.lattice.template sides<D>(), state.known_map().plain(), view.rules());
   if (view.info.clearance) clearance_.emplace(known_, parameters::clearance_rules_of(view.settings));
@@ -36,6 +36,7 @@ void LawValues<D>::load(const SearchState& state) {
       vertex.queue = static_cast<std::int64_t>(state.value(EventKind::queue, node));
       vertex.lp = state.lp(node) + 1u;
       vertex.rp = state.rp(node) + 1u;
+      if (interpolated_) vertex.side = static_cast<std::uint32_t>(state.value(fields::kSide.kind, node));
     }
   }
 }
@@ -92,6 +93,8 @@ void LawValues<D>::apply(const Event& event) {
       scalars_[event.node] ^= event.delta;
       return;
     default:
+      if (interpolated_ && event.kind == fields::kSide.kind)
+        changing(event.node, LawVertex::own).side ^= static_cast<std::uint32_t>(event.delta);
       return;
   }
 }
@@ -100,12 +103,12 @@ template <int D>
 void LawValues<D>::forget_search() {
   for_each_page([this](NodeId node, const LawVertex& vertex) {
     const bool blank = vertex.g.is_infinite() && vertex.rhs.is_infinite() && !vertex.queued() &&
-                       vertex.lp == 0 && vertex.rp == 0;
+                       vertex.lp == 0 && vertex.rp == 0 && vertex.side == 0;
     if (blank) return;
     LawVertex& forgotten = changing(node, LawVertex::all);
     forgotten.g = forgotten.rhs = Cost::infinity();
     forgotten.queue = 0;
-    forgotten.lp = forgotten.rp = 0;
+    forgotten.lp = forgotten.rp = forgotten.side = 0;
   });
 }
 

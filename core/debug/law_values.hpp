@@ -21,12 +21,13 @@ struct LawVertex {
   std::int64_t queue = 0;    ///< first key component + 1 while in the open list
   std::uint32_t lp = 0;      ///< local parent + 1
   std::uint32_t rp = 0;      ///< remote parent + 1
+  std::uint32_t side = 0;    ///< the other end of the side between which and lp its way leads + 1
   std::uint8_t broken = 0;   ///< a bit for each law that does not hold here
   std::uint8_t changed = 0;  ///< Change bits since the last finished step
 
   enum Change : std::uint8_t {
     offer = 1,  ///< g or dist, so what it offers to others
-    own = 2,    ///< rhs or lp
+    own = 2,    ///< rhs, lp or side
     key = 4,    ///< a key was written, or it left the open list
     all = 8,    ///< its moves, or whatever else asks for a full look
   };
@@ -112,6 +113,7 @@ class LawValues {
   std::vector<NodeId> turned_;  // cells of the robot's map since the last finished step
   std::array<std::uint64_t, static_cast<std::size_t>(Scalar::count)> scalars_{};
   Heuristic heuristic_;
+  bool interpolated_;
 };
 
 extern template class LawValues<2>;

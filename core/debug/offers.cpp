@@ -5,10 +5,24 @@
 #include <cmath>
 
 #include "core/lattice/box_lattice.hpp"
+#include "core/lattice/interpolation.hpp"
 #include "core/plan/common_parameters.hpp"
 
 namespace replan {
 namespace {
+
+/// `node_of` makes nodes of the world of those of the window.
+template <class NodeOf>
+void add_ways_across(const Grid2& window, NodeId from, NodeOf&& node_of, const SearchState& state,
+                     std::vector<Offer>& all) {
+  const auto there = [&](std::uint32_t d) { return node_of(window.neighbour(from, static_cast<int>(d))); };
+  const auto g = [&](int d) { return state.g(there(static_cast<std::uint32_t>(d))); };
+  each_way_across(kFarSides, window.moves(from), g, Cost::infinity(), [&](const WayOn& way) {
+    if (way.cost.is_infinite()) return;
+    const Cost at_end = state.g(there(way.to));
+    all.push_back({there(way.to), {way.cost.raw - at_end.raw}, at_end, Cost{}, way.cost, there(way.and_to)});
+  });
+}
 
 /// The moves are those of a window of the cells around, and of those whose obstacles matter to them, under the same
 /// rules: the map need not be copied.
@@ -37,6 +51,8 @@ std::vector<Offer> offers_in(const LogView& view, const SearchState& state, Node
     const Cost g = state.g(there), dist = state.dist(there), step = BoxLattice<D>::step_cost(d);
     all.push_back({there, step, g, dist, step + g + dist});
   }
+  if constexpr (D == 2)
+    if (view.info.values.interpolated) add_ways_across(window, from, node_of, state, all);
   std::stable_sort(all.begin(), all.end(), [](const Offer& a, const Offer& b) { return a.sum < b.sum; });
   return all;
 }

@@ -161,6 +161,12 @@ constexpr GlossaryTerm kTerms[] = {
      "A path whose straight segments may run in any direction, not only along the eight of the grid: "
      "shorter, with "
      "fewer turns."},
+    {"interpolation", "Interpolation",
+     "What a point between two cells costs, taken from their g: in the middle between 5 and 6 it is 5.5. "
+     "Field D* leads its path through such points."},
+    {"side", "side",
+     "Where the way on from this cell leads between two cells, the one that is not lp: lp is beside this "
+     "cell, and side lies across the corner."},
     {"unchecked-parent", "Unchecked remote parent",
      "A remote parent that the robot follows without a check that the way is still clear. Only with remote "
      "parents as printed; it can lead into an obstacle."},

@@ -11,9 +11,17 @@
 namespace replan {
 namespace {
 
+std::vector<Point> points_along(const Box& box, const std::vector<NodeId>& way, const Path& path) {
+  std::vector<Point> points;
+  for (const NodeId node : way) points.push_back(centre_of(box.position(node)));
+  for (std::size_t i = 1; i < path.size(); ++i) points.push_back(path.point(i));
+  return points;
+}
+
 /// The path, which begins where the way ends, from the way's beginning on.
 Path out_along(const Box& box, const std::vector<NodeId>& way, Path path) {
   if (way.empty() || path.empty()) return path;
+  if (path.nodes().empty()) return Path(points_along(box, way, path));
   std::vector<NodeId> nodes(way.begin(), way.end() - 1);
   nodes.insert(nodes.end(), path.nodes().begin(), path.nodes().end());
   Path whole(box, std::move(nodes), path.sight());

@@ -106,10 +106,17 @@ PlanStatus Replanner::status() const {
 
 std::vector<Cell> Replanner::path() const {
   std::vector<Cell> cells;
-  if (!start_) return cells;
-  const Path path = navigator_->path();
-  for (std::size_t i = 0; i < path.size(); ++i) cells.push_back(cell_of(path.point(i)));
+  for (const Point& point : points())
+    if (const Cell cell = cell_of(point); cells.empty() || cell != cells.back()) cells.push_back(cell);
   return cells;
+}
+
+std::vector<Point> Replanner::points() const {
+  std::vector<Point> points;
+  if (!start_) return points;
+  const Path path = navigator_->path();
+  for (std::size_t i = 0; i < path.size(); ++i) points.push_back(path.point(i));
+  return points;
 }
 
 double Replanner::cost() const {

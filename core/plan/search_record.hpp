@@ -79,6 +79,14 @@ class SearchRecord : public Planner<L> {
     return direction == kNoDirection ? kNoNode : lattice_.neighbour(s, static_cast<int>(direction));
   }
 
+  /// The direction of the move that leads there; kNoDirection if none does.
+  [[nodiscard]] std::uint32_t direction_to(NodeId from, NodeId to) const {
+    for (std::uint32_t rest = lattice_.moves(from); rest != 0; rest &= rest - 1)
+      if (const int d = std::countr_zero(rest); lattice_.neighbour(from, d) == to)
+        return static_cast<std::uint32_t>(d);
+    return kNoDirection;
+  }
+
   // The open list. The log holds k1 + 1 while a node is in it.
   [[gnu::always_inline]] void put_in(NodeId s, const Key& key) {  // see OpenList::push()
     note_queue(s, Cost::zero(), {key.k1.raw + 1});
@@ -162,12 +170,6 @@ class SearchRecord : public Planner<L> {
                                     EventKind::rp};
     return std::any_of(std::begin(kKinds), std::end(kKinds),
                        [&](EventKind kind) { return state.touched(kind, first); });
-  }
-  [[nodiscard]] std::uint32_t direction_to(NodeId from, NodeId to) const {
-    for (std::uint32_t rest = lattice_.moves(from); rest != 0; rest &= rest - 1)
-      if (const int d = std::countr_zero(rest); lattice_.neighbour(from, d) == to)
-        return static_cast<std::uint32_t>(d);
-    return kNoDirection;
   }
 
   Visits<T> visits_;

@@ -39,8 +39,9 @@ struct SearchValues {
   std::vector<PlanNumber> numbers = {};
   ListOrder order;
   CostPlace cost;
-  std::string_view laws;    ///< those that its values keep, by their name in core/debug/laws.def
-  bool least_cost = false;  ///< its cost is that of a cheapest lattice path whatever its paths look like
+  std::string_view laws;      ///< those that its values keep, by their name in core/debug/laws.def
+  bool least_cost = false;    ///< its cost is that of a cheapest lattice path whatever its paths look like
+  bool interpolated = false;  ///< its rhs may lead across squares, too: core/lattice/interpolation.hpp
 
   [[nodiscard]] const Field* find(EventKind kind) const {
     const auto found =

@@ -107,13 +107,19 @@ class ThetaStar final : public BestFirst<L, T, GPlusH, ThetaStar<L, T>, ThetaSta
   void offer(const Expanded& u, const Expanded& from, int d) {
     const NodeId s = lattice_.neighbour(u.node, d);
     const Coordinates at = L::step(u.at, d);
-    const Cost straight = from.g + euclidean_ceil(L::squared_distance(from.at, at));
-    if (!(straight < nodes_[s].g)) return;
+    const std::int64_t squared = L::squared_distance(from.at, at);
+    if (!is_shorter(from.g, squared, nodes_[s].g)) return;
+    const Cost straight = from.g + euclidean_ceil(squared);
     const bool granted = from.node == u.node || (lazy_ && !nodes_[s].expanded);
     tr_.line(8);
     if (granted || in_sight(from.node, s)) return reach_from(from.node, s, d, straight, at);
     const Cost sum = u.g + L::step_cost(d);
     if (sum < nodes_[s].g) reach_from(u.node, s, d, sum, at);
+  }
+  /// Whether g and the straight way are less than that; most are not, and no root need be taken of them.
+  static bool is_shorter(Cost g, std::int64_t squared, Cost than) {
+    const Cost most{than.raw - g.raw - 1};
+    return most >= Cost::zero() && compare_to_segment(most, squared) >= 0;
   }
   void reach_from(NodeId rp, NodeId s, int d, Cost sum, const Coordinates& at) {
     Base::reach(s, static_cast<std::uint32_t>(L::reverse(d)), sum, at);

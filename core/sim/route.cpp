@@ -64,6 +64,9 @@ Route lay_out(const Box& box, const Path& path) {
           {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)});
     }
     walked += length;
+    if (!path.nodes().empty() || route.cells.empty()) continue;
+    route.along.back() = walked;
+    route.points.back() = b;
   }
   return route;
 }

@@ -26,7 +26,8 @@ struct Route {
 
 /// Lays the path out in the cells of its world. Between two nodes these are, under the supercover rule, the cells
 /// that the segment touches, else those of its Bresenham line: the cells that the line of sight has looked at.
-/// Between other points they are all that the segment passes through.
+/// Between other points they are all that the segment passes through, and in a cell with several of them the robot is at
+/// the last: so the straight way to it from the cell before leaves out no square that the path goes round in.
 Route lay_out(const Box& box, const Path& path);
 
 }  // namespace replan

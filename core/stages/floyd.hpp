@@ -9,7 +9,8 @@
 //
 // Settled here: a segment must also be a line of sight under the path's own rule. With D above half a cell's diagonal
 // (0.71, in space 0.87) that follows; with less a segment could cut an obstacle's corner. Between lattice nodes
-// distances are compared in whole numbers, D being taken in millionths of a cell; between other points in doubles.
+// distances are compared in whole numbers, D being taken in millionths of a cell; between other points in doubles, and
+// for a robot with a size nothing is joined there: what a centre must keep away from is known of cells' centres alone.
 #pragma once
 
 #include <algorithm>
@@ -70,6 +71,7 @@ struct Floyd {
   static bool joins(const BoxLattice<D>& known, const Path& path, std::size_t i, std::size_t k,
                     double distance) {
     if (path.nodes().empty()) {
+      if (known.has_size()) return false;
       const Point a = path.point(i), b = path.point(k);
       const bool free = walk_segment(known.box(), a, b, [&known](NodeId c) { return !known.blocked(c); });
       return free && keeps_away<D>(known, place<D>(a), place<D>(b), distance, [&](const auto& centre) {

@@ -80,6 +80,11 @@ inline constexpr Field kTruth{.kind = EventKind::truth,
                               .help = "Whether something stands there in the world.",
                               .forgotten = false};
 
+/// Of a search that interpolates, its own.
+inline constexpr Field kSide{
+    own_field(0), "side", FieldType::node, "side",
+    "Its way leads to a point between lp and this cell. None: it leads to lp itself."};
+
 /// As a search from the start calls them.
 inline constexpr Field kF{EventKind::queue, "queue", FieldType::queue, "f",
                           "g + h while it waits in the open list."};

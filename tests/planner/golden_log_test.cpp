@@ -69,7 +69,7 @@ std::vector<Event> fixed_run(const PlannerInfo& info, const Settings& settings) 
   NodeId start = 0;
   for (int i = 0; i < 8; ++i) {
     const Path path = planner->path();
-    if (path.nodes().size() > 2) start = path.nodes()[1];
+    if (path.size() > 2) start = lattice.node(cell_of(path.point(1)));
     std::vector<CellEdit> edits;
     for (int k = 0; k < 6; ++k) {
       const NodeId node = 1 + random.below(static_cast<std::uint32_t>(count) - 2);

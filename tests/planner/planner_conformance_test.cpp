@@ -139,7 +139,7 @@ void check_fixture(const PlannerInfo& info, const Fixture& fixture, int depth, S
   planner->begin(stage.start, stage.goal);
   finish(*planner);
   EXPECT_EQ(fault_of_answer<D>(info, settings, world.plain, stage.start, stage.goal, *planner), "");
-  const bool exact = info.optimal(settings) || info.incremental;
+  const bool exact = info.optimal(settings) || info.values.least_cost;
   EXPECT_EQ(exact ? fault_of_plan<D>(info, settings, world.plain, stage.start, stage.goal, *planner) : "",
             "");
 }
@@ -222,7 +222,7 @@ void check_random_worlds(const PlannerInfo& info, typename BoxLattice<D>::Coordi
     expect_same(recorded, answer<D, NoTrace>(info, world.lattice, settings, start, goal, 1000));
     finish(*planner);
     ASSERT_EQ(fault_of_answer<D>(info, settings, world.plain, start, goal, *planner), "");
-    const bool exact = info.optimal(settings) || info.incremental;
+    const bool exact = info.optimal(settings) || info.values.least_cost;
     ASSERT_EQ(exact ? fault_of_plan<D>(info, settings, world.plain, start, goal, *planner) : "", "");
   }
 }

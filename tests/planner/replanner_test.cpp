@@ -44,6 +44,15 @@ struct Trial {
   NodeId free() { return random_free(random, world); }
 };
 
+/// Over nodes if all its points are such.
+Path path_of(const Replanner& grid, const Box& box) {
+  const std::vector<Point> points = grid.points();
+  std::vector<NodeId> nodes;
+  for (const Point& point : points)
+    if (point == centre_of(cell_of(point))) nodes.push_back(box.node(cell_of(point)));
+  return nodes.size() == points.size() ? Path(box, std::move(nodes)) : Path(points);
+}
+
 /// Its path, as the segments that the planner may take.
 void expect_right(const PlannerInfo& info, const Settings& settings, const oracle::World& world, NodeId start,
                   NodeId goal, const Replanner& grid) {
@@ -52,9 +61,7 @@ void expect_right(const PlannerInfo& info, const Settings& settings, const oracl
                                    ? oracle::kNever
                                    : oracle::costs_to(world, move_rules(settings), {}, goal)[start];
   ASSERT_EQ(grid.status(), right_status(world, start, goal, shortest));
-  std::vector<NodeId> nodes;
-  for (const Cell cell : grid.path()) nodes.push_back(box.node(cell));
-  const Path path(box, std::move(nodes));
+  const Path path = path_of(grid, box);
   if (grid.status() != PlanStatus::found) {
     ASSERT_TRUE(path.empty());
     ASSERT_EQ(grid.cost(), HUGE_VAL);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "tests/support/worlds.hpp"
 
@@ -65,9 +66,12 @@ class Bench {
 
   std::vector<NodeId> step_faults() {
     if (map_stale_) map_changed();
+    costs_.clear();
+    for (NodeId n = 0; n < world_.blocked.size(); ++n) costs_.push_back(state_.g(n).raw);
     std::vector<NodeId> wrong;
     for (NodeId n = 0; n < world_.blocked.size(); ++n) {
       const bool holds = any_angle()                         ? any_angle_holds(n)
+                         : view_.info.values.interpolated    ? interpolated_holds(n)
                          : view_.info.values.lookahead()     ? lookahead_holds(n)
                          : view_.info.values.laws == "jumps" ? jump_holds(n)
                                                              : best_first_holds(n);
@@ -107,6 +111,37 @@ class Bench {
     if (state_.dist(s).raw != (penalty_.empty() ? 0 : penalty_[s])) return false;
     if (!state_.queued(s) || !on_map(target)) return true;
     const Raw key = sum(sum(std::min(g, rhs), h(target, s)), state_.km().raw);
+    return written_.contains(s) ? state_.k1(s).raw == key : state_.k1(s).raw <= key;
+  }
+
+  /// By all moves, then all ways across squares, with their ends; equal ones are told apart by the first end, then by the
+  /// second, none before any.
+  bool interpolated_holds(NodeId s) {
+    const Raw g = state_.g(s).raw, rhs = state_.rhs(s).raw;
+    const NodeId goal = state_.node(Scalar::goal), start = state_.node(Scalar::start);
+    std::tuple<Raw, NodeId, NodeId> best{kNever, 0, 0};  // nodes + 1
+    for (const Move& move : successors_[s])
+      if (const Raw sum = costs_[move.to] + move.cost; sum < kNever)
+        best = std::min(best, {sum, move.to + 1u, NodeId{0}});
+    const Place p = world_.place(s);
+    for (const int y : {-1, 1})
+      for (const int x : {-1, 1})
+        for (const int axis : {0, 1}) {
+          const Raw sum = way_across(world_, costs_, p, {x, y, 0}, axis);
+          if (sum >= kNever) continue;
+          const Place straight{p[0] + (axis == 0 ? x : 0), p[1] + (axis == 1 ? y : 0), 0};
+          const auto end = static_cast<NodeId>(world_.index(straight)),
+                     other = static_cast<NodeId>(world_.index({p[0] + x, p[1] + y, 0}));
+          best = std::min(best, {sum, end + 1u, other + 1u});
+        }
+    if (s == goal) best = {0, goal + 1u, 0};
+    const auto side = static_cast<NodeId>(state_.value(fields::kSide.kind, s));
+    if (std::tuple(rhs, state_.lp(s) + 1u, side) != best) return false;
+    if (state_.queued(s) != (g != rhs)) return false;
+    if (!state_.queued(s) || !on_map(start)) return true;
+    __extension__ using Wide = __int128;
+    const auto share = static_cast<Raw>(static_cast<Wide>(h(start, s)) * 759'250'124 >> 30);
+    const Raw key = sum(sum(std::min(g, rhs), share), state_.km().raw);
     return written_.contains(s) ? state_.k1(s).raw == key : state_.k1(s).raw <= key;
   }
 
@@ -252,6 +287,7 @@ class Bench {
   World world_;
   std::vector<std::vector<Move>> successors_;
   std::vector<Raw> penalty_;
+  std::vector<Raw> costs_;  // every g, as of the step that is looked at
   bool map_stale_ = false;
   std::set<NodeId> written_;
   std::map<NodeId, Raw> g_before_;  // the step, of vertices whose g it has written

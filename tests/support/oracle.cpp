@@ -210,6 +210,97 @@ std::vector<Raw> costs_to(const World& world, MoveRules rules, const std::vector
   return cost;
 }
 
+Raw root_ceiling(std::int64_t square) {
+  Raw low = 0, high = Raw{1} << 31;  // low^2 < square <= high^2, or square is 0
+  if (square == 0) return 0;
+  while (high - low > 1) {
+    const Raw middle = (low + high) / 2;
+    (middle * middle < square ? low : high) = middle;
+  }
+  return high;
+}
+
+Raw way_across(const World& world, const std::vector<Raw>& costs, const Place& p, const Place& by, int axis) {
+  const Place beside_x{p[0] + by[0], p[1], 0}, beside_y{p[0], p[1] + by[1], 0}, corner = moved(p, by);
+  for (const Place& cell : {p, beside_x, beside_y, corner})
+    if (world.bad(cell)) return kNever;
+  const Raw straight = costs[world.index(axis == 0 ? beside_x : beside_y)],
+            diagonal = costs[world.index(corner)];
+  if (straight >= kNever || diagonal >= straight) return kNever;
+  const Raw f = straight - diagonal;
+  // Where it meets the side: f / sqrt(1 - f^2) of its length from the straight neighbour, less than all of it.
+  if (f > 759'250'124) return kNever;
+  return straight + root_ceiling(kUnit * kUnit - f * f);
+}
+
+std::vector<Raw> interpolated_costs_to(const World& world, MoveRules rules, std::size_t goal) {
+  std::vector<Raw> cost(world.blocked.size(), kNever);
+  if (world.blocked[goal] != 0) return cost;
+  cost[goal] = 0;
+  for (bool changes = true; changes;) {
+    changes = false;
+    for (std::size_t s = 0; s < cost.size(); ++s) {
+      Raw best = s == goal ? 0 : kNever;
+      const Place p = world.place(s);
+      for (const std::size_t next : neighbours(world, rules, s))
+        best = std::min(best, cost[next] + step_between(world, s, next));
+      for (const int y : {-1, 1})
+        for (const int x : {-1, 1})
+          for (const int axis : {0, 1}) best = std::min(best, way_across(world, cost, p, {x, y, 0}, axis));
+      changes |= best != cost[s];
+      cost[s] = best;
+    }
+  }
+  return cost;
+}
+
+bool enters_bad(const World& world, double ax, double ay, double bx, double by) {
+  constexpr double kLeast = 1e-9;
+  const auto inside_for_a_while = [&](double low_x, double low_y) {
+    // The part of the segment within each of both strips; they have a part in common if it enters the square.
+    double begin = 0, end = 1;
+    for (const auto& [from, to, low] : {std::tuple{ax, bx, low_x}, std::tuple{ay, by, low_y}}) {
+      const double first = low + kLeast, last = low + 1 - kLeast;
+      if (from == to) {
+        if (from <= first || from >= last) return false;
+        continue;
+      }
+      const double t = (first - from) / (to - from), u = (last - from) / (to - from);
+      begin = std::max(begin, std::min(t, u));
+      end = std::min(end, std::max(t, u));
+    }
+    return begin < end;
+  };
+  for (int y = -1; y <= world.size[1]; ++y)
+    for (int x = -1; x <= world.size[0]; ++x)
+      if (world.bad({x, y, 0}) && inside_for_a_while(x, y)) return true;
+  return false;
+}
+
+double least_distance(const World& world, double ax, double ay, double bx, double by) {
+  // Of two things without curves that do not meet, one is nearest with a corner or an end.
+  const auto to_square = [](double x, double y, int low_x, int low_y) {
+    const double dx = std::max({low_x - x, x - low_x - 1, 0.0}),
+                 dy = std::max({low_y - y, y - low_y - 1, 0.0});
+    return std::sqrt(dx * dx + dy * dy);
+  };
+  const auto to_segment = [&](double x, double y) {
+    const double dx = bx - ax, dy = by - ay, squared = dx * dx + dy * dy;
+    const double t = squared == 0 ? 0 : std::clamp(((x - ax) * dx + (y - ay) * dy) / squared, 0.0, 1.0);
+    return std::sqrt((ax + t * dx - x) * (ax + t * dx - x) + (ay + t * dy - y) * (ay + t * dy - y));
+  };
+  if (enters_bad(world, ax, ay, bx, by)) return 0;
+  double least = kNever;
+  for (int y = -1; y <= world.size[1]; ++y)
+    for (int x = -1; x <= world.size[0]; ++x) {
+      if (!world.bad({x, y, 0})) continue;
+      least = std::min({least, to_square(ax, ay, x, y), to_square(bx, by, x, y)});
+      for (const int i : {0, 1})
+        for (const int k : {0, 1}) least = std::min(least, to_segment(x + i, y + k));
+    }
+  return least;
+}
+
 Raw estimate(const World& world, MoveRules rules, Heuristic heuristic, std::size_t a, std::size_t b) {
   const Place p = world.place(a), q = world.place(b);
   std::array<std::int64_t, 3> d{};

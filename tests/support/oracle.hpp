@@ -58,6 +58,20 @@ std::vector<Raw> penalties(const World& world, const ClearanceRules& rules);
 std::vector<Raw> costs_to(const World& world, MoveRules rules, const std::vector<Raw>& penalty,
                           std::size_t goal);
 
+/// The least n with n^2 >= `square`, by bisection.
+Raw root_ceiling(std::int64_t square);
+/// What the way from p across the square towards `by` (both parts -1 or 1) comes to that meets its far side between the
+/// neighbour along an axis (0: x) and the one across the corner, of their costs: kNever if one of the four cells is bad,
+/// or if an end of the side is better. The plane alone.
+Raw way_across(const World& world, const std::vector<Raw>& costs, const Place& p, const Place& by, int axis);
+/// Cost from every cell to the goal by moves and ways across squares, which is interpolated: by working it out anew for
+/// all cells until nothing changes.
+std::vector<Raw> interpolated_costs_to(const World& world, MoveRules rules, std::size_t goal);
+/// Whether the open part of the segment between two points of the plane enters a bad cell, by a billionth of a cell.
+bool enters_bad(const World& world, double ax, double ay, double bx, double by);
+/// The least distance of that segment to the square of a bad cell, those outside included.
+double least_distance(const World& world, double ax, double ay, double bx, double by);
+
 /// The estimates of Heuristic, rounded down.
 Raw estimate(const World& world, MoveRules rules, Heuristic heuristic, std::size_t a, std::size_t b);
 

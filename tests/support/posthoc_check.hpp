@@ -232,7 +232,8 @@ class PosthocCheck {
     require(event["points"] && event["points"].IsSequence(), "a plan without points");
     for (const YAML::Node& point : event["points"]) {
       const double x = number(point, "x"), y = number(point, "y");
-      require(x - std::floor(x) == 0.5 && y - std::floor(y) == 0.5, "the points are centres of cells");
+      require(x - std::floor(x) == 0.5 || y - std::floor(y) == 0.5,
+              "the points are centres of cells, or lie between two");
     }
     ++plans_;
   }

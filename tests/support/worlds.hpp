@@ -166,9 +166,12 @@ inline const PlannerInfo& lattice_twin(const PlannerInfo& info) {
   return *find_planner(info.clearance ? "dist-dstar-lite" : "dstar-lite");
 }
 
-/// How long a path is: the roots rounded down, so that a step of it is never longer than a move.
+/// How long a path is: the roots rounded down, so that a step of it is never longer than a move. Between points that are
+/// no nodes a root is one of doubles.
 inline oracle::Raw length_of(const oracle::World& world, const Path& path) {
   oracle::Raw sum = 0;
+  for (std::size_t i = 1; path.nodes().empty() && i < path.size(); ++i)
+    sum += static_cast<oracle::Raw>(distance(path.point(i - 1), path.point(i)) * double{oracle::kUnit});
   for (std::size_t i = 1; i < path.nodes().size(); ++i) {
     const auto p = world.place(path.nodes()[i - 1]), q = world.place(path.nodes()[i]);
     std::int64_t squared = 0;
@@ -197,6 +200,22 @@ inline PlanStatus right_status(const oracle::World& world, NodeId start, NodeId 
                                       : PlanStatus::found;
 }
 
+/// Why a path over points that are no nodes is wrong, or empty: its ends, and that it enters no obstacle.
+inline std::string fault_of_polyline(const oracle::World& world, NodeId start, NodeId goal,
+                                     const Path& path) {
+  const auto centre = [&world](NodeId node) {
+    const auto at = world.place(node);
+    return centre_of({at[0], at[1], at[2]});
+  };
+  if (path.point(0) != centre(start) || path.point(path.size() - 1) != centre(goal)) return "the path's ends";
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Point a = path.point(i - 1), b = path.point(i);
+    if (a == b) return "the path repeats a point";
+    if (oracle::enters_bad(world, a.x, a.y, b.x, b.y)) return "a segment enters an obstacle";
+  }
+  return "";
+}
+
 /// Why a checked path is wrong, or empty: its ends, its nodes, and that each segment is a move, or a line of
 /// sight if the planner leaves the lattice's directions.
 inline std::string fault_of_segments(const PlannerInfo& info, const Settings& settings,
@@ -204,6 +223,7 @@ inline std::string fault_of_segments(const PlannerInfo& info, const Settings& se
                                      const Path& path) {
   const MoveRules rules = move_rules(settings);
   if (path.loops || path.unchecked) return "a checked path loops or was not checked";
+  if (!path.empty() && path.nodes().empty()) return fault_of_polyline(world, start, goal, path);
   if (path.empty() || path.nodes().front() != start || path.nodes().back() != goal) return "the path's ends";
   std::vector<NodeId> sorted(path.nodes().begin(), path.nodes().end());
   std::sort(sorted.begin(), sorted.end());

@@ -79,7 +79,7 @@ void check_begin_again(const PlannerInfo& info, std::uint64_t seed) {
     for (const Event& event : recorder.take()) state.apply(event);
     const auto penalties = expected_penalties(info, settings, world.plain);
     for (NodeId n = 0; n < penalties.size(); ++n) ASSERT_EQ(state.dist(n).raw, penalties[n]);
-    if (info.optimal(settings) || info.incremental) {
+    if (info.optimal(settings) || info.values.least_cost) {
       ASSERT_EQ(fault_of_plan<D>(info, settings, world.plain, start, goal, *planner), "");
     }
     recorder.clear();

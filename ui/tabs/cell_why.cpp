@@ -28,12 +28,26 @@ const char* special_case(const CellView& view, const std::vector<Offer>& all) {
   return "";
 }
 
+/// "(3, 4)", or both ends of the side that a way leads to: "(3, 4)-(4, 4)".
+std::string end_text(const CellView& view, const Offer& offer) {
+  const std::string at = node_text(view.run, offer.node);
+  return offer.side == kNoNode ? at : at + "-" + node_text(view.run, offer.side);
+}
+
+/// Whether the cell's way on is that one.
+bool is_taken(const CellView& view, const Offer& offer) {
+  const bool interpolated = view.run.info().values.interpolated;
+  const NodeId side =
+      interpolated ? static_cast<NodeId>(view.state.value(fields::kSide.kind, view.node)) - 1u : kNoNode;
+  return offer.node == view.state.lp(view.node) && offer.side == side;
+}
+
 /// Each as wide as the widest that stands in it.
 std::vector<Column> offer_columns(const CellView& view, const std::vector<Offer>& all) {
   std::size_t at = 9, c = 3, g = 3, dist = 4, sum = 3;
   for (const Offer& offer : all) {
     if (offer.sum.is_infinite()) break;
-    at = std::max(at, node_text(view.run, offer.node).size());
+    at = std::max(at, end_text(view, offer).size());
     c = std::max(c, cost_text(offer.step).size());
     g = std::max(g, cost_text(offer.g).size());
     dist = std::max(dist, cost_text(offer.dist).size());
@@ -55,8 +69,8 @@ void offer_table(Frame& frame, const CellView& view, const std::vector<Offer>& a
   std::size_t shown = 0;
   for (; shown < all.size() && !all[shown].sum.is_infinite(); ++shown) {
     const Offer& offer = all[shown];
-    const bool winner = offer.node == view.state.lp(view.node);
-    const std::string at = node_text(view.run, offer.node), c = cost_text(offer.step), g = cost_text(offer.g),
+    const bool winner = is_taken(view, offer);
+    const std::string at = end_text(view, offer), c = cost_text(offer.step), g = cost_text(offer.g),
                       dist = cost_text(offer.dist), sum = cost_text(offer.sum);
     std::vector<TableCell> cells = {{at}, {c}, {g}};
     if (with_dist) cells.push_back({dist});
