@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/robots/dwa_robot.hpp"
+#include "core/world/choices.hpp"
 
 namespace replan {
 namespace {
@@ -15,11 +16,11 @@ struct MapAt {
 
 }  // namespace
 
-DriveSense::DriveSense(const Scenario& scenario)
+DriveSense::DriveSense(const Scenario& scenario, const RobotSetup& robot)
     : frame_{scenario.map.box(), scenario.map.resolution},
-      settings_(drive_settings(scenario.robot.settings)),
-      radius_(scenario.robot.radius),
-      near_(std::max(scenario.robot.settings.get(DwaRobot::near_parameter()), frame_.side / 2)),
+      settings_(drive_settings(robot.settings)),
+      radius_(robot.radius),
+      near_(std::max(robot.settings.get(DwaRobot::near_parameter()), frame_.side / 2)),
       mapped_(initial_knowledge(scenario)) {
   settings_.limits.radius = radius_ * frame_.side;
 }
@@ -69,11 +70,11 @@ void DriveSense::add_edge(std::vector<Spot>& walls, Spot at) const {
   });
 }
 
-std::optional<DriveWhy> why_it_drives(const Scenario& scenario, const Decision& decision,
-                                      const SearchState& state) {
+std::optional<DriveWhy> why_it_drives(const Scenario& scenario, const PlannerChoice& choice,
+                                      const Decision& decision, const SearchState& state) {
   const Path& path = *decision.plan->path;
   if (!decision.drive.begun || path.empty()) return std::nullopt;
-  const DriveSense sense(scenario);
+  const DriveSense sense(scenario, resolved(choice, scenario.robot).robot);
   const MapAt known{state};
   const DriveState& now = decision.drive.state;
   const std::vector<Spot> nodes = sense.nodes_of(path);

@@ -41,7 +41,7 @@ TEST(DwaRobot, HasInItsPastTheReasonsByWhichItDrove) {
     run.timeline().seek(now.event);
     const SearchState& state = run.timeline().state();
     ++driven;
-    const auto why = why_it_drives(*scenario, now, state);
+    const auto why = why_it_drives(*scenario, run.choice(), now, state);
     if (!why) continue;  // it sets out
     ++told;
     EXPECT_EQ(why->explanation.decision.motion, next.drive.state.motion) << "decision " << i;

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/plan/registry.hpp"
 #include "core/study/batch.hpp"
 #include "core/study/run_report.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/formats/voxel_map.hpp"
 
 namespace replan::test::study_test {
@@ -130,7 +130,7 @@ TEST(Batch, holdsNoPlannerToLengthsThatItDoesNotLookFor) {
 
 TEST(Batch, oneInstanceGivesWhatFreshOnesGive) {
   const std::string first = "0 m.map 5 3 0 0 2 2 4\n", second = "0 m.map 5 3 2 2 0 0 4\n";
-  for (const PlannerInfo& info : planners()) {
+  for (const PlannerInfo& info : choices()) {
     const std::string id(info.id);
     EXPECT_EQ(batch(scen(first + second), id).expansions,
               batch(scen(first), id).expansions + batch(scen(second), id).expansions)
@@ -170,7 +170,7 @@ TEST(RunReport, aPlanHasItsPathAndFigures) {
 TEST(RunReport, figuresAreFiniteNumbersWhateverHappens) {
   Scenario world = corridor();
   world.goal = {3, 1};
-  for (const PlannerInfo& info : planners()) {
+  for (const PlannerInfo& info : choices()) {
     const RunReport reports[] = {plan_once(world.map, world.start, world.goal, {std::string(info.id), {}}),
                                  drive(world, {std::string(info.id), {}})};
     EXPECT_FALSE(reports[0].succeeded() || reports[1].succeeded());

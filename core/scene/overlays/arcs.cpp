@@ -83,7 +83,7 @@ class ArcPen {
 void draw_arcs(SceneContext& context) {
   const Decision* decision = context.run.decision_at(context.cursor);
   if (decision == nullptr || decision->state != MissionState::driving) return;
-  const auto why = why_it_drives(context.run.scenario(), *decision, context.state);
+  const auto why = why_it_drives(context.run.scenario(), context.run.choice(), *decision, context.state);
   if (!why) return;
   ArcPen(context, *why).draw();
   const double radius = context.world(4);
