@@ -148,9 +148,10 @@ std::string batch_footer() {
          "lengths\n"
          "judge planners that find shortest paths on the grid; for the others the ratio to them is told. "
          "dwa and fusion\n"
-         "drive each problem, and what is told is their way. A problem\n"
-         "whose start or goal lies in an obstacle is skipped and counted as that. --limit N takes N problems "
-         "spread\n"
+         "drive each problem, and what is told is the length of their way. A problem whose start or goal "
+         "lies in "
+         "an\n"
+         "obstacle is skipped and counted as that. --limit N takes N problems spread "
          "evenly over the file, the first and the last among them. Exit code 0 if all agree, 1 if any "
          "mismatches or\n"
          "has no path, 2 for bad input.\n\n" +

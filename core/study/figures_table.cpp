@@ -104,7 +104,7 @@ Progress progress_of(std::span<const RunReport> reports) {
 /// FigureRow::competes of a run.
 bool can_be_compared(const RunReport& report, FigureGroup group, Progress progress) {
   const bool planned = report.status == status_name(PlanStatus::found);
-  if (progress == Progress::unplanned || !planned) return false;
+  if (progress == Progress::unplanned || !planned || (report.blind && group != robot)) return false;
   if (group == first_plan) return true;
   if (progress == Progress::first_plans) return group != robot;
   return progress == Progress::whole_drives && group != latest_plan && report.succeeded();

@@ -32,6 +32,7 @@ void report_plan(RunReport& report, const Navigator& navigator, const PlannerCho
   else if (path.unchecked && !is_free(navigator, choice, radius, path))
     report.status = mission_state_name(MissionState::collision);
   report.path = path;
+  report.blind = info_of(choice).blind;
   for (const PlanNumber& number : info_of(choice).values.numbers)
     report.plan_numbers.emplace_back(number, navigator.number(number.which).to_double());
   report.solid = navigator.box().solid();
@@ -200,6 +201,7 @@ RunReport report_at(const Decision& decision, const Plan& first, const PathFigur
   RunReport report;
   report.planner = choice.id;
   report.status = status_name(first.status);
+  report.blind = info_of(choice).blind;
   report.figures = figures;
   report.radius = radius;
   report.plan_ms = decision.figures.plan_ms;

@@ -37,6 +37,7 @@ struct RunReport {
   std::string_view status =
       "no-path";  ///< status_name(), or "loop" or "collision" for a plan that cannot be driven
   Path path;
+  bool blind = false;    ///< the path may lead through anything: nothing to hold other plans against
   bool solid = false;    ///< in space: its places have a z
   PathFigures figures;   ///< clearances are those of the robot's centre
   double radius = 0;     ///< of the robot

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/study/batch.hpp"
+#include "core/study/figures_table.hpp"
 #include "core/study/run_report.hpp"
 #include "core/world/choices.hpp"
 #include "core/world/formats/voxel_map.hpp"
@@ -165,6 +166,20 @@ TEST(RunReport, aPlanHasItsPathAndFigures) {
   EXPECT_GT(report.counters.expansions, 0);
   EXPECT_GT(report.memory_bytes, 0);
   EXPECT_FALSE(report.robot.has_value());
+}
+
+/// A straight line through walls is no shortest path.
+TEST(RunReport, holdsNoPlanAgainstABlindOne) {
+  Scenario world = corridor();
+  const RunReport reports[] = {drive(world, {"dwa", {}}), drive(world, {"fusion", {}})};
+  EXPECT_TRUE(reports[0].blind);
+  EXPECT_FALSE(reports[1].blind);
+  bool fusion_competes = false;
+  for (const FigureRow& row : figures_table(reports).rows) {
+    EXPECT_TRUE(row.info->group == FigureGroup::robot || !row.competes[0]) << row.info->key;
+    fusion_competes |= row.competes[1];
+  }
+  EXPECT_TRUE(fusion_competes);
 }
 
 TEST(RunReport, figuresAreFiniteNumbersWhateverHappens) {
