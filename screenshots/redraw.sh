@@ -41,6 +41,9 @@ draw figures.png --theme light --at-end --action four_panes,show_figures
 world=fusion-boxes draw arcs.png --theme dark --at move:52 --camera 7,4,46 --panes 1
 # Why it does not take another one: the tab Drive, with an arc clicked on which it could not stop.
 world=fusion-boxes draw why-arc.png --theme light --at move:52 --camera 5,3,96 --panes 1 --action show_drive --arc 0.42,0.15
+# What a plan is for: a pocket that opens towards the robot holds the one that has none.
+world=bug-trap draw fusion.png --theme light --planner dstar-lite,fusion,dwa,theta-star --overlay path,trail,grid \
+  --canvas-only --panes all --size 1200x860 --at-end
 # The reference planners beside D* Lite, each with the cells that it worked at.
 for planner in weighted-astar adaptive-astar jps theta-star lazy-theta-star lpa-star field-dstar; do
   world=fusion-maze draw "$planner.png" --theme light --planner "dstar-lite,$planner" --overlay g,scanned,path,queue,grid \

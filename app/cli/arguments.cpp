@@ -7,8 +7,8 @@
 
 #include "app/cli/output.hpp"
 #include "core/base/file.hpp"
-#include "core/plan/registry.hpp"
 #include "core/plan/stage.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/formats/number_cells.hpp"
 #include "core/world/formats/text_lines.hpp"
 #include "core/world/generators/list.hpp"
@@ -48,10 +48,10 @@ std::string joined(std::span<const std::string_view> names) {
 /// Why a setting fits none of the planners of a run.
 Error unknown_setting(const Assignment& set, std::span<const PlannerChoice> choices) {
   std::vector<std::string_view> owners, keys;
-  for (const PlannerInfo& info : planners())
+  for (const PlannerInfo& info : replan::choices())
     if (find_parameter(info.parameters, set.key) != nullptr) owners.push_back(info.id);
   for (const PlannerChoice& choice : choices)
-    for (const Parameter& parameter : find_planner(choice.id)->parameters)
+    for (const Parameter& parameter : find_choice(choice.id)->parameters)
       if (std::find(keys.begin(), keys.end(), parameter.key) == keys.end()) keys.push_back(parameter.key);
   const std::string start = "--set " + std::string(set.typed) + ": ";
   if (!owners.empty())
@@ -66,7 +66,7 @@ Result<void> assign(const Assignment& set, std::span<PlannerChoice> choices) {
   for (PlannerChoice& choice : choices) {
     if (!set.planner.empty() && set.planner != choice.id) continue;
     present = true;
-    const auto& declared = find_planner(choice.id)->parameters;
+    const auto& declared = find_choice(choice.id)->parameters;
     if (find_parameter(declared, set.key) == nullptr) continue;
     known = true;
     if (const auto done = set_from_text(choice.settings, declared, set.key, set.value); !done)
@@ -74,7 +74,7 @@ Result<void> assign(const Assignment& set, std::span<PlannerChoice> choices) {
   }
   if (present && known) return {};
   if (present) return unknown_setting(set, choices);
-  if (const auto info = require_planner(set.planner); !info)
+  if (const auto info = require_choice(set.planner); !info)
     return Error{"--set " + std::string(set.typed) + ": " + info.error()};
   return Error{"--set " + std::string(set.typed) + ": planner '" + std::string(set.planner) +
                "' is not among the planners here; add it with --planner"};
@@ -94,12 +94,12 @@ Result<void> add_stage(std::string_view typed, std::vector<PlannerChoice>& choic
     added = true;
   }
   if (added) return {};
-  if (const auto info = require_planner(planner); !info) return Error{"--stage: " + info.error()};
+  if (const auto info = require_choice(planner); !info) return Error{"--stage: " + info.error()};
   return Error{"--stage " + std::string(typed) + ": planner '" + std::string(planner) +
                "' is not among the planners here; add it with --planner"};
 }
 
-/// "all" are all that can plan in that world; who is named and cannot is refused.
+/// "all" are all that search and can do so in that world; who is named and cannot is refused.
 Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids,
                                           std::span<const PlannerChoice> own, const GridMap* world) {
   const auto can_plan = [world](const PlannerInfo& info) {
@@ -112,7 +112,7 @@ Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids,
         if (can_plan(info)) result.push_back({std::string(info.id), {}});
       continue;
     }
-    const auto info = require_planner(id);
+    const auto info = require_choice(id);
     if (!info) return Error{"--planner: " + info.error()};
     if (const auto can = can_plan(**info); !can) return Error{"--planner: " + can.error()};
     const auto kept =
@@ -180,7 +180,9 @@ std::string values_text(const Parameter& parameter) {
 }  // namespace
 
 void PlannerArguments::declare(CLI::App& command) {
-  command.add_option("--planner", ids, "Planners to run, or 'all'; 'replan list planners' shows them")
+  command
+      .add_option("--planner", ids,
+                  "Planners to run, or 'all' that search; 'replan list planners' shows them")
       ->type_name("ID[,ID...]")
       ->allow_extra_args(false);
   command
@@ -380,19 +382,22 @@ std::string settings_help() {
   constexpr std::size_t kIndent = 6;
   std::string text = "Planner settings (--set):\n";
   std::vector<Parameter> shown;
-  for (const PlannerInfo& info : planners())
+  for (const PlannerInfo& info : choices())
     for (const Parameter& parameter : info.parameters) {
       const auto again = [&](const Parameter& other) { return same_choice(other, parameter); };
       if (std::any_of(shown.begin(), shown.end(), again)) continue;
       shown.push_back(parameter);
-      std::vector<std::string_view> owners;
-      for (const PlannerInfo& other : planners())
-        if (std::any_of(other.parameters.begin(), other.parameters.end(), again)) owners.push_back(other.id);
+      std::vector<std::string_view> owners, others;
+      for (const PlannerInfo& other : choices())
+        (std::any_of(other.parameters.begin(), other.parameters.end(), again) ? owners : others)
+            .push_back(other.id);
       text += "  " + std::string(parameter.key) + "=" + values_text(parameter) + "  (default " +
               format_value(parameter, parameter.initial) + ")\n" + std::string(kIndent, ' ') +
               wrapped(parameter.help, kIndent) + "\n" + std::string(kIndent, ' ') +
-              (owners.size() == planners().size() ? "For all planners."
-                                                  : wrapped("For " + joined(owners) + ".", kIndent)) +
+              wrapped(others.empty()       ? "For all planners."
+                      : others.size() <= 2 ? "For all planners but " + joined(others) + "."
+                                           : "For " + joined(owners) + ".",
+                      kIndent) +
               "\n";
     }
   return text;

@@ -7,6 +7,7 @@
 #include "app/cli/output.hpp"
 #include "core/base/file.hpp"
 #include "core/study/batch.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/map_file.hpp"
 
 namespace replan::cli {
@@ -55,7 +56,9 @@ std::string remarks(std::span<const BatchReport> reports) {
       text += report.planner +
               ": not held to the listed lengths; with these settings it looks for other paths.\n";
     if (report.unsolved() > 0)
-      text += report.planner + ": " + counted(report.unsolved(), "problem") + " without a path.\n";
+      text += report.planner + ": " + counted(report.unsolved(), "problem") +
+              (find_pilot(report.planner) != nullptr ? " in which the robot did not arrive.\n"
+                                                     : " without a path.\n");
   }
   return text.empty() ? text : "\n" + text;
 }
@@ -143,10 +146,12 @@ std::string batch_footer() {
          "      Problems in a box of voxels.\n\n"
          "A mismatch is a length that is not the listed one to the precision printed in the file. The listed "
          "lengths\n"
-         "judge planners that find shortest paths on the grid; for the others the ratio to them is told. A "
-         "problem\n"
-         "whose start or goal lies in an obstacle is skipped and counted as that. --limit N takes N problems "
-         "spread\n"
+         "judge planners that find shortest paths on the grid; for the others the ratio to them is told. "
+         "dwa and fusion\n"
+         "drive each problem, and what is told is the length of their way. A problem whose start or goal "
+         "lies in "
+         "an\n"
+         "obstacle is skipped and counted as that. --limit N takes N problems spread "
          "evenly over the file, the first and the last among them. Exit code 0 if all agree, 1 if any "
          "mismatches or\n"
          "has no path, 2 for bad input.\n\n" +

@@ -12,9 +12,9 @@
 #include "core/lattice/box_words.hpp"
 #include "core/lesson/lesson.hpp"
 #include "core/plan/glossary.hpp"
-#include "core/plan/registry.hpp"
 #include "core/plan/stage.hpp"
 #include "core/scene/view.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/generators/list.hpp"
 #include "core/world/library.hpp"
 #include "core/world/map_file.hpp"
@@ -61,7 +61,7 @@ Json settings_json(std::span<const Parameter> parameters) {
 Result<Listing> list_planners() {
   Listing listing;
   Table table({{"id", left}, {"name", left}, {"what it does", left}});
-  for (const PlannerInfo& info : planners()) {
+  for (const PlannerInfo& info : choices()) {
     table.add({std::string(info.id), std::string(info.name), std::string(info.summary)});
     listing.json["planners"].push_back({{"id", info.id},
                                         {"name", info.name},
@@ -70,6 +70,7 @@ Result<Listing> list_planners() {
                                         {"incremental", info.incremental},
                                         {"keeps_start", info.keeps_start},
                                         {"planar", info.planar},
+                                        {"drives", find_pilot(info.id) != nullptr},
                                         {"any_angle", info.any_angle},
                                         {"clearance", info.clearance},
                                         {"exercise", info.exercise},

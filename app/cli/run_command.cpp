@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -11,8 +12,8 @@
 #include "app/cli/run_trace.hpp"
 #include "core/base/file.hpp"
 #include "core/lattice/box_words.hpp"
-#include "core/plan/registry.hpp"
 #include "core/study/figures_table.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/ends.hpp"
 
 namespace replan::cli {
@@ -68,9 +69,8 @@ std::string plan_numbers(std::span<const RunReport> reports) {
   std::string text;
   for (const RunReport& report : reports) {
     std::string line;
-    for (std::size_t i = 0; i < report.plan_numbers.size(); ++i)
-      line += (i == 0 ? ": " : ", ") + std::string(find_planner(report.planner)->values.numbers[i].label) +
-              " = " + decimals(report.plan_numbers[i], 4);
+    for (const auto& [number, value] : report.plan_numbers)
+      line += (line.empty() ? ": " : ", ") + std::string(number.label) + " = " + decimals(value, 4);
     if (!line.empty()) text += report.planner + line + "\n";
   }
   return text;
@@ -178,29 +178,35 @@ Result<void> write_tables(const RunArguments& arguments, std::span<const RunRepo
   return {};
 }
 
+/// On a bare map planners plan, and nobody drives; but there is nothing to a pilot but its drive, and beside one all do.
+bool only_plans(const RunArguments& arguments, const Scenario& world) {
+  return !arguments.world.map.empty() &&
+         std::none_of(world.planners.begin(), world.planners.end(),
+                      [](const PlannerChoice& choice) { return find_pilot(choice.id) != nullptr; });
+}
+
 Result<int> run(const RunArguments& arguments) {
   const auto world = arguments.world.load();
   if (!world) return Error{world.error()};
   tell_notes(world->map_found.notes_for_planning());
+  const bool plan_alone = only_plans(arguments, *world);
   if (arguments.check) return check_runs(*world, arguments.json);
   if (arguments.stops.given()) {
     if (const auto good = check_stops(arguments); !good) return Error{good.error()};
-    return arguments.stops.run(*world, !arguments.world.map.empty(), arguments.json);
+    return arguments.stops.run(*world, plan_alone, arguments.json);
   }
   if (const auto good = check_tables(arguments); !good) return Error{good.error()};
   if (const auto good = arguments.trace.check(world->map.box()); !good) return Error{good.error()};
   std::vector<RunReport> reports;
   bool succeeded = true;
   for (const PlannerChoice& choice : world->planners) {
-    reports.push_back(arguments.world.map.empty()
-                          ? drive(*world, choice)
-                          : plan_once(world->map, world->start, world->goal, choice, world->robot));
+    reports.push_back(plan_alone ? plan_once(world->map, world->start, world->goal, choice, world->robot)
+                                 : drive(*world, choice));
     if (arguments.cells) reports.back().frame.reset();
     succeeded &= reports.back().succeeded();
   }
   if (const auto written = write_tables(arguments, reports); !written) return Error{written.error()};
-  if (const auto traced = arguments.trace.write(*world, !arguments.world.map.empty()); !traced)
-    return Error{traced.error()};
+  if (const auto traced = arguments.trace.write(*world, plan_alone); !traced) return Error{traced.error()};
   const auto format = printed(arguments);
   print(format ? figures_text(*format, reports) : summary(arguments.world, *world, reports));
   return succeeded ? kDone : kFailed;
@@ -213,6 +219,8 @@ std::string run_footer() {
          "  replan run --map arena.map --start 1,11 --goal 40,30 --planner astar,dld-star-lite --set "
          "range=3\n"
          "      Compares two plans on a map.\n"
+         "  replan run maps/fusion-boxes.json --planner fusion,dwa --set fusion.global=dstar-lite\n"
+         "      Drives by the turns of a plan, and beside it with none.\n"
          "  replan run maps/demo.json --planner all --set astar.heuristic=euclidean --json\n"
          "      The figures of all planners, for a program.\n"
          "  replan run maps/broken-planner.json --check\n"

@@ -56,7 +56,7 @@ _replan() {
   [ "$COMP_CWORD" -gt 1 ] && command="${COMP_WORDS[1]}"
   case "$before" in
     --planner) _replan_list "all $(_replan_ids planners)"; return ;;
-    --global) _replan_list "none $(_replan_ids planners)"; return ;;
+    --global) _replan_list "none $(_replan_ids planners | grep -vxE "dwa|fusion")"; return ;;
     --stage) _replan_list "$(_replan_ids stages)"; return ;;
     --robot) _replan_list "$(_replan_ids robots)"; return ;;
     --overlay) _replan_list "$(_replan_ids overlays)"; return ;;

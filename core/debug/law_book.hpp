@@ -90,5 +90,7 @@ template <int D>
 std::unique_ptr<LawBook<D>> make_any_angle_laws(const LogView& view, LawValues<D>& values);
 template <int D>
 std::unique_ptr<LawBook<D>> make_jump_laws(const LogView& view, LawValues<D>& values);
+template <int D>
+std::unique_ptr<LawBook<D>> make_no_laws(const LogView& view, LawValues<D>& values);
 
 }  // namespace replan

@@ -64,6 +64,7 @@ PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t positi
   question.claimed = has_path(status) ? claimed_cost(view.info.values, state) : Cost::infinity();
   question.exact = claims_cheapest(view.info, view.settings);
   question.straight = view.info.any_angle && !view.info.values.least_cost;
+  question.blind = view.info.blind;
   return question;
 }
 
@@ -74,6 +75,7 @@ Cost right_cost(const PlanQuestion& question, const std::stop_token& stop) {
 std::optional<Disagreement> judge(const PlanQuestion& question, Cost right) {
   const Cost claimed = question.claimed;
   const bool agrees = question.exact      ? claimed == right
+                      : question.blind    ? claimed <= right
                       : question.straight ? claimed.is_infinite() == right.is_infinite() && claimed <= right
                                           : claimed.is_infinite() == right.is_infinite() && claimed >= right;
   if (agrees) return std::nullopt;

@@ -25,6 +25,7 @@ struct PlanQuestion {
   Cost claimed;  ///< infinite if the planner found no path
   bool exact = true;
   bool straight = false;  ///< its cost is that of straight ways, which may be shorter than all lattice paths
+  bool blind = false;     ///< and it may lead through anything
 };
 
 /// Whether a planner with these settings claims that no plan costs less. The D* Lite family does, penalties
@@ -41,7 +42,7 @@ PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t positi
 Cost right_cost(const PlanQuestion& question, const std::stop_token& stop = {});
 
 /// What is wrong with the claim, if anything. A plan that is not meant to be the cheapest may cost more, one on
-/// straight ways less, and no more.
+/// straight ways less, and no more; a blind one costs less where there is no path, too.
 std::optional<Disagreement> judge(const PlanQuestion& question, Cost right);
 
 /// "plan 2 costs 43.799, but a path of 42.385 exists"

@@ -65,6 +65,7 @@ class LatticeNavigator final : public Navigator {
   [[nodiscard]] Counters counters() const override { return planner_->counters(); }
   [[nodiscard]] Cost number(Scalar which) const override { return planner_->number(which); }
   [[nodiscard]] std::size_t memory_bytes() const override { return planner_->memory_bytes(); }
+  [[nodiscard]] bool blind() const override { return find_planner(choice_.id)->blind; }
   [[nodiscard]] NodeId nearest_reachable(NodeId robot, NodeId goal) const override {
     const std::vector<NodeId> way = way_out(known_, robot, goal);
     return replan::nearest_reachable(known_, way.empty() ? robot : way.back(), goal);

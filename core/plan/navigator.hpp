@@ -46,6 +46,8 @@ class Navigator {
   [[nodiscard]] virtual Cost number(Scalar) const { return Cost::zero(); }
   /// Bytes held by the planner, the map not counted; the open list with its peak.
   [[nodiscard]] virtual std::size_t memory_bytes() const = 0;
+  /// PlannerInfo::blind: whatever the robot learns, the plan is none the better for it.
+  [[nodiscard]] virtual bool blind() const { return false; }
   /// Where a robot at `robot` makes for if its goal cannot be reached: core/lattice/nearest.hpp.
   [[nodiscard]] virtual NodeId nearest_reachable(NodeId robot, NodeId goal) const = 0;
   /// Takes up map and search as `state` shows them, as Planner::restore().

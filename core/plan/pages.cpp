@@ -200,4 +200,13 @@ Result<PlannerPage> read_page(std::string_view planner) {
   return parse_page(*text, path, folder);
 }
 
+Result<PlannerPage> read_page(std::string_view pilot, std::string_view planner) {
+  Result<PlannerPage> page = read_page(pilot);
+  if (!page) return page;
+  const Result<PlannerPage> other = read_page(planner);
+  if (!other) return other;
+  page->code.insert(page->code.end(), other->code.begin(), other->code.end());
+  return page;
+}
+
 }  // namespace replan

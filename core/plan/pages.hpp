@@ -55,6 +55,8 @@ struct PlannerPage {
 std::string assets_folder();
 /// The page of a planner. The error says where it was looked for.
 Result<PlannerPage> read_page(std::string_view planner);
+/// The same, and behind its pseudo-code that of another planner, which plans for it.
+Result<PlannerPage> read_page(std::string_view pilot, std::string_view planner);
 /// As read_page() from text; pages that it refers to are looked for in `folder`. `origin` names it in errors.
 Result<PlannerPage> parse_page(std::string_view text, const std::string& origin, const std::string& folder);
 

@@ -1,6 +1,7 @@
 #include "core/plan/registry.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "core/plan/named.hpp"
 
@@ -20,9 +21,14 @@ PlannerInfo entry(std::string_view id, Switches switches) {
   return info;
 }
 
+/// Those that stand before the first of which that holds.
+std::span<const PlannerInfo> before_first(std::span<const PlannerInfo> all, bool PlannerInfo::*trait) {
+  return {all.begin(), std::find_if(all.begin(), all.end(), std::mem_fn(trait))};
+}
+
 }  // namespace
 
-std::span<const PlannerInfo> planners() {
+std::span<const PlannerInfo> listed_planners() {
   static const std::vector<PlannerInfo> all = {
 #define REPLAN_PLANNER(ID, CLASS, SWITCHES) entry(ID, SWITCHES),
 #include "core/planners/planners.def"
@@ -31,11 +37,14 @@ std::span<const PlannerInfo> planners() {
   return all;
 }
 
+std::span<const PlannerInfo> planners() {
+  static const auto all = before_first(listed_planners(), &PlannerInfo::blind);
+  return all;
+}
+
 std::span<const PlannerInfo> sound_planners() {
-  const auto all = planners();
-  const auto first =
-      std::find_if(all.begin(), all.end(), [](const PlannerInfo& info) { return info.exercise; });
-  return {all.begin(), first};
+  static const auto all = before_first(planners(), &PlannerInfo::exercise);
+  return all;
 }
 
 std::span<const Field> own_fields() {
@@ -53,7 +62,7 @@ std::span<const Field> own_fields() {
 }
 
 const PlannerInfo* find_planner(std::string_view id) {
-  return find_by_id(planners(), id);
+  return find_by_id(listed_planners(), id);
 }
 
 Result<const PlannerInfo*> require_planner(std::string_view id) {

@@ -35,6 +35,7 @@ struct PlannerInfo {
   bool from_goal = false;            ///< searches from the goal: g is the cost to go
   bool clearance = false;            ///< pays for coming near obstacles
   bool sight = false;                ///< asks for lines of sight
+  bool blind = false;                ///< no planner: its path is the same whatever stands there
   /// With these settings a path is at most so many times as long as a shortest lattice path: 1 if it is never
   /// longer, infinite if there is no bound (only where a planner is meant to fail).
   double (*length_bound)(const Settings& settings) = nullptr;
@@ -49,13 +50,15 @@ struct PlannerInfo {
   }
 };
 
-/// All planners, in the order of planners.def.
+/// All of planners.def, in its order: planners, and what is blind behind them.
+std::span<const PlannerInfo> listed_planners();
+/// All planners, in that order; what is blind is none.
 std::span<const PlannerInfo> planners();
 /// All but the exercises, which come last in planners.def.
 std::span<const PlannerInfo> sound_planners();
 /// The values that planners keep of their own, each name once.
 std::span<const Field> own_fields();
-/// The planner of that id, or nullptr.
+/// The planner of that id, or what is blind; else nullptr.
 const PlannerInfo* find_planner(std::string_view id);
 /// As find_planner(), with an error that suggests the nearest id.
 Result<const PlannerInfo*> require_planner(std::string_view id);

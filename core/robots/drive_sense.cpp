@@ -4,7 +4,7 @@
 
 #include "core/drive/sample_grid.hpp"
 #include "core/robots/dwa_robot.hpp"
-#include "core/world/robot.hpp"
+#include "core/world/choices.hpp"
 
 namespace replan {
 namespace {
@@ -17,12 +17,12 @@ struct MapAt {
 
 }  // namespace
 
-DriveSense::DriveSense(const Scenario& scenario)
+DriveSense::DriveSense(const Scenario& scenario, const RobotSetup& robot)
     : frame_{scenario.map.box(), scenario.map.resolution},
-      settings_(drive_settings(scenario.robot.settings)),
-      radius_(scenario.robot.radius),
-      near_(std::max(scenario.robot.settings.get(DwaRobot::near_parameter()), frame_.side / 2)),
-      heading_(-scenario.robot.settings.get(DwaRobot::heading_parameter()) * kPi / 180),
+      settings_(drive_settings(robot.settings)),
+      radius_(robot.radius),
+      near_(std::max(robot.settings.get(DwaRobot::near_parameter()), frame_.side / 2)),
+      heading_(-robot.settings.get(DwaRobot::heading_parameter()) * kPi / 180),
       mapped_(initial_knowledge(scenario)) {
   settings_.limits.radius = radius_ * frame_.side;
 }
@@ -77,11 +77,11 @@ void DriveSense::add_edge(std::vector<Spot>& walls, Spot at) const {
   });
 }
 
-std::optional<DriveWhy> why_it_drives(const Scenario& scenario, const Decision& decision,
-                                      const SearchState& state) {
+std::optional<DriveWhy> why_it_drives(const Scenario& scenario, const PlannerChoice& choice,
+                                      const Decision& decision, const SearchState& state) {
   const Path& path = *decision.plan->path;
-  if (!drives(scenario) || path.empty()) return std::nullopt;
-  const DriveSense sense(scenario);
+  if (!drives(scenario, choice) || path.empty()) return std::nullopt;
+  const DriveSense sense(scenario, resolved(choice, scenario.robot).robot);
   const MapAt known{state};
   const Cell cell = sense.frame().box.position(state.node(Scalar::robot));
   const DriveState now = decision.drive.begun ? decision.drive.state : sense.first_state(cell);
@@ -110,9 +110,14 @@ DriveSample sample_of(const DriveWhy& why, const Twist& motion) {
   return sample;
 }
 
-bool drives(const Scenario& scenario) {
-  const RobotInfo* robot = find_robot(scenario.robot.kind);
+bool drives(const Scenario& scenario, const PlannerChoice& choice) {
+  const RobotInfo* robot = find_robot(resolved(choice, scenario.robot).robot.kind);
   return robot != nullptr && robot->drives;
+}
+
+bool drives(const Scenario& scenario) {
+  return std::any_of(scenario.planners.begin(), scenario.planners.end(),
+                     [&](const PlannerChoice& each) { return drives(scenario, each); });
 }
 
 }  // namespace replan

@@ -18,8 +18,8 @@ namespace replan {
 /// `known[node]` is the robot's map, nonzero where there is an obstacle.
 class DriveSense {
  public:
-  /// Of a scenario whose robot drives; nothing of it is kept.
-  explicit DriveSense(const Scenario& scenario);
+  /// Of a robot that drives in a scenario; nothing of either is kept.
+  DriveSense(const Scenario& scenario, const RobotSetup& robot);
 
   [[nodiscard]] const CellFrame& frame() const { return frame_; }
   /// With the robot's radius in metres.
@@ -94,12 +94,15 @@ struct DriveWhy {
   DriveLimits limits;      ///< with its own
   Explanation explanation;
 };
-/// Nothing where the robot does not drive or has no plan. `state` is the log's at the decision.
-std::optional<DriveWhy> why_it_drives(const Scenario& scenario, const Decision& decision,
-                                      const SearchState& state);
+/// Nothing where the robot does not drive or has no plan. `choice` is the run's among the scenario's planners, `state` the
+/// log's at the decision.
+std::optional<DriveWhy> why_it_drives(const Scenario& scenario, const PlannerChoice& choice,
+                                      const Decision& decision, const SearchState& state);
 /// What came of a motion: of the nearest sample, or, where none is near, of the motion itself.
 DriveSample sample_of(const DriveWhy& why, const Twist& motion);
-/// Whether the scenario's robot drives.
+/// Whether the robot drives that the scenario has for this one of its planners.
+bool drives(const Scenario& scenario, const PlannerChoice& choice);
+/// Whether it does for any of them.
 bool drives(const Scenario& scenario);
 
 }  // namespace replan

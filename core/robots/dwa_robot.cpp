@@ -65,7 +65,7 @@ RobotInfo DwaRobot::describe() {
 
 DwaRobot::DwaRobot(const Scenario& scenario, const PlannerChoice& choice, Recorder* recorder)
     : Mission(scenario, choice, recorder),
-      sense_(scenario),
+      sense_(scenario, scenario.robot),
       tolerance_(scenario.robot.settings.get(kTolerance)) {}
 
 const Parameter& DwaRobot::near_parameter() {
@@ -94,7 +94,8 @@ void DwaRobot::move() {
 /// Whether it has lost sight of its sub-goal: it drove past, or something drove it off. Not again within a second.
 bool DwaRobot::has_strayed(Spot goal) {
   Drive& drive = moment().drive;
-  if (moment().time < drive.planned + kSecond || sense_.sees(drive.state.pose.spot(), goal, known()))
+  if (navigator().blind() || moment().time < drive.planned + kSecond ||
+      sense_.sees(drive.state.pose.spot(), goal, known()))
     return false;
   drive.planned = moment().time;
   return true;

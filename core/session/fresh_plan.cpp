@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/plan/navigator.hpp"
+#include "core/world/choices.hpp"
 
 namespace replan {
 namespace {
@@ -34,7 +35,7 @@ class TouchCount {
 }  // namespace
 
 FreshPlanTask::FreshPlanTask(const Run& run)
-    : choice(run.choice()),
+    : choice(planner_of(run.choice())),
       box(run.lattice()),
       known(run.timeline().state().known_map()),
       radius(run.scenario().robot.radius),

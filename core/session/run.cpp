@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/disposal.hpp"
+#include "core/world/choices.hpp"
 
 namespace replan {
 namespace {
@@ -42,7 +43,8 @@ void Run::restart(std::shared_ptr<const Scenario> scenario) {
 
 /// The log of the scenario before its first event.
 void Run::begin_log() {
-  info_ = find_planner(choice().id);
+  info_ = &info_of(choice());
+  settings_ = settings_of(choice(), scenario_->robot);
   lattice_ = scenario_->map.box();
   if (timeline_) retire_log();
   if (reexecution_) dispose(std::move(reexecution_));

@@ -46,7 +46,10 @@ class Run {
 
   [[nodiscard]] const Scenario& scenario() const { return *scenario_; }
   [[nodiscard]] const PlannerChoice& choice() const { return scenario_->planners[planner_]; }
+  /// info_of(choice()).
   [[nodiscard]] const PlannerInfo& info() const { return *info_; }
+  /// settings_of(choice()).
+  [[nodiscard]] const Settings& settings() const { return settings_; }
   /// Which node is which cell.
   [[nodiscard]] const Box& lattice() const { return lattice_; }
 
@@ -54,7 +57,7 @@ class Run {
   [[nodiscard]] const Timeline& timeline() const { return *timeline_; }
   /// For the debugger's instruments; valid until the run begins afresh, which changes log_id().
   [[nodiscard]] LogView log_view() const {
-    return {*timeline_, lattice_, *info_, choice().settings, scenario_->robot.radius};
+    return {*timeline_, lattice_, *info_, settings_, scenario_->robot.radius};
   }
   /// How much of the robot's last step before the cursor a view shows: 0, still where it came from, to 1.
   [[nodiscard]] double travel() const { return travel_; }
@@ -148,6 +151,7 @@ class Run {
   std::shared_ptr<const Scenario> scenario_;
   std::size_t planner_;
   const PlannerInfo* info_;
+  Settings settings_;
   RunLimits limits_;
   Box lattice_;
   SharedBytes mapped_;                  // cells that were looked through: none of them is kUnmapped

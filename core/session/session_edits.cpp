@@ -6,6 +6,7 @@
 #include "core/base/words.hpp"
 #include "core/plan/stage.hpp"
 #include "core/session/session.hpp"
+#include "core/world/choices.hpp"
 
 namespace replan {
 namespace {
@@ -177,7 +178,7 @@ PlannerChoice Session::choice_of(const PlannerInfo& info, const Settings& settin
 }
 
 Result<void> Session::run_command(const ChoosePlanner& command) {
-  const auto info = require_planner(command.id);
+  const auto info = require_choice(command.id);
   if (!info) return Error{info.error()};
   if (const auto fit = fits(**info, box()); !fit) return fit;
   if (command.pane >= scenario_->planners.size()) return Error{"there is no such pane"};
@@ -194,13 +195,14 @@ Result<void> Session::run_command(const SetParameter& command) {
   if (command.pane >= scenario_->planners.size()) return Error{"there is no such pane"};
   Scenario changed = *scenario_;
   PlannerChoice& choice = changed.planners[command.pane];
-  const Parameter* parameter = find_parameter(find_planner(choice.id)->parameters, command.key);
+  const Parameter* parameter = find_parameter(find_choice(choice.id)->parameters, command.key);
   if (parameter == nullptr) return Error{"this planner has no setting '" + command.key + "'"};
-  if (choice.settings.get(*parameter) == command.value) return {};
+  const auto in_force = [&] { return settings_of(choice, scenario_->robot).get(*parameter); };
+  if (in_force() == command.value) return {};
   const Result<double> value = parse_value(*parameter, format_value(*parameter, command.value));
   if (!value) return Error{value.error()};
-  choice.settings.set(command.key, *value);
-  if (*value == parameter->initial) choice.settings.reset(command.key);
+  choice.settings.reset(command.key);
+  if (in_force() != *value) choice.settings.set(command.key, *value);
   commit("set " + std::string(parameter->label) + " to " + format_value(*parameter, *value), 0,
          std::move(changed));
   return {};

@@ -3,6 +3,7 @@
 
 #include "core/base/words.hpp"
 #include "core/session/session.hpp"
+#include "core/world/choices.hpp"
 
 namespace replan {
 namespace {
@@ -25,7 +26,7 @@ const PlannerInfo* planner_beside(std::span<const PlannerChoice> there, const Bo
     const auto is_there = [&](const PlannerChoice& each) { return each.id == info.id; };
     if (info.exercise || !fits(info, box) || std::any_of(there.begin(), there.end(), is_there)) continue;
     int least = 100;
-    for (const PlannerChoice& each : there) least = std::min(least, unlikeness(info, *find_planner(each.id)));
+    for (const PlannerChoice& each : there) least = std::min(least, unlikeness(info, info_of(each)));
     if (best != nullptr && least < most) continue;
     best = &info;
     most = least;
@@ -44,7 +45,7 @@ Result<void> Session::run_command(const SetPanes& command) {
   for (; panes.size() > command.count; panes.pop_back()) put_away_.push_back(panes.back());
   for (; panes.size() < command.count && !put_away_.empty(); put_away_.pop_back()) {
     const auto is_there = [&](const PlannerChoice& each) { return each.id == put_away_.back().id; };
-    if (std::none_of(panes.begin(), panes.end(), is_there) && fits(*find_planner(put_away_.back().id), box()))
+    if (std::none_of(panes.begin(), panes.end(), is_there) && fits(*find_choice(put_away_.back().id), box()))
       panes.push_back(put_away_.back());
   }
   while (panes.size() < command.count) {

@@ -7,6 +7,7 @@
 
 #include "core/base/words.hpp"
 #include "core/lattice/box_words.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/ends.hpp"
 #include "core/world/generators/list.hpp"
 
@@ -37,8 +38,9 @@ Result<WorldEdit> with_map(const Scenario& scenario, std::string label, std::str
   for (const auto& end : {made.start, made.goal})
     if (end && !made.map.contains(*end)) return Error{"start and goal must lie on the map"};
   for (const PlannerChoice& choice : scenario.planners)
-    if (const auto fit = fits(*find_planner(choice.id), made.map.box()); !fit) return Error{fit.error()};
-  if (const auto robot = require_robot(scenario.robot.kind, made.map.box()); !robot) return Error{robot.error()};
+    if (const auto fit = fits(*find_choice(choice.id), made.map.box()); !fit) return Error{fit.error()};
+  if (const auto robot = require_robot(scenario.robot.kind, made.map.box()); !robot)
+    return Error{robot.error()};
   Scenario changed = scenario;
   changed.map = std::move(made.map);
   changed.map_file.clear();

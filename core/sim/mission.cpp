@@ -6,7 +6,7 @@
 #include <chrono>
 #include <limits>
 
-#include "core/plan/registry.hpp"
+#include "core/world/choices.hpp"
 
 namespace replan {
 namespace {
@@ -66,7 +66,7 @@ SharedBytes initial_knowledge(const Scenario& scenario, bool all_mapped) {
 
 SearchState initial_state(const Scenario& scenario, const PlannerChoice& choice, bool all_mapped) {
   return {initial_knowledge(scenario, all_mapped), initial_truth(scenario, all_mapped),
-          find_planner(choice.id)->values.fields};
+          info_of(choice).values.fields};
 }
 
 Mission::Mission(const Scenario& scenario, const PlannerChoice& choice, Recorder* recorder)
@@ -277,8 +277,9 @@ void Mission::learn(const std::vector<CellEdit>& edits, EventKind how, std::opti
     tr_.note(how, edit.node, edit.blocked ? 1 : 0);
     tr_.change(EventKind::known, edit.node, std::uint64_t{!edit.blocked}, std::uint64_t{edit.blocked});
   }
-  // Another map may ask for a longer way; planning again on the same one is no progress.
-  if (!edits.empty() || afresh_to) now_.drive.to_go = std::numeric_limits<double>::infinity();
+  // Another map may ask for a longer way; planning again on the same one, or blindly, is no progress.
+  if ((!edits.empty() && !navigator_->blind()) || afresh_to)
+    now_.drive.to_go = std::numeric_limits<double>::infinity();
   if (!crowd_.empty())
     now_.sightings = std::make_shared<const Sightings>(noted(*now_.sightings, edits, truth_));
   const Stopwatch watch(now_.figures.replan_ms);

@@ -150,7 +150,8 @@ class MissionLog {
 /// scratch where it is another one; Scalar::wanted holds the goal itself all the while.
 class Mission {
  public:
-  /// `scenario` may go after this. Planner and stages must be in their registries, start and goal on the map.
+  /// `scenario` may go after this. Planner and stages must be in their registries, start and goal on the map; a pilot is
+  /// no planner (make_mission()).
   Mission(const Scenario& scenario, const PlannerChoice& choice, Recorder* recorder);
   virtual ~Mission() = default;
   Mission(const Mission&) = delete;
@@ -276,7 +277,7 @@ SharedBytes initial_knowledge(const Scenario& scenario, bool all_mapped = false)
 /// The state before the first event of a mission's log.
 SearchState initial_state(const Scenario& scenario, const PlannerChoice& choice, bool all_mapped = false);
 
-/// The mission of the scenario's robot with one planner. `recorder`, if there is one, is told of it and must outlive
+/// The mission of the scenario's robot with one planner, or of a pilot's own (core/world/choices.hpp). `recorder`, if there is one, is told of it and must outlive
 /// it. `scenario` may go after this.
 std::unique_ptr<Mission> make_mission(const Scenario& scenario, const PlannerChoice& choice,
                                       Recorder* recorder = nullptr);

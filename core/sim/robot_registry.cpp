@@ -1,6 +1,7 @@
 // The kinds of robots, made from robots/robots.def.
 #include "core/plan/named.hpp"
 #include "core/sim/mission.hpp"
+#include "core/world/choices.hpp"
 
 #define REPLAN_ROBOT_HEADERS
 #include "core/robots/robots.def"
@@ -16,6 +17,16 @@ RobotInfo entry(std::string_view id) {
   return info;
 }
 
+/// The mission of the scenario's own robot with a planner that searches.
+std::unique_ptr<Mission> mission_of_kind(const Scenario& scenario, const PlannerChoice& planner,
+                                         Recorder* recorder) {
+#define REPLAN_ROBOT(ID, CLASS) \
+  if (scenario.robot.kind == ID) return std::make_unique<CLASS>(scenario, planner, recorder);
+#include "core/robots/robots.def"
+#undef REPLAN_ROBOT
+  return nullptr;
+}
+
 }  // namespace
 
 std::span<const RobotInfo> robots() {
@@ -29,11 +40,11 @@ std::span<const RobotInfo> robots() {
 
 std::unique_ptr<Mission> make_mission(const Scenario& scenario, const PlannerChoice& choice,
                                       Recorder* recorder) {
-#define REPLAN_ROBOT(ID, CLASS) \
-  if (scenario.robot.kind == ID) return std::make_unique<CLASS>(scenario, choice, recorder);
-#include "core/robots/robots.def"
-#undef REPLAN_ROBOT
-  return nullptr;
+  const Resolved run = resolved(choice, scenario.robot);
+  if (run.robot == scenario.robot) return mission_of_kind(scenario, run.planner, recorder);
+  Scenario own = scenario;
+  own.robot = run.robot;
+  return mission_of_kind(own, run.planner, recorder);
 }
 
 const RobotInfo* find_robot(std::string_view id) {

@@ -2,10 +2,13 @@
 
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "core/plan/figures.hpp"
 #include "core/plan/navigator.hpp"
 #include "core/plan/registry.hpp"
+#include "core/study/run_report.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/json_reader.hpp"
 
 namespace replan {
@@ -17,7 +20,8 @@ using Clock = std::chrono::steady_clock;
 class Batch {
  public:
   Batch(const GridMap& map, const LengthFormat& lengths, const PlannerChoice& choice)
-      : map_(map), navigator_(make_navigator(choice, map.box(), map.blocked, 0)), lengths_(lengths) {
+      : map_(map), choice_(choice), lengths_(lengths) {
+    if (find_pilot(choice.id) == nullptr) navigator_ = make_navigator(choice, map.box(), map.blocked, 0);
     report_.planner = choice.id;
     report_.comparable = lengths_apply(choice);
   }
@@ -28,13 +32,9 @@ class Batch {
       ++report_.skipped;
       return;
     }
-    const auto begin = Clock::now();
-    navigator_->begin(centre_of(problem.start), centre_of(problem.goal));
-    const bool found = finish(*navigator_) == PlanStatus::found;
-    report_.total_ms += std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-    report_.expansions += navigator_->counters().expansions;
-    if (found)
-      compare(problem, path_length(navigator_->path()));
+    const std::optional<double> length = navigator_ ? planned(problem) : driven(problem);
+    if (length)
+      compare(problem, *length);
     else
       mismatch(problem, 0);
   }
@@ -45,6 +45,28 @@ class Batch {
   }
 
  private:
+  /// The length of the path, if there is one.
+  std::optional<double> planned(const ScenProblem& problem) {
+    const auto begin = Clock::now();
+    navigator_->begin(centre_of(problem.start), centre_of(problem.goal));
+    const bool found = finish(*navigator_) == PlanStatus::found;
+    report_.total_ms += std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+    report_.expansions += navigator_->counters().expansions;
+    return found ? std::optional(path_length(navigator_->path())) : std::nullopt;
+  }
+
+  /// Of a pilot, whose path is none until it is driven: the length of its way, if it arrives.
+  std::optional<double> driven(const ScenProblem& problem) {
+    Scenario world;
+    world.map = map_;
+    world.start = problem.start;
+    world.goal = problem.goal;
+    const RunReport report = drive(world, choice_);
+    report_.total_ms += report.plan_ms + report.replan_ms;
+    report_.expansions += report.counters.expansions;
+    return report.succeeded() ? std::optional(report.robot->travelled) : std::nullopt;
+  }
+
   void compare(const ScenProblem& problem, double length) {
     ++report_.found;
     if (!lengths_.agrees(length, problem.printed)) mismatch(problem, length);
@@ -66,7 +88,8 @@ class Batch {
   }
 
   const GridMap& map_;
-  std::unique_ptr<Navigator> navigator_;
+  const PlannerChoice& choice_;
+  std::unique_ptr<Navigator> navigator_;  // of a planner
   LengthFormat lengths_;
   BatchReport report_;
   double ratio_sum_ = 0;
@@ -76,6 +99,7 @@ class Batch {
 }  // namespace
 
 bool lengths_apply(const PlannerChoice& choice) {
+  if (find_pilot(choice.id) != nullptr) return false;
   const MoveRules rules = move_rules(choice.settings);
   return find_planner(choice.id)->optimal(choice.settings) && rules.diagonals &&
          rules.corners == MoveRules{}.corners;

@@ -32,7 +32,7 @@ struct BatchReport {
       0;  ///< not the listed optimum to the precision printed; 0 for planners not comparable
   double max_relative_error = 0;  ///< largest |found / listed - 1|
   double mean_ratio = 0;  ///< mean of found / listed, problems of length 0 left out; 0 if there is none
-  double total_ms = 0;    ///< wall time of planning, all problems together
+  double total_ms = 0;    ///< wall time of planning and replanning, all problems together
   std::int64_t expansions = 0;
   std::vector<BatchMismatch> first_mismatches;  ///< at most kMismatchesKept
   static constexpr std::size_t kMismatchesKept = 5;
@@ -56,7 +56,7 @@ bool lengths_apply(const PlannerChoice& choice);
 /// are no more than that. 0: all.
 std::vector<ScenProblem> even_sample(const std::vector<ScenProblem>& problems, std::size_t limit);
 
-/// Solves the problems with one instance of the planner. They must fit the map (check_scen_fits()).
+/// Solves the problems with one instance of the planner; a pilot drives each. They must fit the map (check_scen_fits()).
 BatchReport run_batch(const GridMap& map, const LengthFormat& lengths, std::span<const ScenProblem> problems,
                       const PlannerChoice& choice, const BatchWatch& watch = {});
 

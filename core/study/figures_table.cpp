@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "core/plan/registry.hpp"
+#include "core/world/choices.hpp"
 
 namespace replan {
 namespace {
@@ -121,7 +121,7 @@ Progress progress_of(std::span<const RunReport> reports) {
 /// FigureRow::competes of a run.
 bool can_be_compared(const RunReport& report, FigureGroup group, Progress progress) {
   const bool planned = report.status == status_name(PlanStatus::found);
-  if (progress == Progress::unplanned || !planned) return false;
+  if (progress == Progress::unplanned || !planned || (report.blind && group != robot)) return false;
   if (group == first_plan) return true;
   if (progress == Progress::first_plans) return group != robot;
   return progress == Progress::whole_drives && group != latest_plan && report.succeeded();
@@ -130,7 +130,7 @@ bool can_be_compared(const RunReport& report, FigureGroup group, Progress progre
 std::vector<std::string> names_of(std::span<const RunReport> reports) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < reports.size(); ++i) {
-    const PlannerInfo* info = find_planner(reports[i].planner);
+    const PlannerInfo* info = find_choice(reports[i].planner);
     const auto same = [&](const RunReport& each) { return each.planner == reports[i].planner; };
     const auto before =
         std::count_if(reports.begin(), reports.begin() + static_cast<std::ptrdiff_t>(i), same);

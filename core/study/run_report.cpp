@@ -7,7 +7,7 @@
 #include "core/base/words.hpp"
 #include "core/debug/event_words.hpp"
 #include "core/plan/navigator.hpp"
-#include "core/plan/registry.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/json_reader.hpp"
 
 namespace replan {
@@ -33,8 +33,9 @@ void report_plan(RunReport& report, const Navigator& navigator, const PlannerCho
   else if (path.unchecked && !is_free(navigator, choice, radius, path))
     report.status = mission_state_name(MissionState::collision);
   report.path = path;
-  for (const PlanNumber& number : find_planner(choice.id)->values.numbers)
-    report.plan_numbers.push_back(navigator.number(number.which).to_double());
+  report.blind = info_of(choice).blind;
+  for (const PlanNumber& number : info_of(choice).values.numbers)
+    report.plan_numbers.emplace_back(number, navigator.number(number.which).to_double());
   report.solid = navigator.box().solid();
   report.figures = path_figures(navigator.box(), navigator.known(), path);
   report.radius = radius;
@@ -124,7 +125,7 @@ std::vector<std::pair<std::string, NamedFigure>> metric_columns(const RunReport&
 
 RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice,
                     const RobotSetup& robot) {
-  const auto navigator = make_navigator(choice, map.box(), map.blocked, robot.radius);
+  const auto navigator = make_navigator(planner_of(choice), map.box(), map.blocked, robot.radius);
   RunReport report;
   report.planner = choice.id;
   const auto begin = std::chrono::steady_clock::now();
@@ -177,7 +178,7 @@ std::string explanation(const RunReport& report) {
   if (ending == mission_state_name(MissionState::loop))
     return "The plan leads round in a circle: set remote_parents=checked.";
   if (ending == mission_state_name(MissionState::stuck))
-    return "The robot did not arrive: it has a plan, and finds no arc that leads along it.";
+    return "The robot did not arrive: it is stuck, and finds no arc that leads it on.";
   if (ending == mission_state_name(MissionState::collision) && report.robot && report.robot->drive)
     return "The robot hit something that came nearer than it can stop.";
   if (ending == mission_state_name(MissionState::collision))
@@ -202,6 +203,7 @@ RunReport report_at(const Decision& decision, const Plan& first, const PathFigur
   RunReport report;
   report.planner = choice.id;
   report.status = status_name(first.status);
+  report.blind = info_of(choice).blind;
   report.figures = figures;
   report.radius = radius;
   report.plan_ms = decision.figures.plan_ms;
@@ -290,9 +292,8 @@ std::string runs_json(std::span<const RunReport> reports) {
       path.push_back(point_json(report.path.point(i), report.solid));
     run["figures"] = figures_json(named_figures(report));
     if (report.frame) add_metres(run, report);
-    for (std::size_t i = 0; i < report.plan_numbers.size(); ++i)
-      run["plan_numbers"][std::string(find_planner(report.planner)->values.numbers[i].key)] =
-          report.plan_numbers[i];
+    for (const auto& [number, value] : report.plan_numbers)
+      run["plan_numbers"][std::string(number.key)] = value;
     if (report.robot) {
       run["robot"] = {{"reached", report.robot->reached()},
                       {"ending", mission_state_name(report.robot->ending)},

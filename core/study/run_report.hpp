@@ -38,6 +38,7 @@ struct RunReport {
   std::string_view status =
       "no-path";  ///< status_name(), or "loop" or "collision" for a plan that cannot be driven
   Path path;
+  bool blind = false;    ///< the path may lead through anything: nothing to hold other plans against
   bool solid = false;    ///< in space: its places have a z
   PathFigures figures;   ///< clearances are those of the robot's centre
   double radius = 0;     ///< of the robot
@@ -46,8 +47,8 @@ struct RunReport {
   std::int64_t replans = 0;
   Counters counters;
   std::int64_t memory_bytes = 0;  ///< held by the planner at most, the map not counted
-  /// The numbers that the planner declares, by their places in SearchValues::numbers, of the first plan.
-  std::vector<double> plan_numbers;
+  /// The numbers that the planner declares, of the first plan.
+  std::vector<std::pair<PlanNumber, double>> plan_numbers;
   std::optional<Counters> last_plan;  ///< the work of the latest plan alone, where that is told
   std::optional<RobotReport> robot;
   /// The frame of its map, if that is metric: what is told of its lengths in metres besides. Nothing: in cells alone.

@@ -1,7 +1,7 @@
 #include "core/base/file.hpp"
 #include "core/debug/condition.hpp"
-#include "core/plan/registry.hpp"
 #include "core/plan/stage.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/formats/movingai.hpp"
 #include "core/world/formats/text_lines.hpp"
 #include "core/world/json_reader.hpp"
@@ -70,7 +70,7 @@ class ScenarioReader {
     const auto id = node.require("id");
     if (!id) return;
     PlannerChoice choice{id->text(), {}};
-    const Result<const PlannerInfo*> info = require_planner(choice.id);
+    const Result<const PlannerInfo*> info = require_choice(choice.id);
     if (!info) return id->fail(info.error());
     if (const auto fit = fits(**info, scenario_.map.box()); !fit) return id->fail(fit.error());
     if (const auto settings = node.find("settings"))
@@ -125,7 +125,8 @@ class ScenarioReader {
     RobotSetup& robot = scenario_.robot;
     if (const auto kind = node.find("kind")) {
       robot.kind = kind->text();
-      if (const auto known = require_robot(robot.kind, scenario_.map.box()); !known) return kind->fail(known.error());
+      if (const auto known = require_robot(robot.kind, scenario_.map.box()); !known)
+        return kind->fail(known.error());
     }
     if (const auto settings = node.find("settings"))
       read_settings(*settings, find_robot(robot.kind)->parameters, robot.settings);

@@ -4,8 +4,8 @@
 
 #include "core/base/file.hpp"
 #include "core/base/words.hpp"
-#include "core/plan/registry.hpp"
 #include "core/plan/stage.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/json_reader.hpp"
 #include "core/world/scenario.hpp"
 #include "core/world/scenario_map.hpp"
@@ -36,7 +36,7 @@ std::span<const Parameter> parameters_of(const Info* info) {
 
 Json planner_json(const PlannerChoice& choice) {
   Json planner = {{"id", choice.id}};
-  add_settings(planner, choice.settings, parameters_of(find_planner(choice.id)));
+  add_settings(planner, choice.settings, parameters_of(find_choice(choice.id)));
   for (const StageChoice& stage : choice.stages) {
     Json one = {{"id", stage.id}};
     add_settings(one, stage.settings, parameters_of(find_stage(stage.id)));

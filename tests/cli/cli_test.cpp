@@ -4,8 +4,8 @@
 #include <set>
 #include <sstream>
 
-#include "core/plan/registry.hpp"
 #include "core/scene/view.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/map_file.hpp"
 #include "core/world/scenario.hpp"
 #include "tests/cli/child.hpp"
@@ -368,10 +368,11 @@ TEST_F(CommandLine, listNamesAllThereIs) {
   const Outcome text = run_program({"list", "planners"});
   EXPECT_EQ(text.code, 0);
   const json list = run_program({"list", "planners", "--json"}).json()["planners"];
-  ASSERT_EQ(list.size(), planners().size());
+  ASSERT_EQ(list.size(), choices().size());
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const PlannerInfo& info = planners()[i];
+    const PlannerInfo& info = choices()[i];
     EXPECT_EQ(list[i]["id"], info.id);
+    EXPECT_EQ(list[i]["drives"], find_pilot(info.id) != nullptr);
     EXPECT_EQ(list[i]["settings"].size(), info.parameters.size());
     EXPECT_NE(text.out.find("\n" + std::string(info.id) + " "), std::string::npos);
   }
@@ -381,6 +382,40 @@ TEST_F(CommandLine, listNamesAllThereIs) {
   const json worlds = run_program({"list", "maps", "--json"}).json();
   for (const json& map : worlds["maps"]) demo |= map["path"].get<std::string>().ends_with("maps/demo.json");
   EXPECT_TRUE(demo);
+}
+
+/// The paper's boxes with the same weights: the planner is what leads through.
+TEST_F(CommandLine, runDrivesPilotsBesidePlanners) {
+  const std::string boxes = std::string(REPLAN_SOURCE_DIR) + "/maps/fusion-boxes.json";
+  const std::string trace = folder_.file("boxes.jsonl");
+  const Outcome outcome = run_program({"run", boxes, "--planner", "fusion,dwa,dstar-lite", "--set",
+                                       "fusion.global=lpa-star", "--trace", trace, "--json"});
+  EXPECT_EQ(outcome.code, 1) << "one does not arrive";
+  const json runs = outcome.json()["runs"];
+  ASSERT_EQ(runs.size(), 3u);
+  EXPECT_EQ(runs[0]["planner"], "fusion");
+  EXPECT_EQ(runs[0]["robot"]["ending"], "arrived");
+  EXPECT_EQ(runs[1]["planner"], "dwa");
+  EXPECT_EQ(runs[1]["robot"]["ending"], "stuck");
+  EXPECT_EQ(runs[1]["path"], json::parse("[[1, 1], [28, 28]]"));
+  const std::string text = whole_file(folder_.file("boxes.fusion.jsonl"));
+  const json head = json::parse(text.substr(0, text.find('\n')));
+  EXPECT_EQ(head["planner"], "fusion");
+  EXPECT_EQ(head["settings"]["global"], "lpa-star");
+  EXPECT_EQ(head["settings"]["w_max"], 1) << "as the scenario's robot has it";
+  EXPECT_EQ(head["settings"]["heuristic"], "octile") << "that of what plans";
+  EXPECT_EQ(run_program({"run", boxes, "--planner", "fusion,dwa", "--check"}).code, 0);
+}
+
+/// There is nothing to one but its drive, so that it drives on a map alone too, and all beside it.
+TEST_F(CommandLine, runDrivesOnAMapWhereAPilotIsAmongThePlanners) {
+  const json runs = run_program(plan("0,2", "7,2", {"--planner", "astar,fusion", "--json"})).json()["runs"];
+  for (const json& run : runs) EXPECT_EQ(run["robot"]["ending"], "arrived") << run["planner"];
+  EXPECT_FALSE(
+      run_program(plan("0,2", "7,2", {"--planner", "astar", "--json"})).json()["runs"][0].contains("robot"));
+  const Outcome wrong = run_program(plan("0,2", "7,2", {"--planner", "fusion", "--set", "global=dwa"}));
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_NE(wrong.err.find("adaptive-astar"), std::string::npos) << wrong.err;
 }
 
 TEST_F(CommandLine, convertKeepsTheCells) {

@@ -4,7 +4,7 @@
 #include <set>
 #include <sstream>
 
-#include "core/plan/registry.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/map_file.hpp"
 #include "tests/cli/child.hpp"
 
@@ -54,7 +54,7 @@ TEST(Help, isThereForEachCommand) {
 TEST(Help, namesEverySettingOfEveryPlanner) {
   for (const char* command : {"run", "batch", "render"}) {
     const std::string help = run_program({command, "--help"}).out;
-    for (const PlannerInfo& info : planners()) {
+    for (const PlannerInfo& info : choices()) {
       EXPECT_TRUE(names(help, std::string(info.id)) || info.parameters.size() == lattice_parameters().size())
           << info.id;
       for (const Parameter& parameter : info.parameters)

@@ -109,6 +109,26 @@ void drive_through(std::uint64_t count) {
   EXPECT_GE(endings[MissionState::arrived], 0.95 * driven);
 }
 
+/// Nobody plans, so that few arrive; but each drive ends, and none at an obstacle.
+TEST(DwaMissions, OfTheWindowAloneTouchNothingAndEnd) {
+  std::map<MissionState, int> endings;
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    Random random(seed);
+    Scenario scenario = random_hall(random);
+    scenario.robot.kind = "cells";
+    scenario.planners = {{.id = "dwa", .settings = scenario.robot.settings}};
+    scenario.robot.settings = {};
+    MissionState ending = MissionState::planning;
+    ASSERT_EQ(touches(scenario, ending), "") << "seed " << seed << "\n" << scenario_text(scenario);
+    ++endings[ending];
+  }
+  std::printf("%d arrived, %d stuck of 150\n", endings[MissionState::arrived], endings[MissionState::stuck]);
+  EXPECT_EQ(endings[MissionState::arrived] + endings[MissionState::stuck] + endings[MissionState::no_path],
+            150);
+  EXPECT_GT(endings[MissionState::arrived], 30);
+  EXPECT_GT(endings[MissionState::stuck], 10);
+}
+
 TEST(DwaMissions, TouchNothingAndArrive) {
   drive_through(250);
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/plan/glossary.hpp"
+#include "core/world/choices.hpp"
 #include "tests/ui/shell_fixture.hpp"
 
 namespace replan::ui::command_palette_test {
@@ -137,7 +138,7 @@ TEST_F(PaletteTest, HoldsEveryActionPlannerAndTermOnce) {
     for (const auto& [id, count] : ids) EXPECT_EQ(count, 1) << id;
     for (const Action& each : actions())
       EXPECT_TRUE(each.rules.unlisted || ids.contains(each.name)) << each.name;
-    for (const PlannerInfo& info : planners()) EXPECT_TRUE(ids.contains("planner " + std::string(info.id)));
+    for (const PlannerInfo& info : choices()) EXPECT_TRUE(ids.contains("planner " + std::string(info.id)));
     for (const GlossaryTerm& term : glossary()) EXPECT_TRUE(ids.contains("term " + std::string(term.id)));
   });
 }

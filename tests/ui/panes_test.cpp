@@ -4,6 +4,7 @@
 #include "tests/ui/shell_fixture.hpp"
 #include "ui/canvas/legend.hpp"
 #include "ui/canvas/pane_grid.hpp"
+#include "ui/shell/frame.hpp"
 
 namespace replan::ui::panes_test {
 namespace {
@@ -59,6 +60,37 @@ TEST_F(PanesTest, SelectingInAPaneMakesItLead) {
   click({(low.x + high.x) / 2, (low.y + high.y) / 2});
   EXPECT_EQ(session_->lead(), 1u);
   EXPECT_TRUE(shell_->view().view.pinned.has_value());
+}
+
+/// One that brings its robot: the others keep the world's, and its page is followed by that of what plans for it.
+TEST_F(PanesTest, APilotDrivesBesidePlannersAndShowsTheCodeOfItsOwn) {
+  const auto choose = [this](const Command& command) {
+    ASSERT_TRUE(session_->apply(command).ok());
+    session_->settle();
+    frames(3);
+  };
+  choose(ChoosePlanner{1, "fusion"});
+  choose(ChoosePlanner{2, "dwa"});
+  choose(RunToEnd{});
+  EXPECT_FALSE(session_->runs()[0]->decisions().back().drive.begun);
+  for (const std::size_t pane : {1u, 2u}) {
+    const Decision& end = session_->runs()[pane]->decisions().back();
+    EXPECT_TRUE(end.drive.begun) << pane;
+    EXPECT_EQ(end.state, MissionState::arrived) << pane;
+  }
+  PanelState& panels = shell_->panels();
+  const auto titles = [&](std::size_t pane) {
+    const Result<PlannerPage>& page = page_of(panels, *session_->runs()[pane]);
+    EXPECT_TRUE(page.ok());
+    std::vector<std::string> all = {page->title};
+    for (const PseudoBlock& block : page->code) all.push_back(block.title);
+    return all;
+  };
+  EXPECT_EQ(titles(1), (std::vector<std::string>{"Fusion", "Fusion", "Mission", "Plan"}));
+  EXPECT_EQ(titles(2), (std::vector<std::string>{"DWA", "Mission", "Plan", "Window"}));
+  const std::string before = page_name(*session_->runs()[1]);
+  choose(SetParameter{1, "global", 0});
+  EXPECT_NE(page_name(*session_->runs()[1]), before) << "another planner's code follows";
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(DwaRobot, HasInItsPastTheReasonsByWhichItDrove) {
     run.timeline().seek(now.event);
     const SearchState& state = run.timeline().state();
     ++driven;
-    const auto why = why_it_drives(*scenario, now, state);
+    const auto why = why_it_drives(*scenario, run.choice(), now, state);
     if (!why) continue;  // it sets out
     ++told;
     EXPECT_EQ(why->explanation.decision.motion, next.drive.state.motion) << "decision " << i;
@@ -116,7 +116,7 @@ std::vector<DecidedStep> decided_steps(replan::Run& run) {
     const bool moved = next.figures.moves == now.figures.moves + 1;
     if (!moved && next.drive.planned == now.drive.planned) continue;  // it learnt something
     run.timeline().seek(now.event);
-    const auto why = why_it_drives(run.scenario(), now, run.timeline().state());
+    const auto why = why_it_drives(run.scenario(), run.choice(), now, run.timeline().state());
     if (!why) continue;
     steps.push_back({i, {}, why->frame.cell(why->goal)});
     if (moved) steps.back().made = why->explanation.decision;

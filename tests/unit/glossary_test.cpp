@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/plan/registry.hpp"
 #include "core/scene/view.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/generators/list.hpp"
 
 namespace replan::glossary_test {
@@ -75,7 +75,7 @@ TEST(Glossary, KnowsWhatTheWindowWrites) {
 }
 
 TEST(Glossary, EverySettingAndOverlayExplainsItself) {
-  for (const PlannerInfo& info : planners()) {
+  for (const PlannerInfo& info : choices()) {
     expect_sentences(info.summary, std::string(info.id));
     for (const Parameter& parameter : info.parameters)
       expect_sentences(parameter.help, std::string(info.id) + "." + std::string(parameter.key));

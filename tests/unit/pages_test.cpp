@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/sim/mission.hpp"
+#include "core/world/choices.hpp"
 
 namespace replan::pages_test {
 namespace {
@@ -43,7 +44,7 @@ std::set<int> recorded_lines(const std::string& planner, const Settings& setting
   const auto mission = make_mission(scenario, scenario.planners.front(), &recorder);
   while (mission->advance(1000)) {
   }
-  if (!find_planner(planner)->exercise) {
+  if (const Pilot* pilot = find_pilot(planner); pilot == nullptr && !find_planner(planner)->exercise) {
     EXPECT_EQ(mission->state(), MissionState::arrived) << planner;
   }
   EXPECT_GT(mission->now().figures.replans, 0) << planner;
@@ -53,7 +54,7 @@ std::set<int> recorded_lines(const std::string& planner, const Settings& setting
 }
 
 TEST(Pages, EveryPlannerHasOneWithIdeaLimitsAndSource) {
-  for (const PlannerInfo& info : planners()) {
+  for (const PlannerInfo& info : choices()) {
     const Result<PlannerPage> page = read_page(info.id);
     ASSERT_TRUE(page.ok()) << page.error();
     EXPECT_EQ(page->title, info.name) << info.id;
@@ -72,6 +73,28 @@ TEST(Pages, HoldEveryLineThatIsRecorded) {
       const PseudoLine* line = page->line(number);
       ASSERT_NE(line, nullptr) << info.id << " records line " << number << ", which its page does not have";
     }
+  }
+}
+
+/// A pilot's page stands before the code of what plans for it, whichever that is, and no line has two numbers.
+TEST(Pages, OfPilotsHoldEveryLineThatIsRecordedByThemOrTheirPlanner) {
+  std::vector<PlannerChoice> asked = {{"dwa", {}}};
+  for (std::size_t i = 0; i < sound_planners().size(); ++i) {
+    asked.push_back({"fusion", {}});
+    asked.back().settings.set("global", static_cast<double>(i));
+  }
+  for (const PlannerChoice& choice : asked) {
+    const std::string planner = planner_of(choice).id;
+    const Result<PlannerPage> page =
+        find_planner(planner)->blind ? read_page(choice.id) : read_page(choice.id, planner);
+    ASSERT_TRUE(page.ok()) << page.error();
+    std::set<int> numbers;
+    for (const PseudoBlock& block : page->code)
+      for (const PseudoLine& line : block.lines)
+        EXPECT_TRUE(line.number == 0 || numbers.insert(line.number).second)
+            << planner << ": line " << line.number;
+    for (const int number : recorded_lines(choice.id, choice.settings))
+      EXPECT_TRUE(numbers.contains(number)) << choice.id << ", " << planner << ": line " << number;
   }
 }
 
@@ -119,7 +142,7 @@ TEST(Pages, HaveNoLinesOfOtherPlanners) {
 }
 
 TEST(Pages, NameEverySettingOfTheirPlanner) {
-  for (const PlannerInfo& info : planners()) {
+  for (const PlannerInfo& info : choices()) {
     const Result<PlannerPage> page = read_page(info.id);
     ASSERT_TRUE(page.ok()) << page.error();
     std::string words;

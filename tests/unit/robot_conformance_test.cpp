@@ -9,6 +9,7 @@
 #include "core/plan/registry.hpp"
 #include "core/sim/mission.hpp"
 #include "core/trace/search_state.hpp"
+#include "core/world/choices.hpp"
 #include "tests/support/shared_data.hpp"
 
 namespace replan::robot_conformance_test {
@@ -110,30 +111,47 @@ TEST(Robots, ArriveWithoutACollisionAndTheSameWayEachTime) {
     }
 }
 
+/// From every seventh moment that was kept.
+void goes_on_from_any_moment(const Scenario& scenario, const PlannerChoice& choice, std::string_view who) {
+  const Drive whole = driven(scenario, choice);
+  for (std::size_t i = 0; i < whole.moments.size(); i += 7) {
+    const Moment& moment = whole.moments[i];
+    Recorder recorder;
+    const auto mission = make_mission(scenario, choice, &recorder);
+    mission->restore(moment.checkpoint, moment.state);
+    recorder.line(moment.checkpoint.line);
+    Drive rest;
+    for (bool more = true; more;) {
+      more = mission->advance(200);
+      go_on(*mission, recorder, rest);
+    }
+    ASSERT_TRUE(std::equal(rest.log.begin(), rest.log.end(),
+                           whole.log.begin() + static_cast<std::ptrdiff_t>(moment.event), whole.log.end()))
+        << scenario.name << ", " << who << ", from event " << moment.event;
+    ASSERT_EQ(rest.figures.travelled, whole.figures.travelled) << scenario.name << ", " << who;
+  }
+}
+
 TEST(Robots, GoOnFromAnyMomentAsIfTheyHadNeverStopped) {
   for (const Scenario& world : worlds())
     for (const RobotInfo& robot : robots()) {
       if (!drives_in(robot, world)) continue;
       const Scenario scenario = with_robot(world, robot);
-      const PlannerChoice& choice = scenario.planners.back();
-      const Drive whole = driven(scenario, choice);
-      for (std::size_t i = 0; i < whole.moments.size(); i += 7) {
-        const Moment& moment = whole.moments[i];
-        Recorder recorder;
-        const auto mission = make_mission(scenario, choice, &recorder);
-        mission->restore(moment.checkpoint, moment.state);
-        recorder.line(moment.checkpoint.line);
-        Drive rest;
-        for (bool more = true; more;) {
-          more = mission->advance(200);
-          go_on(*mission, recorder, rest);
-        }
-        ASSERT_TRUE(std::equal(rest.log.begin(), rest.log.end(),
-                               whole.log.begin() + static_cast<std::ptrdiff_t>(moment.event),
-                               whole.log.end()))
-            << scenario.name << ", " << robot.id << ", from event " << moment.event;
-        ASSERT_EQ(rest.figures.travelled, whole.figures.travelled) << scenario.name << ", " << robot.id;
-      }
+      goes_on_from_any_moment(scenario, scenario.planners.back(), robot.id);
+    }
+}
+
+TEST(Robots, OfPilotsDriveTheSameWayEachTimeTouchNothingAndGoOnFromAnyMoment) {
+  for (const Scenario& world : worlds())
+    for (const Pilot& pilot : pilots()) {
+      const PlannerChoice choice{std::string(pilot.info.id), {}};
+      // Their steps are many and small: the smaller worlds will do.
+      if (!fits(pilot.info, world.map.box()) || world.map.box().node_count() > 1'000) continue;
+      const Drive drive = driven(world, choice);
+      EXPECT_TRUE(drive.log == driven(world, choice).log) << world.name << ", " << pilot.info.id;
+      EXPECT_EQ(drive.figures.collisions, 0) << world.name << ", " << pilot.info.id;
+      EXPECT_NE(drive.ending, MissionState::endless) << world.name << ", " << pilot.info.id;
+      goes_on_from_any_moment(world, choice, pilot.info.id);
     }
 }
 

@@ -4,9 +4,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/plan/registry.hpp"
 #include "core/study/batch.hpp"
+#include "core/study/figures_table.hpp"
 #include "core/study/run_report.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/formats/voxel_map.hpp"
 
 namespace replan::test::study_test {
@@ -130,7 +131,7 @@ TEST(Batch, holdsNoPlannerToLengthsThatItDoesNotLookFor) {
 
 TEST(Batch, oneInstanceGivesWhatFreshOnesGive) {
   const std::string first = "0 m.map 5 3 0 0 2 2 4\n", second = "0 m.map 5 3 2 2 0 0 4\n";
-  for (const PlannerInfo& info : planners()) {
+  for (const PlannerInfo& info : choices()) {
     const std::string id(info.id);
     EXPECT_EQ(batch(scen(first + second), id).expansions,
               batch(scen(first), id).expansions + batch(scen(second), id).expansions)
@@ -167,10 +168,24 @@ TEST(RunReport, aPlanHasItsPathAndFigures) {
   EXPECT_FALSE(report.robot.has_value());
 }
 
+/// A straight line through walls is no shortest path.
+TEST(RunReport, holdsNoPlanAgainstABlindOne) {
+  Scenario world = corridor();
+  const RunReport reports[] = {drive(world, {"dwa", {}}), drive(world, {"fusion", {}})};
+  EXPECT_TRUE(reports[0].blind);
+  EXPECT_FALSE(reports[1].blind);
+  bool fusion_competes = false;
+  for (const FigureRow& row : figures_table(reports).rows) {
+    EXPECT_TRUE(row.info->group == FigureGroup::robot || !row.competes[0]) << row.info->key;
+    fusion_competes |= row.competes[1];
+  }
+  EXPECT_TRUE(fusion_competes);
+}
+
 TEST(RunReport, figuresAreFiniteNumbersWhateverHappens) {
   Scenario world = corridor();
   world.goal = {3, 1};
-  for (const PlannerInfo& info : planners()) {
+  for (const PlannerInfo& info : choices()) {
     const RunReport reports[] = {plan_once(world.map, world.start, world.goal, {std::string(info.id), {}}),
                                  drive(world, {std::string(info.id), {}})};
     EXPECT_FALSE(reports[0].succeeded() || reports[1].succeeded());

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/file.hpp"
-#include "core/plan/registry.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/scenario.hpp"
 #include "tests/support/schema_check.hpp"
 #include "tests/support/shared_data.hpp"
@@ -147,7 +147,7 @@ TEST(Scenario, TextIsReadable) {
 }
 
 TEST(Scenario, EverySettingOfEveryPlannerIsReadBack) {
-  for (const PlannerInfo& info : planners()) {
+  for (const PlannerInfo& info : choices()) {
     Scenario scenario;
     scenario.map = GridMap(2, 2);
     scenario.planners = {{std::string(info.id), {}}};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/world/choices.hpp"
 #include "ui/canvas/chips.hpp"
 #include "ui/canvas/draw.hpp"
 #include "ui/canvas/hand.hpp"
@@ -287,7 +288,7 @@ bool Canvas::Parts::title(const Look& look, const Session& session, std::size_t 
   ImGui::SetNextWindowPos({chips.title.min.x, chips.title.max.y + look.px.xs});
   if (!ImGui::BeginPopup("planner")) return over;
   bool exercises = false;
-  for (const PlannerInfo& info : planners()) {
+  for (const PlannerInfo& info : choices()) {
     if (info.exercise && !std::exchange(exercises, true)) ImGui::Separator();
     const bool chosen = session.runs()[pane]->choice().id == info.id;
     if (menu_item(look, info.name.data(), {.on = chosen}))

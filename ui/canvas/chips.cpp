@@ -133,7 +133,7 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
   if (decision == nullptr) return {};
   switch (decision->state) {
     case MissionState::stuck:
-      return {"The robot has a plan, and finds no arc that leads along it; it has given up.", true};
+      return {"The robot is stuck: it finds no arc that leads it on, and has given up.", true};
     case MissionState::collision:
       if (decision->drive.begun) return {"The robot hit something that came nearer than it can stop.", true};
       return {std::string("The plan leads through an obstacle") + why_wrong(run), true};

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "core/base/file.hpp"
-#include "core/plan/registry.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/map_file.hpp"
 #include "ui/documents/file_list.hpp"
 #include "ui/documents/files.hpp"
@@ -41,7 +41,7 @@ void describe(const Scenario& scenario, Preview& preview) {
   preview.name = scenario.name;
   preview.caption = scenario.caption;
   for (const PlannerChoice& choice : scenario.planners)
-    preview.planners.emplace_back(find_planner(choice.id)->name);
+    preview.planners.emplace_back(find_choice(choice.id)->name);
   describe(scenario.map, scenario.start, scenario.goal, preview);
 }
 

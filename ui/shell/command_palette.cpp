@@ -7,6 +7,7 @@
 #include "core/base/file.hpp"
 #include "core/base/markdown.hpp"
 #include "core/plan/glossary.hpp"
+#include "core/world/choices.hpp"
 #include "ui/documents/world_library.hpp"
 #include "ui/icons.hpp"
 #include "ui/keys.hpp"
@@ -52,7 +53,7 @@ void add_actions(Frame& frame, std::vector<PaletteEntry>& entries) {
 }
 
 void add_planners(Frame& frame, std::vector<PaletteEntry>& entries) {
-  for (const PlannerInfo& info : planners()) {
+  for (const PlannerInfo& info : choices()) {
     const bool chosen = frame.run().choice().id == info.id;
     entries.push_back({.id = "planner " + std::string(info.id),
                        .label = "Planner: " + std::string(info.name),

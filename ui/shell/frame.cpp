@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/trace/search_state.hpp"
+#include "core/world/choices.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
 
@@ -44,10 +45,19 @@ void area(const char* id, ImVec2 pos, ImVec2 size, ImU32 ground, ImVec2 padding,
   ImGui::End();
 }
 
-const Result<PlannerPage>& page_of(PanelState& panels, std::string_view planner) {
-  const auto found = panels.pages.find(planner);
-  if (found != panels.pages.end()) return found->second;
-  return panels.pages.emplace(std::string(planner), read_page(planner)).first->second;
+std::string page_name(const Run& run) {
+  const std::string planner = planner_of(run.choice()).id;
+  const bool has_own_page = planner == run.choice().id || find_planner(planner)->blind;
+  return has_own_page ? run.choice().id : run.choice().id + "+" + planner;
+}
+
+const Result<PlannerPage>& page_of(PanelState& panels, const Run& run) {
+  const std::string name = page_name(run);
+  if (const auto found = panels.pages.find(name); found != panels.pages.end()) return found->second;
+  const std::size_t plus = name.find('+');
+  auto page =
+      plus == std::string::npos ? read_page(name) : read_page(name.substr(0, plus), name.substr(plus + 1));
+  return panels.pages.emplace(name, std::move(page)).first->second;
 }
 
 PixelArea whole_window() {
@@ -137,7 +147,7 @@ std::string origin_text(Frame& frame, std::size_t event) {
   const Run& run = frame.run();
   const int number = run.timeline().event(event).line;
   std::string words;
-  if (const Result<PlannerPage>& page = page_of(frame.panels, run.choice().id); page && number != 0) {
+  if (const Result<PlannerPage>& page = page_of(frame.panels, run); page && number != 0) {
     const PseudoLine* line = page->line(number);
     const std::string function = function_of(*page, number);
     if (line != nullptr) words = "line " + std::to_string(line->number);

@@ -156,8 +156,10 @@ PixelArea whole_window();
 void area(const char* id, ImVec2 pos, ImVec2 size, ImU32 ground, ImVec2 padding,
           const std::function<void()>& draw, ImGuiWindowFlags flags = 0);
 
-/// The page of a planner, read once.
-const Result<PlannerPage>& page_of(PanelState& panels, std::string_view planner);
+/// The page of a run's planner, read once: of a pilot with the code of what plans for it.
+const Result<PlannerPage>& page_of(PanelState& panels, const Run& run);
+/// Differs between runs with different pages.
+std::string page_name(const Run& run);
 /// The replan that the cursor is in or behind: its number, and the stretch of the log up to the cursor that
 /// is its own. Nothing before the first one.
 struct ReplanSpan {

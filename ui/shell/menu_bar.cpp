@@ -4,6 +4,7 @@
 #include <imgui_internal.h>
 
 #include "core/base/file.hpp"
+#include "core/world/choices.hpp"
 #include "ui/documents/files.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/menus.hpp"
@@ -33,8 +34,9 @@ void menu_items(Frame& frame, Menu menu) {
 }
 
 void planner_items(Frame& frame) {
-  for (const PlannerInfo& info : planners()) {
-    if (info.exercise && &info == sound_planners().data() + sound_planners().size()) ImGui::Separator();
+  bool exercises = false;
+  for (const PlannerInfo& info : choices()) {
+    if (info.exercise && !std::exchange(exercises, true)) ImGui::Separator();
     const bool chosen = frame.run().choice().id == info.id;
     if (menu_item(frame.look, std::string(info.name).c_str(), {.on = chosen}))
       frame.commands.push_back(ChoosePlanner{frame.session.lead(), std::string(info.id)});

@@ -177,7 +177,7 @@ void touched_line(Frame& frame, const CellView& view) {
 
 /// The lines about the current one, as in the Code tab.
 void code_excerpt(Frame& frame) {
-  const Result<PlannerPage>& page = page_of(frame.panels, frame.run().choice().id);
+  const Result<PlannerPage>& page = page_of(frame.panels, frame.run());
   if (!page) return;
   const PseudoBlock* block = page->block_of(current_line(frame.run()));
   if (block == nullptr) return;

@@ -114,7 +114,7 @@ class CodeTab final : public SideTab {
  private:
   int scrolled_ = 0;     // the line that the page was scrolled to
   bool to_top_ = false;  // the page is to be shown from its beginning
-  std::string planner_;  // whose page it was
+  std::string shown_;    // whose page it was
 };
 
 }  // namespace
@@ -149,9 +149,9 @@ void draw_pseudo_code(Frame& frame, const PseudoBlock& block, int around, int* s
 
 void CodeTab::draw(Frame& frame) {
   const Look& look = frame.look;
-  const std::string& planner = frame.run().choice().id;
-  if (std::exchange(planner_, planner) != planner) to_top_ = true;
-  const Result<PlannerPage>& page = page_of(frame.panels, planner);
+  const std::string shown = page_name(frame.run());
+  if (std::exchange(shown_, shown) != shown) to_top_ = true;
+  const Result<PlannerPage>& page = page_of(frame.panels, frame.run());
   if (!page) {
     empty_state(look, icon::book, "This planner's page is missing", page.error());
     return;

@@ -47,7 +47,7 @@ NoArcs ended(MissionState state) {
 }
 
 NoArcs no_arcs(const replan::Run& run) {
-  if (!drives(run.scenario())) return goes_from_cell_to_cell();
+  if (!drives(run.scenario(), run.choice())) return goes_from_cell_to_cell();
   const Decision* decision = run.decision_at(run.timeline().cursor());
   if (decision == nullptr)
     return {"No plan yet", "It chooses its first arc when its plan stands: step on, or play."};

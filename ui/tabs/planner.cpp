@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/plan/stage.hpp"
+#include "core/world/choices.hpp"
 #include "ui/icons.hpp"
 #include "ui/parts.hpp"
 #include "ui/shell/format.hpp"
@@ -39,7 +40,7 @@ void choose_planner(Frame& frame) {
   const Look& look = frame.look;
   std::vector<std::string> names;
   int current = 0;
-  for (const PlannerInfo& info : planners()) {
+  for (const PlannerInfo& info : choices()) {
     if (info.id == frame.run().choice().id) current = static_cast<int>(names.size());
     names.emplace_back(info.name);
   }
@@ -47,7 +48,7 @@ void choose_planner(Frame& frame) {
   if (combo(look, "##planner", pointers(names), current, ImGui::GetContentRegionAvail().x) &&
       current != before)
     frame.commands.push_back(
-        ChoosePlanner{frame.session.lead(), std::string(planners()[static_cast<std::size_t>(current)].id)});
+        ChoosePlanner{frame.session.lead(), std::string(choices()[static_cast<std::size_t>(current)].id)});
   hint(look,
        {"Planner", "", "The planner of the leading pane. Another one plans the same world from scratch."});
   const PlannerInfo& info = frame.run().info();
@@ -131,8 +132,8 @@ bool declared_settings(Frame& frame, std::span<const Parameter> parameters, Sett
 }
 
 void planner_settings(Frame& frame) {
-  for (const Parameter& parameter : frame.run().info().parameters) {
-    double value = frame.run().choice().settings.get(parameter);
+  for (const Parameter& parameter : find_choice(frame.run().choice().id)->parameters) {
+    double value = frame.run().settings().get(parameter);
     if (setting(frame, parameter, value))
       frame.commands.push_back(SetParameter{frame.session.lead(), std::string(parameter.key), value});
   }
@@ -322,6 +323,11 @@ void PlannerTab::draw(Frame& frame) {
   planner_settings(frame);
   section_rule(look);
   section_title(look, "Robot");
+  if (find_pilot(frame.run().choice().id) != nullptr)
+    paragraph(look.fonts.ui, look.theme.dim,
+              "This pane drives by the settings above. Of the robot below it has the size, the sensor and "
+              "what it knows; how "
+              "that one drives is for the other panes.");
   robot_settings(frame);
   section_rule(look);
   section_title(look, "After planning");
