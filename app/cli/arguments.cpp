@@ -7,8 +7,6 @@
 
 #include "app/cli/output.hpp"
 #include "core/base/file.hpp"
-#include "core/plan/stage.hpp"
-#include "core/world/choices.hpp"
 #include "core/world/formats/number_cells.hpp"
 #include "core/world/formats/text_lines.hpp"
 #include "core/world/generators/list.hpp"
@@ -22,121 +20,17 @@ namespace {
 constexpr std::string_view kUnreachableGoals[] = {"wait", "nearest"};
 const std::string kMostRadius = std::to_string(static_cast<int>(MoveRules::kMostRadius));
 
-/// One `--set [PLANNER.]KEY=VALUE`, taken apart.
-struct Assignment {
-  std::string_view typed, planner, key, value;
-};
-
-Result<Assignment> take_apart(std::string_view typed) {
-  const std::size_t equals = typed.find('=');
-  if (equals == std::string_view::npos || equals == 0)
-    return Error{"--set " + std::string(typed) + ": give KEY=VALUE, or PLANNER.KEY=VALUE for one planner"};
-  Assignment result{typed, {}, typed.substr(0, equals), typed.substr(equals + 1)};
-  if (const std::size_t dot = result.key.find('.'); dot != std::string_view::npos) {
-    result.planner = result.key.substr(0, dot);
-    result.key = result.key.substr(dot + 1);
-  }
-  return result;
-}
-
-std::string joined(std::span<const std::string_view> names) {
-  std::string list;
-  for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
-  return list;
-}
-
-/// Why a setting fits none of the planners of a run.
-Error unknown_setting(const Assignment& set, std::span<const PlannerChoice> choices) {
-  std::vector<std::string_view> owners, keys;
-  for (const PlannerInfo& info : replan::choices())
-    if (find_parameter(info.parameters, set.key) != nullptr) owners.push_back(info.id);
-  for (const PlannerChoice& choice : choices)
-    for (const Parameter& parameter : find_choice(choice.id)->parameters)
-      if (std::find(keys.begin(), keys.end(), parameter.key) == keys.end()) keys.push_back(parameter.key);
-  const std::string start = "--set " + std::string(set.typed) + ": ";
-  if (!owners.empty())
-    return {start + "none of the planners here has the setting '" + std::string(set.key) +
-            "'; these have: " + joined(owners)};
-  return {start + "unknown setting '" + std::string(set.key) + "'" +
-          suggestion(set.key, keys, "; known: " + joined(keys))};
-}
-
-Result<void> assign(const Assignment& set, std::span<PlannerChoice> choices) {
-  bool known = false, present = set.planner.empty();
-  for (PlannerChoice& choice : choices) {
-    if (!set.planner.empty() && set.planner != choice.id) continue;
-    present = true;
-    const auto& declared = find_choice(choice.id)->parameters;
-    if (find_parameter(declared, set.key) == nullptr) continue;
-    known = true;
-    if (const auto done = set_from_text(choice.settings, declared, set.key, set.value); !done)
-      return Error{"--set " + std::string(set.typed) + ": for planner '" + choice.id + "' " + done.error()};
-  }
-  if (present && known) return {};
-  if (present) return unknown_setting(set, choices);
-  if (const auto info = require_choice(set.planner); !info)
-    return Error{"--set " + std::string(set.typed) + ": " + info.error()};
-  return Error{"--set " + std::string(set.typed) + ": planner '" + std::string(set.planner) +
-               "' is not among the planners here; add it with --planner"};
-}
-
-/// "STAGE" for all planners, or "PLANNER.STAGE" for one.
-Result<void> add_stage(std::string_view typed, std::vector<PlannerChoice>& choices) {
-  const std::size_t dot = typed.find('.');
-  const std::string_view planner = dot == std::string_view::npos ? "" : typed.substr(0, dot);
-  const std::string_view id = dot == std::string_view::npos ? typed : typed.substr(dot + 1);
-  const Result<const StageInfo*> stage = require_stage(id);
-  if (!stage) return Error{"--stage: " + stage.error()};
-  bool added = false;
-  for (PlannerChoice& choice : choices) {
-    if (!planner.empty() && planner != choice.id) continue;
-    choice.stages.push_back({std::string(id), {}});
-    added = true;
-  }
-  if (added) return {};
-  if (const auto info = require_choice(planner); !info) return Error{"--stage: " + info.error()};
-  return Error{"--stage " + std::string(typed) + ": planner '" + std::string(planner) +
-               "' is not among the planners here; add it with --planner"};
-}
-
-/// "all" are all that search and can do so in that world; who is named and cannot is refused.
-Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids,
-                                          std::span<const PlannerChoice> own, const GridMap* world) {
-  const auto can_plan = [world](const PlannerInfo& info) {
-    return world == nullptr ? Result<void>() : fits(info, world->box());
-  };
-  std::vector<PlannerChoice> result;
-  for (const std::string& id : ids) {
-    if (id == "all") {
-      for (const PlannerInfo& info : sound_planners())
-        if (can_plan(info)) result.push_back({std::string(info.id), {}});
-      continue;
-    }
-    const auto info = require_choice(id);
-    if (!info) return Error{"--planner: " + info.error()};
-    if (const auto can = can_plan(**info); !can) return Error{"--planner: " + can.error()};
-    const auto kept =
-        std::find_if(own.begin(), own.end(), [&](const PlannerChoice& c) { return c.id == id; });
-    result.push_back(kept != own.end() ? *kept : PlannerChoice{id, {}});
-  }
-  if (ids.empty()) result.assign(own.begin(), own.end());
-  if (result.empty())
-    return Error{"no planner is named: give --planner ID[,ID...]; 'replan list planners' shows them"};
-  return result;
-}
-
-/// Of "2.5", in cells, or "0.3m" on a map that says how large its cells are.
+/// Of "2.5", in cells, or "0.3m".
 Result<double> radius_in_cells(std::string_view typed, const GridMap& map) {
-  const MapFrame frame(map);
-  const bool in_metres = typed.ends_with('m');
-  if (in_metres && !frame.metric())
-    return Error{"--radius " + std::string(typed) +
-                 " is in metres, but the map does not say how large its cells are: give a number of cells"};
-  auto cells = number_from<double>(typed.substr(0, typed.size() - (in_metres ? 1 : 0)));
-  if (cells && in_metres) *cells /= frame.metres_per_cell();
+  auto cells = number_from<double>(typed);
+  if (const auto metres = typed_metres(typed)) {
+    const auto converted = metres_in_cells("--radius " + std::string(typed), *metres, map);
+    if (!converted) return converted;
+    cells = *converted;
+  }
   if (cells && *cells >= 0 && *cells <= MoveRules::kMostRadius) return *cells;
   return Error{"--radius cannot be '" + std::string(typed) + "': give a number of cells from 0 to " +
-               kMostRadius + (frame.metric() ? ", or metres as 0.3m" : "")};
+               kMostRadius + (MapFrame(map).metric() ? ", or metres as 0.3m" : "")};
 }
 
 /// The world on a map, whose start and goal must be given or stand in its file.
@@ -155,63 +49,7 @@ Result<Scenario> plain_world(const WorldArguments& arguments) {
   return world;
 }
 
-bool same_choice(const Parameter& a, const Parameter& b) {
-  return a.key == b.key && a.choices == b.choices && a.help == b.help;
-}
-
-std::string values_text(const Parameter& parameter) {
-  switch (parameter.type) {
-    case ParameterType::toggle:
-      return "true|false";
-    case ParameterType::choice: {
-      std::string list;
-      for (const std::string_view choice : parameter.choices)
-        list += (list.empty() ? "" : "|") + std::string(choice);
-      return list;
-    }
-    case ParameterType::real:
-    case ParameterType::whole:
-      break;
-  }
-  return format_value(parameter, parameter.low) + ".." + format_value(parameter, parameter.high) +
-         (parameter.unit.empty() ? "" : " " + std::string(parameter.unit));
-}
-
 }  // namespace
-
-void PlannerArguments::declare(CLI::App& command) {
-  command
-      .add_option("--planner", ids,
-                  "Planners to run, or 'all' that search; 'replan list planners' shows them")
-      ->type_name("ID[,ID...]")
-      ->allow_extra_args(false);
-  command
-      .add_option("--set", settings,
-                  "A setting, for each planner that has it or for the one named (repeatable)")
-      ->type_name("[ID.]KEY=VALUE")
-      ->allow_extra_args(false);
-  command
-      .add_option(
-          "--stage", stages,
-          "What paths go through once they are found, for each planner or for the one named (repeatable); "
-          "'replan list stages' shows them")
-      ->type_name("[ID.]STAGE")
-      ->allow_extra_args(false);
-}
-
-Result<std::vector<PlannerChoice>> PlannerArguments::choose(std::span<const PlannerChoice> own,
-                                                            const GridMap* world) const {
-  auto choices = chosen(split_list(ids), own, world);
-  if (!choices) return choices;
-  for (const std::string& typed : settings) {
-    const auto set = take_apart(typed);
-    if (!set) return Error{set.error()};
-    if (const auto done = assign(*set, choices.value()); !done) return Error{done.error()};
-  }
-  for (const std::string& typed : stages)
-    if (const auto done = add_stage(typed, choices.value()); !done) return Error{done.error()};
-  return choices;
-}
 
 void ReadingArguments::declare(CLI::App& command) {
   command
@@ -361,6 +199,17 @@ Result<std::int64_t> parse_count(std::string_view option, std::string_view text,
                std::to_string(low)};
 }
 
+std::optional<double> typed_metres(std::string_view typed) {
+  return typed.ends_with('m') ? number_from<double>(typed.substr(0, typed.size() - 1)) : std::nullopt;
+}
+
+Result<double> metres_in_cells(std::string_view what, double metres, const GridMap& map) {
+  const MapFrame frame(map);
+  if (frame.metric()) return metres / frame.metres_per_cell();
+  return Error{std::string(what) +
+               " is in metres, but the map does not say how large its cells are: give a number of cells"};
+}
+
 std::vector<std::string> split_list(std::span<const std::string> texts) {
   std::vector<std::string> parts;
   for (std::string_view text : texts)
@@ -376,31 +225,6 @@ std::string suggestion(std::string_view name, std::span<const std::string_view> 
                        std::string_view otherwise) {
   const std::string_view nearest = nearest_name(name, names);
   return nearest.empty() ? std::string(otherwise) : "; did you mean '" + std::string(nearest) + "'?";
-}
-
-std::string settings_help() {
-  constexpr std::size_t kIndent = 6;
-  std::string text = "Planner settings (--set):\n";
-  std::vector<Parameter> shown;
-  for (const PlannerInfo& info : choices())
-    for (const Parameter& parameter : info.parameters) {
-      const auto again = [&](const Parameter& other) { return same_choice(other, parameter); };
-      if (std::any_of(shown.begin(), shown.end(), again)) continue;
-      shown.push_back(parameter);
-      std::vector<std::string_view> owners, others;
-      for (const PlannerInfo& other : choices())
-        (std::any_of(other.parameters.begin(), other.parameters.end(), again) ? owners : others)
-            .push_back(other.id);
-      text += "  " + std::string(parameter.key) + "=" + values_text(parameter) + "  (default " +
-              format_value(parameter, parameter.initial) + ")\n" + std::string(kIndent, ' ') +
-              wrapped(parameter.help, kIndent) + "\n" + std::string(kIndent, ' ') +
-              wrapped(others.empty()       ? "For all planners."
-                      : others.size() <= 2 ? "For all planners but " + joined(others) + "."
-                                           : "For " + joined(owners) + ".",
-                      kIndent) +
-              "\n";
-    }
-  return text;
 }
 
 }  // namespace replan::cli

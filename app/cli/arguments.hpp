@@ -77,6 +77,10 @@ Result<Cell> parse_cell(std::string_view option, std::string_view text, bool sol
 /// the map, which errors call `where`: "the map arena.map".
 Result<Cell> parse_cell_in(const GridMap& map, std::string_view option, std::string_view text,
                            const std::string& where);
+/// The metres of "0.3m"; nothing of another text.
+std::optional<double> typed_metres(std::string_view typed);
+/// So many metres in cells of the map, if that says how large they are; `what` begins the error.
+Result<double> metres_in_cells(std::string_view what, double metres, const GridMap& map);
 /// Reads a whole number of at least `low`.
 Result<std::int64_t> parse_count(std::string_view option, std::string_view text, std::int64_t low);
 /// The parts of "a,b,c", empty ones left out.

@@ -226,6 +226,14 @@ TEST_F(CommandLine, setGoesToEachPlannerThatHasTheSetting) {
   EXPECT_LT(length(one["runs"][1]), 10);
 }
 
+TEST_F(CommandLine, setGoesToStagesToo) {
+  expect_complaint({"run", scenario_, "--set", "distance=2"}, {"distance", "these have", "floyd"});
+  expect_complaint({"run", scenario_, "--set", "floyd.distance=2"}, {"stage 'floyd'", "--stage"});
+  expect_complaint({"run", scenario_, "--stage", "floyd", "--set", "distance=1m"},
+                   {"--set distance=1m", "does not say how large its cells are"});
+  EXPECT_EQ(run_program({"run", scenario_, "--stage", "floyd", "--set", "distance=2"}).code, 0);
+}
+
 TEST_F(CommandLine, plannerReplacesAScenariosOwnAndKeepsTheirSettings) {
   const json own = run_program({"run", scenario_, "--json"}).json();
   const json named = run_program({"run", scenario_, "--planner", "astar", "--json"}).json();
@@ -272,6 +280,12 @@ TEST_F(CommandLine, aMapThatSaysHowLargeItsCellsAreIsInMetres) {
   const Outcome outside = run({"--start", "9m,2.1m", "--goal", "5,3"});
   EXPECT_EQ(outside.code, 2);
   EXPECT_NE(outside.err.find("(-1.000, 2.000) m to (2.000, 4.000) m"), std::string::npos) << outside.err;
+  const auto smoothed = [&](const std::string& set) {
+    return run({"--start", "0,3", "--goal", "5,3", "--stage", "floyd", "--set", set, "--json"})
+        .json()["runs"][0];
+  };
+  EXPECT_EQ(smoothed("floyd.distance=1m")["path"], smoothed("distance=2")["path"]);
+  EXPECT_NE(smoothed("floyd.distance=1m")["path"], smoothed("distance=0.8")["path"]);
   const Outcome none = run_program(plan("0.5m,1m", "7,0", {"--planner", "astar"}));
   EXPECT_EQ(none.code, 2);
   EXPECT_NE(none.err.find("does not say how large its cells are"), std::string::npos) << none.err;
