@@ -455,7 +455,11 @@ TEST(Posthoc, TheCheckerCatchesEachRuleBroken) {
   EXPECT_NE(fault("pass: 2", "pass: 4").find("pass counts"), std::string::npos);
   EXPECT_NE(fault("id: robot", "id: car").find("about the robot"), std::string::npos);
   EXPECT_NE(fault("id: plan", "id: plan2").find("one id"), std::string::npos);
-  EXPECT_NE(fault(".5, y:", ".25, y:").find("centres"), std::string::npos);
+  // A point that lies neither in the middle of a cell nor between two.
+  const std::size_t x = good.find(".5, y: "), y = good.find(".5 }", x);
+  ASSERT_NE(y, std::string::npos);
+  const std::string off = std::string(good).replace(y, 2, ".25").replace(x, 2, ".25");
+  EXPECT_NE(test::PosthocCheck::check("a.trace.yaml", off).find("centres"), std::string::npos);
   // Rules that span events, on a trace of our own with one event more.
   const std::string head = good.substr(0, good.find("events:\n") + 8);
   const auto events = [&](const std::string& list) {
