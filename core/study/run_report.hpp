@@ -6,10 +6,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/plan/figures.hpp"
 #include "core/plan/planner.hpp"
+#include "core/plan/search_values.hpp"
 #include "core/sim/mission.hpp"
 #include "core/world/map_frame.hpp"
 #include "core/world/scenario.hpp"
