@@ -62,7 +62,7 @@ std::string deed_sentence(const DriveDecision& decision) {
     case DriveDeed::drive:
       return drive_sentence(decision.motion);
     case DriveDeed::brake:
-      if (decision.motion.v == 0) return "No arc is admissible: it brakes to a stand.";
+      if (decision.motion.v < 0.005) return "No arc is admissible: it brakes to a stand.";
       return "No arc is admissible: it brakes to " + speed_text(decision.motion.v) + ".";
     case DriveDeed::turn:
       return std::string("It can drive nowhere from here: it turns to the ") + side_of(decision.motion.w) +

@@ -152,6 +152,11 @@ void draw_comparison(Frame& frame, const DriveWhy& why) {
   }
 }
 
+bool some_pane_drives(const Session& session) {
+  return std::any_of(session.runs().begin(), session.runs().end(),
+                     [](const auto& run) { return drives(run->scenario()); });
+}
+
 }  // namespace
 
 /// Working out the reasons takes a millisecond or more.
@@ -191,7 +196,7 @@ TabKind drive_tab() {
           "Why a robot that drives takes one arc and not another: all speeds and turn rates that it tried, "
           "with every term of their scores.",
       .make = make_part<SideTab, DriveTab>,
-      .in_bar = [](const Session& session) { return drives(session.scenario()); }};
+      .in_bar = some_pane_drives};
 }
 
 }  // namespace replan::ui
