@@ -162,7 +162,7 @@ void breakpoints_section(Frame& frame, std::string& draft) {
         {"event(replan)", "a replan begins"},
         {when_taken(some_cell(frame)), "the cell is taken from U"},
         {"km > 5 && size(U) >= 100", "values alone, or together"}};
-    if (drives(frame.run().scenario()))
+    if (drives(frame.run().scenario(), frame.run().choice()))
       list.insert(list.end(), {{"score(winner) < 0.5", "the arc that it takes is poor"},
                                {"admissible == 0", "it may take none of its arcs"},
                                {"changed(sub_goal)", "it makes for another sub-goal"}});
@@ -214,7 +214,7 @@ void watches_section(Frame& frame, std::string& draft) {
         {value_expression(EventKind::g, some_cell(frame)), "the cost of a cell"},
         {"size(U)", "how many cells wait"},
         {"km", "how much is added to new keys"}};
-    if (drives(frame.run().scenario()))
+    if (drives(frame.run().scenario(), frame.run().choice()))
       suggestions.push_back({"score(winner)", "the score of the arc that it takes"});
     examples(look, suggestions, draft);
   }

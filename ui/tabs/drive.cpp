@@ -154,7 +154,7 @@ void draw_comparison(Frame& frame, const DriveWhy& why) {
 
 bool some_pane_drives(const Session& session) {
   return std::any_of(session.runs().begin(), session.runs().end(),
-                     [](const auto& run) { return drives(run->scenario()); });
+                     [](const auto& run) { return drives(run->scenario(), run->choice()); });
 }
 
 }  // namespace
