@@ -7,6 +7,7 @@
 
 #include "app/cli/output.hpp"
 #include "core/base/file.hpp"
+#include "core/lattice/lattice.hpp"
 #include "core/world/formats/number_cells.hpp"
 #include "core/world/formats/text_lines.hpp"
 #include "core/world/generators/list.hpp"
