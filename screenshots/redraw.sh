@@ -41,6 +41,9 @@ draw figures.png --theme light --at-end --action four_panes,show_figures
 world=fusion-boxes draw arcs.png --theme dark --at move:52 --camera 7,4,46 --panes 1
 # Why it does not take another one: the tab Drive, with an arc clicked on which it could not stop.
 world=fusion-boxes draw why-arc.png --theme light --at move:52 --camera 5,3,96 --panes 1 --action show_drive --arc 0.42,0.15
+# The fusion paper's experiment as a film: with the plan's turns for sub-goals, and with the same drive alone.
+world=fusion-boxes draw fusion-boxes.gif --planner fusion,dwa --canvas-only --panes all --size 760x430 --fps 12 --speed 100 \
+  --hold 0 --from plan --theme light --overlay path,trail,arcs,sensor,unknown,size
 # What a plan is for: a pocket that opens towards the robot holds the one that has none.
 world=bug-trap draw fusion.png --theme light --planner dstar-lite,fusion,dwa,theta-star --overlay path,trail,grid \
   --canvas-only --panes all --size 1200x860 --at-end
