@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +14,7 @@
 #include "core/base/file.hpp"
 #include "core/lattice/box_words.hpp"
 #include "core/robots/drive_sense.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/formats/text_lines.hpp"
 
 namespace replan::cli {
@@ -107,6 +110,19 @@ std::optional<std::vector<double>> numbers_in(const std::string& list, std::size
   return numbers;
 }
 
+/// What the fastest of the robots that drive can do.
+DriveLimits limits_of_drives(const Scenario& scenario) {
+  DriveLimits most;
+  most.v_max = most.w_max = 0;
+  for (const PlannerChoice& choice : scenario.planners) {
+    if (!drives(scenario, choice)) continue;
+    const DriveLimits own = drive_settings(resolved(choice, scenario.robot).robot.settings).limits;
+    most.v_max = std::max(most.v_max, own.v_max);
+    most.w_max = std::max(most.w_max, own.w_max);
+  }
+  return most;
+}
+
 Result<void> read_arc(const RenderArguments& arguments, app::RenderRequest& request) {
   if (arguments.arc.empty()) return {};
   if (!drives(request.scenario))
@@ -115,7 +131,13 @@ Result<void> read_arc(const RenderArguments& arguments, app::RenderRequest& requ
   if (!motion)
     return Error{"--arc cannot be '" + arguments.arc +
                  "': give V,W, the speed in m/s and the turn rate in rad/s, for example 0.4,-0.1"};
-  request.motion = Twist{(*motion)[0], (*motion)[1]};
+  const DriveLimits most = limits_of_drives(request.scenario);
+  const double v = (*motion)[0], w = (*motion)[1];
+  if (!(v >= 0 && v <= most.v_max && std::abs(w) <= most.w_max))
+    return Error{"--arc " + arguments.arc + " is more than the robot can do: give a speed from 0 to " +
+                 decimals(most.v_max, 2) + " m/s, and a turn rate of at most " + decimals(most.w_max, 2) +
+                 " rad/s to either side"};
+  request.motion = Twist{v, w};
   return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/debug/event_words.hpp"
 
@@ -33,15 +34,24 @@ std::string winner_sentence(const DriveSample& winner, const Explanation& why) {
          " more than the next best.";
 }
 
+/// Two different numbers with as many digits as tell them apart.
+std::pair<std::string, std::string> told_apart(double a, double b) {
+  for (int digits = 3;; ++digits) {
+    std::pair<std::string, std::string> texts{decimal_text(a, digits), decimal_text(b, digits)};
+    if (texts.first != texts.second || digits == 9) return texts;
+  }
+}
+
 std::string loser_sentence(const DriveSample& sample, const DriveSample& winner) {
   const std::string score = decimal_text(sample.score, 3);
   if (winner.score - sample.score < 0.0005)
     return "It scores " + score + " like the winner: of equals the faster is taken, then the straighter.";
   const auto term = static_cast<std::size_t>(largest_lead(winner, sample));
+  const auto [own, winners] = told_apart(sample.weighted[term], winner.weighted[term]);
   return "It scores " + score + ", " + decimal_text(winner.score - sample.score, 3) +
          " less than the winner: it loses most by " +
-         std::string(score_term_words(static_cast<ScoreTerm>(term))) + ", " +
-         decimal_text(sample.weighted[term], 3) + " against " + decimal_text(winner.weighted[term], 3) + ".";
+         std::string(score_term_words(static_cast<ScoreTerm>(term))) + ", " + own + " against " + winners +
+         ".";
 }
 
 }  // namespace

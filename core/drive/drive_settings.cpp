@@ -1,5 +1,6 @@
 #include "core/drive/drive_settings.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace replan {
@@ -27,8 +28,8 @@ Parameter whole(std::string_view key, std::string_view label, double initial, do
 
 const Parameter kRadius =
     real("radius", "Radius", 0.18, 0, 100, "m", "Of the disc that the robot is taken for.");
-const Parameter kSlowest =
-    real("v_min", "Least speed", 0, 0, 100, "m/s", "The slowest that it drives; 0: it can stand.");
+const Parameter kSlowest = real("v_min", "Least speed", 0, 0, 100, "m/s",
+                                "The slowest that it drives, at most its top speed; 0: it can stand.");
 const Parameter kFastest = real("v_max", "Top speed", 0.5, 0.001, 100, "m/s", "The fastest that it drives.");
 const Parameter kTurn =
     real("w_max", "Top turn rate", 0.25, 0.001, 100, "rad/s", "The fastest that it turns, either way.");
@@ -88,7 +89,7 @@ std::span<const Parameter> drive_parameters() {
 DriveSettings drive_settings(const Settings& settings) {
   const auto number = [&settings](const Parameter& parameter) { return settings.get(parameter); };
   return {.limits = {.radius = number(kRadius),
-                     .v_min = number(kSlowest),
+                     .v_min = std::min(number(kSlowest), number(kFastest)),
                      .v_max = number(kFastest),
                      .w_max = number(kTurn),
                      .acceleration = number(kAcceleration),

@@ -106,11 +106,12 @@ ScoreTerms Judge::terms(const Arc& arc, double time) const {
 
 std::vector<DriveSample> Judge::samples(const SpeedWindow& window) const {
   const std::vector<double> rates = turn_rates(window, settings_.turns);
+  const int speeds = window.v_high > window.v_low ? settings_.speeds : 1;
   std::vector<DriveSample> samples;
-  samples.reserve(static_cast<std::size_t>(settings_.speeds) * rates.size());
-  for (int i = 0; i < settings_.speeds; ++i)
+  samples.reserve(static_cast<std::size_t>(speeds) * rates.size());
+  for (int i = 0; i < speeds; ++i)
     for (const double w : rates)
-      samples.push_back(assess({spread(window.v_low, window.v_high, i, settings_.speeds), w}));
+      samples.push_back(assess({spread(window.v_low, window.v_high, i, speeds), w}));
   return samples;
 }
 

@@ -217,7 +217,8 @@ constexpr GlossaryTerm kTerms[] = {
      "What a robot which drives chooses by: heading, speed and the distances from known and unknown "
      "obstacles, each "
      "brought to the scale of 0 to 1 and multiplied by its weight."},
-    {"robot-moves", "Moves", "How many cells the robot has entered."},
+    {"robot-moves", "Moves",
+     "How many cells the robot has entered; of a robot on wheels, for how many periods it has driven."},
     {"robot", "Robot",
      "What drives along the plan. It plans on the map that it believes in, which its sensor corrects within "
      "its "

@@ -54,7 +54,7 @@ struct PlannerInfo {
 std::span<const PlannerInfo> listed_planners();
 /// All planners, in that order; what is blind is none.
 std::span<const PlannerInfo> planners();
-/// All but the exercises, which come last in planners.def.
+/// All but the exercises, which come last of them.
 std::span<const PlannerInfo> sound_planners();
 /// The values that planners keep of their own, each name once.
 std::span<const Field> own_fields();

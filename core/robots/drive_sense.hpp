@@ -43,10 +43,16 @@ class DriveSense {
     const double radius = std::max(radius_, 1e-6), free = radius - Body::kTouch;
     return Body(frame_.box, radius, in_cells(from), in_cells(to)).nearest(known) >= free * free;
   }
+  /// Whether it has lost sight of its sub-goal: it drove past, or something drove it off. Not again within a second.
+  template <class Known>
+  [[nodiscard]] bool has_strayed(const Decision& now, Spot robot, Spot goal, const Known& known) const {
+    return now.time >= now.drive.planned + kSecond && !sees(robot, goal, known);
+  }
   /// Which of the nodes it makes for, if it was `at` one.
   template <class Known>
   [[nodiscard]] std::size_t sub_goal(const std::vector<Spot>& nodes, std::size_t at, Spot robot,
                                      const Known& known) const {
+    if (at == 0 && nodes.size() > 1 && frame_.cell(nodes[0]) == frame_.cell(robot)) at = 1;  // it is there
     return next_sub_goal(nodes, at, robot, near_, [&](Spot node) { return sees(robot, node, known); });
   }
   /// What stands about it. Something on the cell that it is in is in nobody's way while it stands there.
@@ -93,6 +99,7 @@ struct DriveWhy {
   DriveSettings settings;  ///< with the top speed at which it can still turn to its sub-goal
   DriveLimits limits;      ///< with its own
   Explanation explanation;
+  bool strayed = false;  ///< it has lost sight of its sub-goal, and plans again instead of deciding
 };
 /// Nothing where the robot does not drive or has no plan. `choice` is the run's among the scenario's planners, `state` the
 /// log's at the decision.

@@ -91,11 +91,10 @@ void DwaRobot::move() {
   moment().drive.state.turned = decision.turned;
 }
 
-/// Whether it has lost sight of its sub-goal: it drove past, or something drove it off. Not again within a second.
+/// A blind plan is none the better for being made again.
 bool DwaRobot::has_strayed(Spot goal) {
   Drive& drive = moment().drive;
-  if (navigator().blind() || moment().time < drive.planned + kSecond ||
-      sense_.sees(drive.state.pose.spot(), goal, known()))
+  if (navigator().blind() || !sense_.has_strayed(moment(), drive.state.pose.spot(), goal, known()))
     return false;
   drive.planned = moment().time;
   return true;

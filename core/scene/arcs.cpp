@@ -45,7 +45,9 @@ std::optional<DriveWhy> why_at_cursor(const Run& run) {
   if (plans_at_cursor(run)) return std::nullopt;
   const Decision* decision = run.decision_at(run.timeline().cursor());
   if (decision == nullptr || decision->state != MissionState::driving) return std::nullopt;
-  return why_it_drives(run.scenario(), run.choice(), *decision, run.timeline().state());
+  auto why = why_it_drives(run.scenario(), run.choice(), *decision, run.timeline().state());
+  if (why && why->strayed) why.reset();
+  return why;
 }
 
 /// The worst and the best few scores would make all others look alike.

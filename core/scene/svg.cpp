@@ -100,9 +100,9 @@ class Writer {
     if (disc.glyph == Glyph::target) circle(cx, cy, r * 0.42, " fill=\"none\"" + stroke(disc.rim, r * 0.2));
     if (disc.glyph != Glyph::heading) return;
     const double c = std::cos(disc.angle) * r, s = std::sin(disc.angle) * r;
-    out_ += "<path d=\"M" + pair(cx + c * 0.6, cy + s * 0.6) + "L" +
-            pair(cx - c * 0.35 - s * 0.45, cy - s * 0.35 + c * 0.45) + "L" +
-            pair(cx - c * 0.35 + s * 0.45, cy - s * 0.35 - c * 0.45) + "Z\"" + paint("fill", disc.rim) +
+    out_ += "<path d=\"M" + pair(cx + c * 0.75, cy + s * 0.75) + "L" +
+            pair(cx - c * 0.55 - s * 0.5, cy - s * 0.55 + c * 0.5) + "L" + pair(cx - c * 0.2, cy - s * 0.2) +
+            "L" + pair(cx - c * 0.55 + s * 0.5, cy - s * 0.55 - c * 0.5) + "Z\"" + paint("fill", disc.rim) +
             "/>\n";
   }
   void operator()(const Label& label) {

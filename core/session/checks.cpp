@@ -179,7 +179,7 @@ void Checks::meet(Runs runs) {
       pane.log_id = run.log_id();
     }
     if (laws_on(run) && !pane.laws) pane.laws = std::make_unique<LawChecker>(run.log_view());
-    pane.exact = claims_cheapest(run.info(), run.choice().settings);
+    pane.exact = claims_cheapest(run.info(), run.settings());
   }
   forget_difference(runs);
 }

@@ -103,6 +103,8 @@ Settings settings_of(const PlannerChoice& asked, const RobotSetup& robot) {
   Settings all = asked.settings;
   if (find_pilot(asked.id) == nullptr) return all;
   const Resolved run = resolved(asked, robot);
+  for (const Parameter& rule : lattice_parameters())
+    if (!run.planner.settings.has(rule.key)) all.reset(rule.key);  // of a planner that has no choice
   for (const auto& [key, value] : run.robot.settings.values()) all.set(key, value);
   return all;
 }

@@ -11,7 +11,7 @@ namespace replan {
 /// Sums over the whole way so far; all zero for a robot that goes from cell to cell.
 struct DriveFigures {
   double way = 0;            ///< m, of its centre
-  double time = 0;           ///< s under way, standing and turning on the spot counted
+  double time = 0;           ///< s under way: turning on the spot counted, waiting not
   double turned = 0;         ///< rad, all changes of its heading, to either side
   double bent = 0;           ///< rad, of those that it made while it drove forwards
   double top_speed = 0;      ///< m/s
@@ -29,6 +29,8 @@ struct DriveFigures {
     off_plan += away * driven;
     most_off_plan = std::max(most_off_plan, away);
   }
+
+  friend bool operator==(const DriveFigures&, const DriveFigures&) = default;
 
   // Means along the way; 0 where there was none.
   [[nodiscard]] double mean_speed() const { return time > 0 ? way / time : 0; }  ///< m/s

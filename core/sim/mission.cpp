@@ -233,6 +233,7 @@ void Mission::happen(std::size_t index) {
     tr_.note(EventKind::put_down, box_.node(*surprise.robot));
     put_robot(box_.node(*surprise.robot));
     now_.drive.begun = false;
+    now_.drive.begin_to_count_progress();
     feel(robot_, told);
   }
   if (surprise.goal) {
@@ -277,14 +278,13 @@ void Mission::learn(const std::vector<CellEdit>& edits, EventKind how, std::opti
     tr_.note(how, edit.node, edit.blocked ? 1 : 0);
     tr_.change(EventKind::known, edit.node, std::uint64_t{!edit.blocked}, std::uint64_t{edit.blocked});
   }
-  // Another map may ask for a longer way; planning again on the same one, or blindly, is no progress.
-  if ((!edits.empty() && !navigator_->blind()) || afresh_to)
-    now_.drive.to_go = std::numeric_limits<double>::infinity();
   if (!crowd_.empty())
     now_.sightings = std::make_shared<const Sightings>(noted(*now_.sightings, edits, truth_));
   const Stopwatch watch(now_.figures.replan_ms);
   navigator_->learn(edits);
   if (!afresh_to) afresh_to = other_aim();
+  // Another map may ask for a longer way; planning again on the same one, or blindly, is no progress.
+  if ((!edits.empty() && !navigator_->blind()) || afresh_to) now_.drive.begin_to_count_progress();
   before_plan_ = navigator_->counters();
   ++now_.figures.replans;
   tr_.line(109);

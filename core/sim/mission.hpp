@@ -70,6 +70,8 @@ struct Drive {
   SimTime since = 0;                            ///< ... and when that was
   SimTime planned = 0;                          ///< when it last planned again since it had lost its way
   int stuck = 0;  ///< how often it has turned all the way round since it last drove
+  /// What it comes nearer to is another place, or time has gone by that it could do nothing with.
+  void begin_to_count_progress() { to_go = std::numeric_limits<double>::infinity(); }
   DriveChoice choice;
   friend bool operator==(const Drive&, const Drive&) = default;
 };
@@ -277,8 +279,8 @@ SharedBytes initial_knowledge(const Scenario& scenario, bool all_mapped = false)
 /// The state before the first event of a mission's log.
 SearchState initial_state(const Scenario& scenario, const PlannerChoice& choice, bool all_mapped = false);
 
-/// The mission of the scenario's robot with one planner, or of a pilot's own (core/world/choices.hpp). `recorder`, if there is one, is told of it and must outlive
-/// it. `scenario` may go after this.
+/// The mission of the scenario's robot with one planner, or of a pilot's own (core/world/choices.hpp). `recorder`, if
+/// there is one, is told of it and must outlive it. `scenario` may go after this.
 std::unique_ptr<Mission> make_mission(const Scenario& scenario, const PlannerChoice& choice,
                                       Recorder* recorder = nullptr);
 

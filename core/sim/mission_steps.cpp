@@ -68,6 +68,7 @@ void Mission::wait_on_goal(std::int64_t clock) {
 void Mission::wait_until(std::int64_t clock) {
   const std::int64_t steps = crowd_.empty() ? clock - now_.clock : 1;
   tr_.note(EventKind::waiting, robot_, static_cast<std::uint64_t>(steps));
+  now_.drive.begin_to_count_progress();
   const SimTime step = step_time(1);
   advance_clock(steps, steps < kEndOfTime / step ? steps * step : kEndOfTime, robot_);
 }

@@ -43,13 +43,14 @@ constexpr FigureInfo kFigures[] = {
     {"sight_checks", run, "sight checks", "", neither, 0, false, "Of all plans so far together."},
     {"memory_bytes", run, "planner's memory", "kB", lower, 0, false,
      "The most that the planner alone held at once: not the map, the log or the program."},
-    {"moves", robot, "moves", "", neither, 0, false, "Cells that the robot has entered."},
+    {"moves", robot, "moves", "", neither, 0, false,
+     "Cells that the robot has entered; of a robot on wheels, the periods that it has driven."},
     {"travelled", robot, "travelled", "cells", lower, 3, false,
      "The way that the robot has gone, along its paths. Drives are compared once all robots have arrived."},
     {"seconds", robot, "time", "s", lower, 1, false,
      "Of the world's own time since the robot set out, waiting counted."},
     {"mean_speed", robot, "mean speed", "m/s", neither, 3, false,
-     "Of a robot that drives: its way by its time."},
+     "Of a robot that drives: its way by its time under way, waiting not counted."},
     {"top_speed", robot, "top speed", "m/s", neither, 3, false, "The fastest that it has driven."},
     {"mean_curvature", robot, "mean curvature", "1/m", lower, 3, false,
      "How much its way bends: what it turned while it drove, for each metre. 0 is a straight line; 1 is a "
@@ -116,6 +117,13 @@ Progress progress_of(std::span<const RunReport> reports) {
            each.robot->ending != MissionState::driving;
   });
   return ended ? Progress::whole_drives : Progress::under_way;
+}
+
+/// Whether all robots move alike: on wheels, or from cell to cell.
+bool move_alike(std::span<const RunReport> reports) {
+  const auto drives = [](const RunReport& each) { return each.robot && each.robot->drive.has_value(); };
+  return std::all_of(reports.begin(), reports.end(), drives) ||
+         std::none_of(reports.begin(), reports.end(), drives);
 }
 
 /// FigureRow::competes of a run.
@@ -273,13 +281,14 @@ FiguresTable figures_table(std::span<const RunReport> reports) {
   const Progress progress = progress_of(reports);
   std::vector<std::vector<NamedFigure>> figures;
   for (const RunReport& report : reports) figures.push_back(all_figures(report));
+  const bool alike = move_alike(reports);
   const bool metric =
       std::all_of(reports.begin(), reports.end(), [](const auto& each) { return each.frame.has_value(); });
   for (const FigureInfo& info : kFigures) {
     const bool in_metres = metric && info.unit == kCells;
     FigureRow row{&info, in_metres ? "m" : info.unit, {}, {}};
     for (const RunReport& report : reports)
-      row.competes.push_back(can_be_compared(report, info.group, progress));
+      row.competes.push_back(can_be_compared(report, info.group, progress) && (info.group != robot || alike));
     bool any = false;
     for (std::size_t i = 0; i < reports.size(); ++i) {
       row.values.push_back(value_of(figures[i], info.key));

@@ -40,7 +40,8 @@ struct FigureRow {
       values;  ///< by run, in that unit; nothing where the run has no such figure
   /// By run: whether its value can be held against those of the others that can. First plans lead from one start to one
   /// goal on one map. Work and ways can be compared as long as all have no more than their first plans, and once all
-  /// have come to their end; in between the robots stand in different places. A run that failed competes for nothing.
+  /// have come to their end; in between the robots stand in different places. Drives on wheels and from cell to cell are
+  /// not compared. A run that failed competes for nothing.
   std::vector<bool> competes;
 
   /// The value over the first run's; nothing for the first, or if one of the two is missing or divides by 0.

@@ -53,7 +53,9 @@ RobotReport robot_report(const Decision& decision) {
           .replans = decision.figures.replans,
           .seconds = static_cast<double>(decision.time) / static_cast<double>(kSecond),
           .last_plan = decision.plan->status,
-          .drive = decision.drive.begun ? std::optional(decision.figures.drive) : std::nullopt};
+          .drive = decision.drive.begun || decision.figures.drive.time > 0
+                       ? std::optional(decision.figures.drive)
+                       : std::nullopt};
 }
 
 /// Why the robot did not arrive, where its ending alone does not say it: how things stood in the end.

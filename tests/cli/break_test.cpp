@@ -66,6 +66,10 @@ TEST(RunBreak, saysWhatIsNotReached) {
 
 TEST(RunBreak, pointsAtMistakes) {
   expect_complaint({"render", kDemo, "-o", "never.png", "--arc", "0.4,0"}, {"--arc", "from cell to cell"});
+  const std::string boxes = std::string(REPLAN_SOURCE_DIR) + "/maps/fusion-boxes.json";
+  expect_complaint({"render", boxes, "-o", "never.png", "--arc", "9,0"},
+                   {"--arc 9,0", "more than the robot can do", "0.50 m/s"});
+  expect_complaint({"render", boxes, "-o", "never.png", "--arc=-1,0"}, {"more than the robot can do"});
   expect_complaint({"run", kDemo, "--break", "rsh(3, 4) > 1"},
                    {"--break 'rsh(3, 4) > 1': character 1: unknown name 'rsh'; did you mean 'rhs'?"});
   expect_complaint({"run", kDemo, "--break", "km"}, {"compare it, as in km > 5"});

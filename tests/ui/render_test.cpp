@@ -91,7 +91,7 @@ TEST_P(RenderGolden, WhyAnArc) {
   request.panes = 1;
   request.at = "move:52";
   request.camera = ViewSetup::Camera{7, 4, 46};
-  request.motion = Twist{0.4, 0.5};
+  request.motion = Twist{0.42, 0.15};
   request.actions = {"show_drive"};
   compare_with_golden(request, std::string("drive_why_") + GetParam());
 }

@@ -208,7 +208,7 @@ TEST(DwaRobot, DrivesTheSameWayEverywhere) {
     const Event& event = run.timeline().event(i);
     hash = hash_combine(hash_combine(hash, event.delta), event.node);
   }
-  EXPECT_EQ(hash, 10572686601452791517u);
+  EXPECT_EQ(hash, 15240351845107323234u);
 }
 
 TEST(DwaRobot, IsForWorldsOfOneLayer) {

@@ -1,5 +1,6 @@
 // Pilots: planners that bring their own robot. What runs for one is what runs where planner, stage and robot are chosen one
 // by one, event for event; and the other panes keep the scenario's robot.
+#include <algorithm>
 #include <memory>
 #include <set>
 
@@ -225,6 +226,59 @@ TEST(Pilots, AreNotKeptInADeadEndForEverByWhatTheySee) {
   }
   EXPECT_EQ(mission->state(), MissionState::stuck);
   EXPECT_GT(mission->now().figures.replans, 20) << "it has seen it come and go";
+}
+
+/// A corridor of 30 cells whose robot has little patience: it takes longer for the whole way.
+Scenario corridor() {
+  Scenario scenario;
+  scenario.map = GridMap(30, 3);
+  scenario.start = {1, 1};
+  scenario.goal = {28, 1};
+  scenario.planners = {{"astar", {}}};
+  scenario.robot.patience = 20;
+  return scenario;
+}
+
+MissionState end_of(const Scenario& scenario) {
+  const auto mission = make_mission(scenario, {"dwa", {}});
+  while (mission->now().clock < 20'000 && mission->advance(1 << 20)) {
+  }
+  return mission->state();
+}
+
+/// Nor are they given up while they wait, or once there is another place to come nearer to.
+TEST(Pilots, AreNotGivenUpForTimeThatTheyCouldDoNothingWith) {
+  Scenario shut = corridor();
+  Surprise covers{.at = {.move = 5, .near = {}, .within = 0}, .cells = {{{28, 1}, true}}, .announced = true};
+  Surprise opens{
+      .at = {.move = 405, .near = {}, .within = 0}, .cells = {{{28, 1}, false}}, .announced = true};
+  shut.surprises = {covers, opens};
+  EXPECT_EQ(end_of(shut), MissionState::arrived);
+  shut.robot.unreachable_goal = UnreachableGoal::nearest;
+  EXPECT_EQ(end_of(shut), MissionState::arrived);
+  Scenario carried = corridor();
+  Surprise back;
+  back.at.move = 230;
+  back.robot = Cell{1, 1};
+  carried.surprises = {back};
+  EXPECT_EQ(end_of(carried), MissionState::arrived);
+}
+
+/// A global planner that has no choice of moves is not held to one.
+TEST(Pilots, AreHeldToTheRulesThatTheirPlannerGoesBy) {
+  for (const PlannerInfo& global : sound_planners()) {
+    PlannerChoice fusion = fusion_with(global.id);
+    fusion.settings.set("moves", 1);
+    const bool has = find_parameter(global.parameters, "moves") != nullptr;
+    EXPECT_EQ(move_rules(settings_of(fusion, {})).diagonals, !has) << global.id;
+    EXPECT_EQ(planner_of(fusion).settings.has("moves"), has) << global.id;
+  }
+}
+
+TEST(Pilots, WhatIsBlindStandsLast) {
+  const auto all = listed_planners();
+  const auto first = std::find_if(all.begin(), all.end(), [](const PlannerInfo& each) { return each.blind; });
+  EXPECT_TRUE(std::all_of(first, all.end(), [](const PlannerInfo& each) { return each.blind; }));
 }
 
 TEST(Pilots, ArriveAmongThePapersBoxesWhereTheWindowAloneIsStuck) {

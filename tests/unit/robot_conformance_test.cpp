@@ -66,7 +66,7 @@ std::vector<Scenario> worlds() {
   for (const auto& file : test::files_below(REPLAN_SOURCE_DIR "/maps", ".json")) {
     Scenario scenario = std::move(read_scenario(file.string()).value());
     std::erase_if(scenario.planners, [](const PlannerChoice& choice) {
-      return find_planner(choice.id)->exercise || choice.settings.get("remote_parents", 0) == 1;
+      return find_choice(choice.id)->exercise || choice.settings.get("remote_parents", 0) == 1;
     });
     if (!scenario.planners.empty() && scenario.map.box().node_count() < 20'000)
       result.push_back(std::move(scenario));
@@ -129,6 +129,7 @@ void goes_on_from_any_moment(const Scenario& scenario, const PlannerChoice& choi
                            whole.log.begin() + static_cast<std::ptrdiff_t>(moment.event), whole.log.end()))
         << scenario.name << ", " << who << ", from event " << moment.event;
     ASSERT_EQ(rest.figures.travelled, whole.figures.travelled) << scenario.name << ", " << who;
+    ASSERT_EQ(rest.figures.drive, whole.figures.drive) << scenario.name << ", " << who;
   }
 }
 

@@ -7,6 +7,7 @@
 #include "core/base/file.hpp"
 #include "core/plan/registry.hpp"
 #include "core/sim/mission.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/library.hpp"
 #include "tests/support/shared_data.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -58,7 +59,7 @@ TEST(ShippedWorlds, CheckedPlannersArriveWithoutACollision) {
     const auto scenario = read_scenario(file.string());
     ASSERT_TRUE(scenario.ok()) << scenario.error();
     for (const PlannerChoice& choice : scenario->planners) {
-      if (as_printed(choice) || find_planner(choice.id)->exercise) continue;
+      if (as_printed(choice) || find_choice(choice.id)->exercise) continue;
       const auto mission = driven(*scenario, choice);
       EXPECT_EQ(mission->state(), MissionState::arrived) << file << " " << choice.id;
       EXPECT_EQ(mission->now().figures.collisions, 0) << file << " " << choice.id;

@@ -7,6 +7,7 @@
 
 #include "core/plan/stage.hpp"
 #include "core/scene/cover.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/ends.hpp"
 #include "ui/icons.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -24,10 +25,11 @@ std::string distinction(const Run& run) {
   std::string text;
   for (const PlannerChoice& other : run.scenario().planners) {
     if (other.id != own.id || other == own) continue;
+    const Settings its = settings_of(other, run.scenario().robot);
     for (const Parameter& parameter : run.info().parameters)
-      if (own.settings.get(parameter) != other.settings.get(parameter))
+      if (run.settings().get(parameter) != its.get(parameter))
         text += (text.empty() ? ", " : " · ") + std::string(parameter.label) + " " +
-                format_value(parameter, own.settings.get(parameter));
+                format_value(parameter, run.settings().get(parameter));
     if (own.stages != other.stages)
       for (const StageChoice& stage : own.stages)
         text += (text.empty() ? ", " : " · ") + std::string(find_stage(stage.id)->name);

@@ -211,9 +211,12 @@ class Painter {
       case Glyph::heading: {
         const auto c = static_cast<float>(std::cos(disc.angle)) * r,
                    s = static_cast<float>(std::sin(disc.angle)) * r;
-        list_.AddTriangleFilled({at.x + c * 0.6f, at.y + s * 0.6f},
-                                {at.x - c * 0.35f - s * 0.45f, at.y - s * 0.35f + c * 0.45f},
-                                {at.x - c * 0.35f + s * 0.45f, at.y - s * 0.35f - c * 0.45f}, disc.rim);
+        // A dart: its notch tells the tip from the other corners.
+        const ImVec2 tip(at.x + c * 0.75f, at.y + s * 0.75f), notch(at.x - c * 0.2f, at.y - s * 0.2f);
+        list_.AddTriangleFilled(tip, {at.x - c * 0.55f - s * 0.5f, at.y - s * 0.55f + c * 0.5f}, notch,
+                                disc.rim);
+        list_.AddTriangleFilled(tip, notch, {at.x - c * 0.55f + s * 0.5f, at.y - s * 0.55f - c * 0.5f},
+                                disc.rim);
         break;
       }
     }

@@ -45,6 +45,7 @@ struct ActionContext {
   void toggle_play(int direction);
   void resize_brush(int by);
   void let_go();
+  [[nodiscard]] bool looks_at_arc() const;
   void delete_selected();
   void clear_region();
   // Through the clipboard, as text (ui/shell/clipboard.hpp); what takes longer than a frame goes on in the next ones.

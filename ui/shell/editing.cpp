@@ -1,12 +1,20 @@
 // What the editing actions do to what is selected.
+#include "core/robots/drive_sense.hpp"
 #include "ui/shell/actions.hpp"
 
 namespace replan::ui {
 
 void ActionContext::let_go() {
   if (ui::let_go(view)) return;
-  if (view.view.motion) return view.view.motion.reset();
-  view.view.pinned.reset();
+  const bool looked_at = looks_at_arc();
+  view.view.motion.reset();
+  if (!looked_at) view.view.pinned.reset();
+}
+
+/// Another planner's pane may lead by now, whose robot has no arcs.
+bool ActionContext::looks_at_arc() const {
+  const Run& lead = session.run();
+  return view.view.motion && drives(lead.scenario(), lead.choice());
 }
 
 void ActionContext::delete_selected() {

@@ -67,6 +67,7 @@ void Shell::draw(const Look& look, Session& session, double) {
   for (const ActionId id : std::exchange(next_actions_, {})) perform(frame, id);
   pin_difference(frame);
   draw_parts(frame);
+  if (!view_.panels) view_.view.pointed_motion.reset();  // nobody is there to point at it
   if (const std::string failure = session.failure(); !failure.empty() && message_.empty())
     tell(failure, true);
   if (const Session::Notice notice = session.take_notice(); !notice.words.empty())

@@ -90,7 +90,7 @@ void offer_table(Frame& frame, const CellView& view, const std::vector<Offer>& a
 const char* remote_words(const CellView& view) {
   if (!view.run.info().sight) return "";
   const NodeId local = view.state.lp(view.node), remote = view.state.rp(view.node);
-  if (parameters::checks_along_path(view.run.choice().settings))
+  if (parameters::checks_along_path(view.run.settings()))
     return remote == kNoNode
                ? "Sight is checked along the path alone, and no leap from this cell is kept: it "
                  "has no rp."

@@ -53,6 +53,8 @@ NoArcs no_arcs(const replan::Run& run) {
     return {"No plan yet", "It chooses its first arc when its plan stands: step on, or play."};
   if (plans_at_cursor(run))
     return {"It plans again", "It chooses its next arc when the new plan stands: step on, or play."};
+  if (decision->state == MissionState::driving && !decision->plan->path->empty())
+    return {"It plans again", "It has lost sight of its sub-goal, so it makes a new plan from where it is."};
   return ended(decision->state);
 }
 
@@ -66,7 +68,7 @@ void heading(Frame& frame, const Decision& decision, const DriveWhy& why) {
   const std::vector<std::pair<const char*, std::string>> values = {
       {"sub-goal", cell_text(why.frame.cell(why.goal))},
       {"away", fixed(distance(why.state.pose.spot(), why.goal), 2) + " m"},
-      {"speed", speed_text(why.state.motion.v)},
+      {"speed now", speed_text(why.state.motion.v)},
       {"samples", std::to_string(why.explanation.samples.size())},
       {why.state.motion.w < 0 ? "turn left" : "turn right",
        fixed(std::abs(why.state.motion.w), 2) + " rad/s"},
@@ -118,7 +120,7 @@ void draw_reasons(const Look& look, const DriveWhy& why) {
       {{Rejection::too_fast, "too fast to stop"},
        {Rejection::turns_too_fast, "turn too fast to stop"},
        {Rejection::circles, "would circle"},
-       {Rejection::stands, "stand"},
+       {Rejection::stands, "stand or turn in place"},
        {Rejection::none, "admissible"}}};
   std::vector<std::string> counts;
   std::vector<const char*> names;

@@ -48,7 +48,10 @@ void draw_speeds(const SpeedAxes& axes, ImDrawList& list, std::span<const Decisi
     const Decision& kept = decisions[std::min(next, decisions.size() - 1)];
     line.push_back({x, axes.y(kept.drive.state.motion.v)});
   }
+  list.PushClipRect({axes.min.x, axes.min.y - thick}, {axes.max.x, axes.max.y + thick},
+                    true);  // pointed corners
   list.AddPolyline(line.data(), static_cast<int>(line.size()), colour, ImDrawFlags_None, thick);
+  list.PopClipRect();
 }
 
 void draw_axes(const Look& look, const SpeedAxes& axes, ImDrawList& list, float right) {
@@ -60,10 +63,14 @@ void draw_axes(const Look& look, const SpeedAxes& axes, ImDrawList& list, float 
             look.theme.faint, end);
 }
 
+bool has_driven(const Run& run) {
+  return !run.decisions().empty() && run.decisions().back().figures.drive.top_speed > 0;
+}
+
 /// The limits that all panes' drives fit in.
 void fit_all(const Session& session, SpeedAxes& axes) {
   for (const auto& run : session.runs()) {
-    if (run->decisions().empty()) continue;
+    if (!has_driven(*run)) continue;
     const Decision& last = run->decisions().back();
     axes.seconds = std::max(axes.seconds, seconds_of(last));
     axes.top = std::max(axes.top, last.figures.drive.top_speed);
@@ -73,9 +80,8 @@ void fit_all(const Session& session, SpeedAxes& axes) {
 }  // namespace
 
 bool has_speeds(const Session& session) {
-  return std::any_of(session.runs().begin(), session.runs().end(), [](const auto& run) {
-    return !run->decisions().empty() && run->decisions().back().figures.drive.top_speed > 0;
-  });
+  return std::any_of(session.runs().begin(), session.runs().end(),
+                     [](const auto& run) { return has_driven(*run); });
 }
 
 void speed_chart(Frame& frame, float height) {
@@ -91,10 +97,10 @@ void speed_chart(Frame& frame, float height) {
   axes.max.x = origin.x + width - text_width(look.fonts.mono_small, "0.00 m/s") - look.px.s;
   draw_axes(look, axes, list, origin.x + width);
   for (std::size_t pane = 0; pane < session.runs().size(); ++pane)
-    if (pane != session.lead() && !session.runs()[pane]->decisions().empty())
+    if (pane != session.lead() && has_driven(*session.runs()[pane]))
       draw_speeds(axes, list, session.runs()[pane]->decisions(), look.theme.faint, look.px(1));
   const Run& lead = session.run();
-  if (lead.decisions().empty()) return;
+  if (!has_driven(lead)) return;
   draw_speeds(axes, list, lead.decisions(), look.theme.accent, look.px(1.5f));
   if (const Decision* now = lead.decision_at(lead.timeline().cursor())) {
     const float playhead = std::round(axes.x(seconds_of(*now)));
