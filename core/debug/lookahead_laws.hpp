@@ -1,5 +1,5 @@
 // The laws of searches with a lookahead: the D* Lite family, from the goal to the start, and LPA*, from the start to the
-// goal. The *root* is the end that g is a distance from, the *target* the other one.
+// goal, in one file for one derivation. The *root* is the end that g is a distance from, the *target* the other one.
 //
 // Only what a step touched is looked at. That this is enough: let the laws have held before the step. rhs(s)
 // and lp(s) depend on the offers c + g + dist of its successors. An offer that changed is held against rhs(s)

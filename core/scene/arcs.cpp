@@ -45,9 +45,8 @@ std::optional<DriveWhy> why_at_cursor(const Run& run) {
   if (plans_at_cursor(run)) return std::nullopt;
   const Decision* decision = run.decision_at(run.timeline().cursor());
   if (decision == nullptr || decision->state != MissionState::driving) return std::nullopt;
-  auto why = why_it_drives(run.scenario(), run.choice(), *decision, run.timeline().state());
-  if (why && why->strayed) why.reset();
-  return why;
+  const auto why = why_it_drives(run.scenario(), run.choice(), *decision, run.timeline().state());
+  return why && !why->strayed ? why : std::nullopt;
 }
 
 /// The worst and the best few scores would make all others look alike.
