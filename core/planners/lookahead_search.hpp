@@ -7,6 +7,7 @@
 //
 // Self is the planner: a class that derives from it and has it for a friend, with
 //  * search_needed() and compute_shortest_path_step(), one iteration, false if there was nothing left to do;
+// and, if it calls moves_changed(),
 //  * root(), the vertex whose rhs is 0;
 //  * update_vertex(u), which takes rhs(u) anew, and offer(u, at, d, sum), a way to u in direction d.
 #pragma once

@@ -94,8 +94,7 @@ std::optional<DriveWhy> why_it_drives(const Scenario& scenario, const PlannerCho
                sense.settings_towards(now, goal),
                sense.settings().limits,
                {}};
-  why.strayed = !find_planner(planner_of(choice).id)->blind &&
-                sense.has_strayed(decision, now.pose.spot(), goal, known);
+  why.strayed = !info_of(choice).blind && sense.has_strayed(decision, now.pose.spot(), goal, known);
   why.explanation = explain(now, why.obstacles, goal, why.settings);
   return why;
 }

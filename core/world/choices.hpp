@@ -1,6 +1,6 @@
 // What one can choose to have a robot go by: the planners that search, and pilots. A pilot is put together of a planner,
 // what its paths go through, and a robot of its own kind, so that it can stand beside planners in one world and leave
-// the scenario's robot to them. Pilots are made from robots/pilots.def; no other code names one.
+// the scenario's robot to them. Pilots are made from robots/pilots.def; code asks pilots().
 //
 // A scenario, a title, a file and a report have what was asked for; what runs is worked out here and nowhere else.
 #pragma once
