@@ -5,6 +5,7 @@
 
 #include "app/cli/arguments.hpp"
 #include "app/cli/output.hpp"
+#include "core/base/words.hpp"
 #include "core/plan/stage.hpp"
 #include "core/world/choices.hpp"
 #include "core/world/json_reader.hpp"
@@ -28,12 +29,6 @@ Result<Assignment> take_apart(std::string_view typed) {
     result.key = result.key.substr(dot + 1);
   }
   return result;
-}
-
-std::string joined(std::span<const std::string_view> names) {
-  std::string list;
-  for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
-  return list;
 }
 
 /// What has settings: a planner, or a stage of one.
@@ -164,12 +159,8 @@ std::string values_text(const Parameter& parameter) {
   switch (parameter.type) {
     case ParameterType::toggle:
       return "true|false";
-    case ParameterType::choice: {
-      std::string list;
-      for (const std::string_view choice : parameter.choices)
-        list += (list.empty() ? "" : "|") + std::string(choice);
-      return list;
-    }
+    case ParameterType::choice:
+      return joined(parameter.choices, "|");
     case ParameterType::real:
     case ParameterType::whole:
       break;

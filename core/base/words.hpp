@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,16 @@ inline std::vector<int> coordinates_of(Cell cell, bool solid) {
   std::vector<int> all = {cell.x, cell.y};
   if (solid) all.push_back(cell.z);
   return all;
+}
+
+/// "a, b, c"
+inline std::string joined(std::span<const std::string_view> words, std::string_view between = ", ") {
+  std::string list;
+  for (const std::string_view& word : words) {
+    if (&word != words.data()) list += between;
+    list += word;
+  }
+  return list;
 }
 
 /// "1 cell", "2 cells"

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <numeric>
 
+#include "core/base/words.hpp"
+
 namespace replan {
 
 double Settings::get(const Parameter& parameter) const {
@@ -35,12 +37,8 @@ std::string allowed(const Parameter& parameter) {
   switch (parameter.type) {
     case ParameterType::toggle:
       return "true or false";
-    case ParameterType::choice: {
-      std::string list;
-      for (const std::string_view choice : parameter.choices)
-        list += (list.empty() ? "" : ", ") + std::string(choice);
-      return "one of: " + list;
-    }
+    case ParameterType::choice:
+      return "one of: " + joined(parameter.choices);
     case ParameterType::whole:
     case ParameterType::real:
       break;

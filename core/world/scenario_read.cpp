@@ -1,4 +1,5 @@
 #include "core/base/file.hpp"
+#include "core/base/words.hpp"
 #include "core/debug/condition.hpp"
 #include "core/plan/stage.hpp"
 #include "core/world/choices.hpp"
@@ -112,10 +113,7 @@ class ScenarioReader {
   }
 
   static std::string choices(const Parameter& parameter) {
-    std::string list;
-    for (const std::string_view choice : parameter.choices)
-      list += (list.empty() ? "one of \"" : ", \"") + std::string(choice) + "\"";
-    return list;
+    return "one of \"" + joined(parameter.choices, "\", \"") + "\"";
   }
 
   void read_robot(const JsonNode& node) {

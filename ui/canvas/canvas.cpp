@@ -4,13 +4,13 @@
 #include <cmath>
 #include <utility>
 
-#include "core/world/choices.hpp"
 #include "ui/canvas/chips.hpp"
 #include "ui/canvas/draw.hpp"
 #include "ui/canvas/hand.hpp"
 #include "ui/canvas/minimap.hpp"
 #include "ui/canvas/number_key.hpp"
 #include "ui/canvas/overlay.hpp"
+#include "ui/canvas/planner_menu.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
@@ -287,14 +287,7 @@ bool Canvas::Parts::title(const Look& look, const Session& session, std::size_t 
   }
   ImGui::SetNextWindowPos({chips.title.min.x, chips.title.max.y + look.px.xs});
   if (!ImGui::BeginPopup("planner")) return over;
-  bool exercises = false;
-  for (const PlannerInfo& info : choices()) {
-    if (info.exercise && !std::exchange(exercises, true)) ImGui::Separator();
-    const bool chosen = session.runs()[pane]->choice().id == info.id;
-    if (menu_item(look, info.name.data(), {.on = chosen}))
-      commands.emplace_back(ChoosePlanner{pane, std::string(info.id)});
-    hint(look, {"", "", info.summary.data()});
-  }
+  planner_items(look, session, pane, commands);
   ImGui::EndPopup();
   return over;
 }

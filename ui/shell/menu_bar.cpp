@@ -4,7 +4,7 @@
 #include <imgui_internal.h>
 
 #include "core/base/file.hpp"
-#include "core/world/choices.hpp"
+#include "ui/canvas/planner_menu.hpp"
 #include "ui/documents/files.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/menus.hpp"
@@ -31,18 +31,6 @@ void menu_items(Frame& frame, Menu menu) {
     action_item(frame, each);
     if (each.rules.below != nullptr) each.rules.below(frame);
   }
-}
-
-void planner_items(Frame& frame) {
-  bool exercises = false;
-  for (const PlannerInfo& info : choices()) {
-    if (info.exercise && !std::exchange(exercises, true)) ImGui::Separator();
-    const bool chosen = frame.run().choice().id == info.id;
-    if (menu_item(frame.look, std::string(info.name).c_str(), {.on = chosen}))
-      frame.commands.push_back(ChoosePlanner{frame.session.lead(), std::string(info.id)});
-    hint(frame.look, {"", "", std::string(info.summary).c_str()});
-  }
-  ImGui::Separator();
 }
 
 /// What would make a menu taller than a small window stands in menus beside it.
@@ -72,7 +60,10 @@ void menu(Frame& frame, const MenuKind& kind) {
   ImGui::PopStyleColor();
   if (!open) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(frame.look.px.s, frame.look.px(7)));
-  if (which == Menu::planner) planner_items(frame);
+  if (which == Menu::planner) {
+    planner_items(frame.look, frame.session, frame.session.lead(), frame.commands);
+    ImGui::Separator();
+  }
   menu_items(frame, which);
   submenus(frame, which);
   ImGui::PopStyleVar();

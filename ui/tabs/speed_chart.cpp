@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/debug/arc_words.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -57,7 +58,7 @@ void draw_speeds(const SpeedAxes& axes, ImDrawList& list, std::span<const Decisi
 void draw_axes(const Look& look, const SpeedAxes& axes, ImDrawList& list, float right) {
   const ImFont* small = look.fonts.mono_small;
   list.AddRectFilled({axes.min.x, axes.max.y}, {right, axes.max.y + look.px.hair}, look.theme.line);
-  const std::string top = fixed(axes.top, 2) + " m/s", end = fixed(axes.seconds, 1) + " s";
+  const std::string top = speed_text(axes.top), end = fixed(axes.seconds, 1) + " s";
   draw_text(list, small, {right - text_width(small, top), axes.min.y - look.px(4)}, look.theme.faint, top);
   draw_text(list, small, {right - text_width(small, end), axes.max.y - small->FontSize - look.px(2)},
             look.theme.faint, end);
@@ -94,7 +95,7 @@ void speed_chart(Frame& frame, float height) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   SpeedAxes axes{{origin.x, origin.y + look.px(6)}, {0, origin.y + height - look.px(4)}};
   fit_all(session, axes);
-  axes.max.x = origin.x + width - text_width(look.fonts.mono_small, "0.00 m/s") - look.px.s;
+  axes.max.x = origin.x + width - text_width(look.fonts.mono_small, speed_text(axes.top)) - look.px.s;
   draw_axes(look, axes, list, origin.x + width);
   for (std::size_t pane = 0; pane < session.runs().size(); ++pane)
     if (pane != session.lead() && has_driven(*session.runs()[pane]))
