@@ -14,7 +14,8 @@ int side(float low, float high) {
 void fit_camera(ui::ViewState& state, int width, int height, const ui::PixelArea& area) {
   const double across = static_cast<double>(width) / std::max(1, side(area.min.x, area.max.x));
   const double down = static_cast<double>(height) / std::max(1, side(area.min.y, area.max.y));
-  state.view.camera.zoom *= std::min(across, down);
+  for (Camera* camera : {&state.view.camera, &state.upright[0], &state.upright[1]})
+    camera->zoom *= std::min(across, down);
 }
 
 }  // namespace
@@ -23,6 +24,8 @@ ui::ViewState filmed_view(const ui::ViewState& view) {
   ui::ViewState filmed;
   filmed.view = view.view;
   filmed.view.hovered.reset();
+  filmed.slices = view.slices;
+  filmed.upright = view.upright;
   filmed.dark = view.dark;
   filmed.panels = view.panels;
   filmed.tab = view.tab;

@@ -139,14 +139,16 @@ Result<ui::ViewState> requested_view(const RenderRequest& request) {
     state.view.overlays = *parsed;
   }
   if (const auto& camera = request.camera ? request.camera : setup.camera)
-    state.view.camera = {camera->x, camera->y, camera->zoom * request.scale};
+    state.camera(request.slice.value_or(Slice{}).along) = {camera->x, camera->y,
+                                                           camera->zoom * request.scale};
   const std::string theme = request.theme ? *request.theme : setup.theme.value_or("dark");
   if (theme != "dark" && theme != "light")
     return Error{"there is no theme '" + theme + "'; take 'dark' or 'light'"};
   state.dark = theme == "dark";
   state.view.pinned = request.pinned;
   state.view.motion = request.motion;
-  state.view.slice = request.slice.value_or(request.scenario.start.z);
+  state.slices.set_all(request.slice.value_or(Slice{Axis::z, request.scenario.start.z}));
+  state.slices.follows_robot = request.follows_robot;
   state.view.scale = request.scale;
   state.view.range = request.range;
   state.legend = request.legend;

@@ -39,7 +39,8 @@ struct RenderRequest {
   ui::FieldColours colours = ui::FieldColours::viridis;
   std::optional<Cell> pinned;
   std::optional<Twist> motion;              ///< of a driving robot: the one that is looked at
-  std::optional<int> slice;                 ///< the layer that is shown; else that of the start
+  std::optional<Slice> slice;               ///< the layer that is shown; else that of the start
+  bool follows_robot = false;               ///< the layer is that of the robot at each moment
   std::optional<ViewSetup::Camera> camera;  ///< else the scenario's, else the whole world
   bool legend = true;
   bool window = false;  ///< the whole window rather than the canvas alone; not for `.svg`

@@ -164,11 +164,22 @@ Result<void> read_slice(const RenderArguments& arguments, app::RenderRequest& re
   if (depth == 1)
     return Error{"--slice is for a world of more than one layer, and " + arguments.world.source() +
                  " is a plane: leave it out"};
-  const auto z = number_from<int>(arguments.slice);
-  if (!z || *z < 0 || *z >= depth)
-    return Error{"--slice cannot be '" + arguments.slice + "': give a layer of the world, from 0 to " +
-                 std::to_string(depth - 1)};
-  request.slice = *z;
+  if (arguments.slice == "robot") {
+    request.follows_robot = true;
+    return {};
+  }
+  const std::string& text = arguments.slice;
+  const bool named = text.size() > 2 && text[1] == '=';
+  const std::string_view axis = named ? std::string_view(text).substr(0, 1) : "z";
+  const std::size_t number = std::string_view("xyz").find(axis);
+  const auto layer = number_from<int>(named ? text.substr(2) : text);
+  const Axis along = number == std::string_view::npos ? Axis::z : static_cast<Axis>(number);
+  const int layers = SeenBox(request.scenario.map.box(), along).depth();
+  if (number == std::string_view::npos || !layer || *layer < 0 || *layer >= layers)
+    return Error{"--slice cannot be '" + text + "': give a layer from 0 to " + std::to_string(layers - 1) +
+                 ", with x= or y= before it to look along another axis than z, or 'robot' for the layer that "
+                 "the robot is in"};
+  request.slice = Slice{along, *layer};
   return {};
 }
 
@@ -325,9 +336,11 @@ Command add_render(CLI::App& program) {
       ->type_name("V,W");
   app->add_option("--pin", into.pin, "The cell that is pinned: the Cell tab tells of it")
       ->type_name("X,Y[,Z]");
-  app->add_option("--slice", into.slice,
-                  "Of a world of more than one layer: the one that is shown; else that of the start")
-      ->type_name("Z");
+  app->add_option(
+         "--slice", into.slice,
+         "Of a world of more than one layer: the one that is shown, across z or, with x= or y=, across "
+         "another axis, or 'robot' for that of the robot; else that of the start")
+      ->type_name("[x=|y=|z=]N");
   app->add_option(
          "--camera", into.camera,
          "The point in the middle, in cells, and pixels per cell; else the scenario's, else all of the world")

@@ -1,8 +1,10 @@
 // A place in a plane or in space, by whole coordinates.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 
 namespace replan {
@@ -15,6 +17,26 @@ struct Cell {
   int z = 0;
   friend constexpr auto operator<=>(const Cell&, const Cell&) = default;
 };
+
+enum class Axis : std::uint8_t { x, y, z };
+
+/// A box of cells, both corners included.
+struct CellBox {
+  Cell low, high;
+  friend constexpr bool operator==(const CellBox&, const CellBox&) = default;
+};
+
+/// The one with two opposite corners.
+constexpr CellBox box_of(Cell a, Cell b) {
+  return {{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
+          {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}};
+}
+
+/// How many cells it has.
+constexpr std::size_t cell_count(const CellBox& box) {
+  const auto side = [](int low, int high) { return static_cast<std::size_t>(high - low + 1); };
+  return side(box.low.x, box.high.x) * side(box.low.y, box.high.y) * side(box.low.z, box.high.z);
+}
 
 /// Whether a box numbers `a` before `b`: layer by layer, row by row.
 constexpr bool in_node_order(Cell a, Cell b) {

@@ -19,9 +19,9 @@ inline constexpr std::string_view kCaseAt = "at ", kCaseScenario = "scenario ";
 
 /// Which part of a moment is looked at.
 struct CaseFocus {
-  std::size_t pane = 0;                  ///< which of the scenario's planners the log is of
-  std::optional<Cell> pin = {};          ///< whose surroundings are listed; else the robot's
-  std::optional<MapRegion> region = {};  ///< whose cells are listed instead
+  std::size_t pane = 0;                ///< which of the scenario's planners the log is of
+  std::optional<Cell> pin = {};        ///< whose surroundings are listed; else the robot's
+  std::optional<CellBox> region = {};  ///< whose cells are listed instead
 };
 
 /// A moment's text, but for what takes long in a large world: the hash of its state and the scenario, which

@@ -29,8 +29,10 @@ struct Source {
   bool lookahead;
 
   [[nodiscard]] Cell middle() const {
-    if (focus.region)
-      return {focus.region->x + focus.region->width / 2, focus.region->y + focus.region->height / 2};
+    if (focus.region) {
+      const auto [low, high] = *focus.region;
+      return {(low.x + high.x + 1) / 2, (low.y + high.y + 1) / 2, (low.z + high.z) / 2};
+    }
     return focus.pin.value_or(robot == kNoNode ? scenario.start : view.lattice.position(robot));
   }
 };
@@ -147,11 +149,10 @@ int placed(int middle, int length, int size) {
   return std::clamp(middle - length / 2, 0, std::max(0, size - length));
 }
 
-std::string layer_lines(const Source& from, const MapRegion& shown, int z) {
+std::string layer_lines(const Source& from, const CellBox& shown, int z) {
   std::string text = from.view.lattice.solid() ? labelled("layer", std::to_string(z)) : "";
-  for (int y = shown.y; y < shown.y + shown.height; ++y) {
-    for (int x = shown.x; x < shown.x + shown.width; ++x)
-      text += letter(from, from.view.lattice.node({x, y, z}));
+  for (int y = shown.low.y; y <= shown.high.y; ++y) {
+    for (int x = shown.low.x; x <= shown.high.x; ++x) text += letter(from, from.view.lattice.node({x, y, z}));
     text += '\n';
   }
   return text;
@@ -161,14 +162,15 @@ std::string world_lines(const Source& from) {
   const Box& lattice = from.view.lattice;
   const int width = lattice.width(), height = lattice.height();
   const Cell middle = from.middle();
-  MapRegion shown{0, 0, width, height};
+  CellBox shown{{0, 0, 0}, {width - 1, height - 1, lattice.depth() - 1}};
   std::string title = size_text(lattice);
   if (width > kWholeWorld || height > kWholeWorld) {
-    shown = {placed(middle.x, kPartWidth, width), placed(middle.y, kPartHeight, height),
-             std::min(kPartWidth, width), std::min(kPartHeight, height)};
-    title += ", of which these begin at " + cell_text({shown.x, shown.y});
+    shown.low = {placed(middle.x, kPartWidth, width), placed(middle.y, kPartHeight, height), 0};
+    shown.high.x = std::min(shown.low.x + kPartWidth, width) - 1;
+    shown.high.y = std::min(shown.low.y + kPartHeight, height) - 1;
+    title += ", of which these begin at " + cell_text(shown.low);
   }
-  const bool all_layers = shown.width * shown.height * std::int64_t{lattice.depth()} <= kMostLetters;
+  const bool all_layers = cell_count(shown) <= kMostLetters;
   std::string text = labelled("world", title) +
                      labelled("",
                               ". free, @ obstacle, ? one that the robot does not know of, "
@@ -276,15 +278,15 @@ bool says_nothing(const Source& from, NodeId node) {
 /// The cells in focus, those that the search has come to.
 std::string focus_lines(const Source& from) {
   const Cell middle = from.middle();
-  const MapRegion around = from.focus.region.value_or(
-      MapRegion{middle.x - kAround, middle.y - kAround, 2 * kAround + 1, 2 * kAround + 1});
+  const CellBox around =
+      from.focus.region.value_or(CellBox{{middle.x - kAround, middle.y - kAround, middle.z - kAround},
+                                         {middle.x + kAround, middle.y + kAround, middle.z + kAround}});
   const Box& lattice = from.view.lattice;
   std::vector<NodeId> nodes;
   std::size_t left_out = 0;
-  const int layers = lattice.solid() ? kAround : 0;
-  for (int z = std::max(0, middle.z - layers); z <= std::min(lattice.depth() - 1, middle.z + layers); ++z)
-    for (int y = std::max(0, around.y); y < std::min(lattice.height(), around.y + around.height); ++y)
-      for (int x = std::max(0, around.x); x < std::min(lattice.width(), around.x + around.width); ++x)
+  for (int z = std::max(0, around.low.z); z <= std::min(lattice.depth() - 1, around.high.z); ++z)
+    for (int y = std::max(0, around.low.y); y <= std::min(lattice.height() - 1, around.high.y); ++y)
+      for (int x = std::max(0, around.low.x); x <= std::min(lattice.width() - 1, around.high.x); ++x)
         nodes.push_back(lattice.node({x, y, z}));
   std::erase_if(nodes, [&](NodeId node) {
     return says_nothing(from, node) && (from.focus.region || lattice.position(node) != middle);
@@ -298,7 +300,7 @@ std::string focus_lines(const Source& from) {
     left_out = nodes.size() - kMostListed;
     nodes.resize(kMostListed);
   }
-  const std::string what = from.focus.region ? "of the region from " + cell_text({around.x, around.y})
+  const std::string what = from.focus.region ? "of the region from " + cell_text(around.low, lattice.solid())
                                              : "around " + cell_text(middle, lattice.solid());
   return labelled("cells", what) + table(from, nodes) +
          (left_out > 0 ? "and " + std::to_string(left_out) + " more\n" : "");

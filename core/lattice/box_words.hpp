@@ -13,6 +13,13 @@ inline std::string sides_text(const Box& box) {
          (box.solid() ? " x " + std::to_string(box.depth()) : "");
 }
 
+/// "40 × 30 cells", or "40 × 30 × 8 cells" of several layers: a part of a world.
+inline std::string part_text(const CellBox& part) {
+  const auto side = [](int low, int high) { return std::to_string(high - low + 1); };
+  return side(part.low.x, part.high.x) + " × " + side(part.low.y, part.high.y) +
+         (part.low.z < part.high.z ? " × " + side(part.low.z, part.high.z) : "") + " cells";
+}
+
 /// "40 x 30 cells", or "40 x 30 x 8 voxels"
 inline std::string size_text(const Box& box) {
   return sides_text(box) + (box.solid() ? " voxels" : " cells");

@@ -32,11 +32,12 @@ void add_to_cells(SceneContext& context, std::span<CellMark* const> marks) {
   for (int y = context.top; y < context.bottom; y += step)
     for (int x = context.left; x < context.right;) {
       NodeId node = context.node(x, y);
-      const int end = std::min(context.right, x + static_cast<int>(kPage - node % kPage));
+      const int end = std::min(context.right, x + context.lattice.columns_on_page(node, kPage));
       here.clear();
       for (CellMark* mark : marks)
         if (mark->turn_to(node)) here.push_back(mark);
-      for (; x < end && !here.empty(); x += step, node += static_cast<NodeId>(step))
+      for (; x < end && !here.empty();
+           x += step, node += static_cast<NodeId>(step) * context.lattice.column_step())
         for (CellMark* mark : here) mark->add({x, y, context.slice}, node);
       while (x < end) x += step;
     }

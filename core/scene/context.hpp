@@ -26,7 +26,8 @@ struct Note {
   bool inside = false;  ///< they stay in the cell's height, else they go beside it
 };
 
-/// One scene in the making.
+/// One scene in the making. Cells and points are by the coordinates of its view: what comes from the run, the scenario or
+/// the view settings goes through seen() first.
 struct SceneContext {
   const Run& run;
   const View& view;
@@ -34,11 +35,11 @@ struct SceneContext {
   SceneMemory::Parts& memory;
   Scene& scene;
 
-  const Box& lattice = run.lattice();
+  SeenBox lattice{run.lattice(), view.slice.along};
   const SearchState& state = run.timeline().state();
   std::size_t cursor = run.timeline().cursor();
-  double zoom = scene.camera.zoom;                             ///< device pixels per cell
-  int slice = std::clamp(view.slice, 0, lattice.depth() - 1);  ///< the layer that is shown
+  double zoom = scene.camera.zoom;                                   ///< device pixels per cell
+  int slice = std::clamp(view.slice.layer, 0, lattice.depth() - 1);  ///< the layer that is shown
   // Cells of it in sight, the upper ends excluded.
   int left = 0, top = 0, right = 0, bottom = 0;
   std::vector<Note> notes = {};          ///< for build_notes()
@@ -67,6 +68,8 @@ struct SceneContext {
   [[nodiscard]] Colour seen_at(const Point& middle, Colour colour, int thickness = 1) const;
   /// The radius of the circle in which a ball cuts the slice; 0 if it does not.
   [[nodiscard]] double cut_radius(const Point& centre, double radius) const;
+  [[nodiscard]] Cell seen(Cell cell) const { return lattice.seen(cell); }
+  [[nodiscard]] Point seen(const Point& point) const { return lattice.seen(point); }
   static Point centre(Cell cell) { return centre_of(cell); }
   [[nodiscard]] Point centre(NodeId node) const { return centre_of(lattice.position(node)); }
   void add(Shape shape) { scene.shapes.push_back(std::move(shape)); }

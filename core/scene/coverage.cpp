@@ -19,7 +19,7 @@ std::uint8_t share_of(int sum) {
   return static_cast<std::uint8_t>((sum + 3) / 4);
 }
 
-/// Adds what a row of cells has of obstacles to each column.
+/// Adds what a row of cells whose nodes follow each other has of obstacles to each column.
 void add_cells(const SearchState& state, EventKind map, NodeId first, std::span<std::uint16_t> sums) {
   for (std::size_t x = 0; x < sums.size();) {
     const NodeId node = first + static_cast<NodeId>(x);
@@ -32,14 +32,29 @@ void add_cells(const SearchState& state, EventKind map, NodeId first, std::span<
   }
 }
 
+/// As above where they lie `step` apart: a world of several layers that is not seen along z.
+void add_cells_apart(const SearchState& state, EventKind map, NodeId first, NodeId step,
+                     std::span<std::uint16_t> sums) {
+  for (std::size_t x = 0; x < sums.size(); ++x) {
+    const NodeId node = first + static_cast<NodeId>(x) * step;
+    const std::uint8_t* page = state.map_page(map, node);
+    if (page != nullptr && page[node % SearchState::kPage] != 0)
+      sums[x] = static_cast<std::uint16_t>(sums[x] + kWhole);
+  }
+}
+
 }  // namespace
 
-Coverage::Coverage(const Box& world, int layer, const SearchState& state, EventKind map) {
+Coverage::Coverage(const SeenBox& world, int layer, const SearchState& state, EventKind map) {
   allocate(world.width(), world.height());
   if (levels_.empty()) return;
   const auto width = static_cast<std::size_t>(world.width());
   fill(levels_.front(), world.height(), [&](int row, std::span<std::uint16_t> sums) {
-    add_cells(state, map, world.node({0, row, layer}), sums.first(width));
+    const NodeId first = world.node({0, row, layer}), step = world.column_step();
+    if (step == 1)
+      add_cells(state, map, first, sums.first(width));
+    else
+      add_cells_apart(state, map, first, step, sums.first(width));
   });
   for (std::size_t level = 1; level < levels_.size(); ++level) {
     const Level& below = levels_[level - 1];
@@ -102,8 +117,7 @@ bool shares_all(const Box& world, const SearchState& state) {
 }
 
 /// Obstacles among the 2 x 2 cells of the block around a cell.
-int count_block(const Run& run, EventKind kind, Cell cell) {
-  const Box& lattice = run.lattice();
+int count_block(const Run& run, const SeenBox& lattice, EventKind kind, Cell cell) {
   const SearchState& state = run.timeline().state();
   int count = 0;
   for (int y = cell.y & ~1; y <= std::min(cell.y | 1, lattice.height() - 1); ++y)
@@ -117,23 +131,23 @@ int count_block(const Run& run, EventKind kind, Cell cell) {
 }  // namespace
 
 void MapCoverage::recount(const Run& run, const MapEvent& event) {
-  const Cell cell = run.lattice().position(event.node);
+  const Cell cell = world_.position(event.node);
   if (cell.z != layer_) return;
   ++revision_;
-  (event.kind == EventKind::known ? known_ : truth_).change(cell, count_block(run, event.kind, cell));
+  (event.kind == EventKind::known ? known_ : truth_).change(cell, count_block(run, world_, event.kind, cell));
 }
 
-void MapCoverage::follow(const Run& run, const RunDigest& digest, int layer) {
+void MapCoverage::follow(const Run& run, const RunDigest& digest, const SeenBox& world, int layer) {
   const Timeline& log = run.timeline();
   const std::size_t common = run.common_with(log_id_);
   // A log that has no event yet has none in common with itself.
   const bool another = common == 0 && log_id_ != run.log_id();
-  if (another || layer != layer_) {
-    truth_ = Coverage(run.lattice(), layer, log.state(), EventKind::truth);
-    known_ = shares_all(run.lattice(), log.state())
-                 ? truth_
-                 : Coverage(run.lattice(), layer, log.state(), EventKind::known);
+  if (another || world != world_ || layer != layer_) {
+    truth_ = Coverage(world, layer, log.state(), EventKind::truth);
+    known_ = shares_all(run.lattice(), log.state()) ? truth_
+                                                    : Coverage(world, layer, log.state(), EventKind::known);
     position_ = log.cursor();
+    world_ = world;
     layer_ = layer;
     counted_.clear();
     ++revision_;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/lattice/seen_box.hpp"
 #include "core/scene/digest.hpp"
 
 namespace replan {
@@ -14,8 +15,8 @@ namespace replan {
 class Coverage {
  public:
   Coverage() = default;
-  /// Of a layer of the true or the known map, as it is in `state`.
-  Coverage(const Box& world, int layer, const SearchState& state, EventKind map);
+  /// Of a layer, as it is seen, of the true or the known map as it is in `state`.
+  Coverage(const SeenBox& world, int layer, const SearchState& state, EventKind map);
 
   struct Level {
     int columns = 0, rows = 0;
@@ -48,7 +49,7 @@ class Coverage {
 class MapCoverage {
  public:
   /// Brings both to the cursor's state.
-  void follow(const Run& run, const RunDigest& digest, int layer);
+  void follow(const Run& run, const RunDigest& digest, const SeenBox& world, int layer);
   [[nodiscard]] const Coverage& truth() const { return truth_; }
   [[nodiscard]] const Coverage& known() const { return known_; }
   /// Another number whenever one of them has changed.
@@ -58,6 +59,7 @@ class MapCoverage {
   void recount(const Run& run, const MapEvent& event);
 
   std::uint64_t log_id_ = 0, revision_ = 0;
+  SeenBox world_;
   int layer_ = 0;
   std::size_t position_ = 0;
   std::vector<MapEvent> counted_;  // before that position: what a cut takes out of the log is counted anew

@@ -8,7 +8,7 @@ namespace replan {
 namespace {
 
 /// The level of coverage whose blocks are few enough; 0: the cells themselves are.
-int level_for(const Box& world, int most) {
+int level_for(const SeenBox& world, int most) {
   int level = 0;
   while ((std::max(world.width(), world.height()) - 1) >> level >= most) ++level;
   return level;
@@ -19,10 +19,10 @@ struct Shares {
   unsigned known = 0, truth = 0;
 };
 
-Shares shares_at(const Run& run, const MapCoverage& coverage, int level, Cell at) {
+Shares shares_at(const Run& run, const SeenBox& world, const MapCoverage& coverage, int level, Cell at) {
   if (level == 0) {
     const SearchState& state = run.timeline().state();
-    const NodeId node = run.lattice().node(at);
+    const NodeId node = world.node(at);
     return {state.known_blocked(node) ? 255u : 0u, state.truly_blocked(node) ? 255u : 0u};
   }
   return {coverage.known().level(level).row(at.y)[at.x], coverage.truth().level(level).row(at.y)[at.x]};
@@ -30,12 +30,13 @@ Shares shares_at(const Run& run, const MapCoverage& coverage, int level, Cell at
 
 }  // namespace
 
-bool OverviewKeeper::follow(const Run& run, SceneMemory& memory, int layer, const Palette& palette,
+bool OverviewKeeper::follow(const Run& run, SceneMemory& memory, const Slice& slice, const Palette& palette,
                             int most) {
   SceneMemory::Parts& parts = memory.of(run);
-  parts.coverage.follow(run, parts.digest, layer);
-  const Box& world = run.lattice();
-  const Key now{parts.coverage.revision(), layer, world.width(), world.height(), most, palette.free};
+  const SeenBox world(run.lattice(), slice.along);
+  const int layer = std::clamp(slice.layer, 0, world.depth() - 1);
+  parts.coverage.follow(run, parts.digest, world, layer);
+  const Key now{parts.coverage.revision(), world, layer, most, palette.free};
   if (key_ == now) return false;
   key_ = now;
   const int level = level_for(world, most);
@@ -45,7 +46,7 @@ bool OverviewKeeper::follow(const Run& run, SceneMemory& memory, int layer, cons
   const Colour unknown = mix(palette.free, palette.obstacle, 0.5f);
   for (int y = 0; y < picture_.rows; ++y)
     for (int x = 0; x < picture_.columns; ++x) {
-      const Shares shares = shares_at(run, parts.coverage, level, {x, y, layer});
+      const Shares shares = shares_at(run, world, parts.coverage, level, {x, y, layer});
       const Colour ground = mix(palette.free, unknown, static_cast<float>(shares.truth) / 255);
       picture_.texels.push_back(mix(ground, palette.obstacle, static_cast<float>(shares.known) / 255) |
                                 0xFF000000u);

@@ -17,14 +17,16 @@ struct Overview {
 /// Keeps one up to date: it is made anew where the map has changed, and not otherwise.
 class OverviewKeeper {
  public:
-  /// Of a layer at the run's cursor, on at most `most` texels a side. Whether it is another one than last time.
-  bool follow(const Run& run, SceneMemory& memory, int layer, const Palette& palette, int most);
+  /// Of a layer, as it is seen, at the run's cursor, on at most `most` texels a side. Whether it is another one than last
+  /// time.
+  bool follow(const Run& run, SceneMemory& memory, const Slice& slice, const Palette& palette, int most);
   [[nodiscard]] const Overview& picture() const { return picture_; }
 
  private:
   struct Key {
     std::uint64_t map = 0;  ///< MapCoverage::revision()
-    int layer = 0, columns = 0, rows = 0, most = 0;
+    SeenBox world;
+    int layer = 0, most = 0;
     Colour free = 0;
     friend bool operator==(const Key&, const Key&) = default;
   };

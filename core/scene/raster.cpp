@@ -41,7 +41,8 @@ class CellColours {
       ramp_[i] = mix(palette.free, palette.field[i], palette.field_opacity);
     for (const Surprise& surprise : context.run.scenario().surprises)
       for (const CellChange& change : surprise.cells)
-        if (change.blocked && !surprise.announced) surprises_.push_back(context.lattice.node(change.cell));
+        if (change.blocked && !surprise.announced)
+          surprises_.push_back(context.run.lattice().node(change.cell));
     std::sort(surprises_.begin(), surprises_.end());
     if (!context.scene.range) return;
     reader_ = FieldReader::of(*context.scene.field);
@@ -142,9 +143,9 @@ void paint_cells(SceneContext& context, CellColours& colours) {
   raster.texels.resize(static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows));
   std::size_t texel = 0;
   for (int y = context.top; y < context.bottom; ++y) {
-    const NodeId row = context.node(0, y);
-    for (int x = context.left; x < context.right; ++x)
-      raster.texels[texel++] = colours.cell(row + static_cast<NodeId>(x));
+    NodeId node = context.node(context.left, y);
+    for (int x = context.left; x < context.right; ++x, node += context.lattice.column_step())
+      raster.texels[texel++] = colours.cell(node);
   }
 }
 
@@ -181,14 +182,15 @@ void gather_cells(const SceneContext& context, EventKind kind, int first, int la
                   std::vector<std::uint32_t>& shares) {
   shares.assign(static_cast<std::size_t>(context.lattice.width()), 0);
   for (int y = first; y <= last; ++y) {
-    const NodeId row = context.node(0, y);
     for (int x = context.left; x < context.right;) {
-      const NodeId node = row + static_cast<NodeId>(x);
-      const std::size_t at = node % SearchState::kPage;
-      const int count = std::min(context.right - x, static_cast<int>(SearchState::kPage - at));
-      if (const std::uint8_t* page = context.state.map_page(kind, node); page != nullptr)
-        for (int i = 0; i < count; ++i)
-          if (page[at + static_cast<std::size_t>(i)] != 0) shares[static_cast<std::size_t>(x + i)] += 255;
+      const NodeId node = context.node(x, y);
+      const int count =
+          std::min(context.right - x, context.lattice.columns_on_page(node, SearchState::kPage));
+      if (const std::uint8_t* page = context.state.map_page(kind, node); page != nullptr) {
+        std::size_t at = node % SearchState::kPage;
+        for (int i = 0; i < count; ++i, at += context.lattice.column_step())
+          if (page[at] != 0) shares[static_cast<std::size_t>(x + i)] += 255;
+      }
       x += count;
     }
   }
@@ -224,11 +226,10 @@ struct PixelRow {
 
 void paint_pixel_row(SceneContext& context, CellColours& colours, const Axis& across, const PixelRow& row,
                      Colour* texels) {
-  const NodeId first = context.node(0, row.cells);
   for (std::size_t p = 0; p < across.first.size(); ++p) {
     const unsigned t = mean_share(row.truth, across, p, row.rows).of_255(),
                    k = mean_share(row.known, across, p, row.rows).of_255();
-    const NodeId middle = first + static_cast<NodeId>(across.middle[p]);
+    const NodeId middle = context.node(across.middle[p], row.cells);
     Colour colour = k < 255 ? colours.free(middle) : 0;
     if (t > k && colours.shows_unknown()) {
       colour = blend(colour, colours.unknown(), obstacle_opacity(t));
@@ -302,9 +303,9 @@ void describe_field(SceneContext& context) {
   const OverlayKind& kind = overlay_kind(*scene.field);
   scene.field_words = kind.words != nullptr ? kind.words(context.run.info()) : std::string(kind.info.label);
   const auto& cell = context.view.hovered;
-  if (!cell || !context.lattice.contains(*cell)) return;
+  if (!cell || !context.run.lattice().contains(*cell)) return;
   const FieldReader reader = FieldReader::of(*scene.field);
-  const NodeId node = context.node(cell->x, cell->y);
+  const NodeId node = context.run.lattice().node(*cell);
   if (shows_settled_alone(context) && context.state.queued(node)) return;
   const std::int64_t value = reader.read(context.state.value(reader.kind, node));
   if (value != FieldReader::kNone && !context.state.known_blocked(node))
@@ -322,7 +323,7 @@ void build_raster(SceneContext& context) {
   if (context.zoom >= 1) {
     paint_cells(context, colours);
   } else {
-    context.memory.coverage.follow(context.run, context.memory.digest, context.slice);
+    context.memory.coverage.follow(context.run, context.memory.digest, context.lattice, context.slice);
     paint_pixels(context, colours);
   }
 }

@@ -9,13 +9,13 @@ namespace {
 /// Where the robot is, or will be put.
 NodeId robot_node(const SceneContext& context) {
   const NodeId robot = context.state.node(Scalar::robot);
-  return robot == kNoNode ? context.lattice.node(context.run.scenario().start) : robot;
+  return robot == kNoNode ? context.run.lattice().node(context.run.scenario().start) : robot;
 }
 
 /// Where it has to go now: the goal may have moved.
 Point goal_point(const SceneContext& context) {
   const NodeId goal = context.state.wanted_goal();
-  return goal == kNoNode ? context.centre(context.run.scenario().goal) : context.centre(goal);
+  return goal == kNoNode ? context.centre(context.seen(context.run.scenario().goal)) : context.centre(goal);
 }
 
 Point robot_point(const SceneContext& context) {
@@ -23,8 +23,9 @@ Point robot_point(const SceneContext& context) {
   if (decision == nullptr) return context.centre(robot_node(context));
   const double travel = std::min(context.run.travel(), 1.0);
   const auto between = [travel](double from, double to) { return to + (1 - travel) * (from - to); };
-  return {between(decision->before.x, decision->at.x), between(decision->before.y, decision->at.y),
-          between(decision->before.z, decision->at.z)};
+  return context.seen(Point{between(decision->before.x, decision->at.x),
+                            between(decision->before.y, decision->at.y),
+                            between(decision->before.z, decision->at.z)});
 }
 
 /// The path from the robot on.
@@ -36,7 +37,7 @@ std::vector<Point> ahead(const SceneContext& context, const Decision& decision) 
   double walked = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
     walked += distance(path.point(i - 1), path.point(i));
-    if (walked > decision.along_plan + 1e-9) rest.push_back(path.point(i));
+    if (walked > decision.along_plan + 1e-9) rest.push_back(context.seen(path.point(i)));
   }
   return rest;
 }
@@ -83,7 +84,8 @@ void add_trail(SceneContext& context) {
   for (const Decision& decision : context.run.decisions()) {
     if (decision.event > context.cursor) break;
     if (decision.plan->path->empty()) continue;  // it stood still
-    if (line.points.empty() || line.points.back() != decision.at) line.points.push_back(decision.at);
+    if (const Point at = context.seen(decision.at); line.points.empty() || line.points.back() != at)
+      line.points.push_back(at);
   }
   if (context.run.travel() < 1 && !line.points.empty()) line.points.back() = robot_point(context);
   if (line.points.size() < 2) return;
@@ -128,8 +130,8 @@ void add_sight(SceneContext& context) {
 double heading(const SceneContext& context) {
   const Decision* decision = context.run.decision_at(context.cursor);
   if (decision == nullptr || decision->after == decision->at) return 0;
-  const Point from = robot_point(context);
-  return std::atan2(decision->after.y - from.y, decision->after.x - from.x);
+  const Point from = robot_point(context), to = context.seen(decision->after);
+  return std::atan2(to.y - from.y, to.x - from.x);
 }
 
 void add_sensor(SceneContext& context) {
@@ -169,11 +171,12 @@ void add_cell_frames(SceneContext& context) {
     context.add(Outline{x, y, 1, 1, OutlineShape::square, colour, context.pixels(stroke), 0});
   };
   if (context.view.hovered) {
-    frame(*context.view.hovered, faded(context.palette.text, 0.6), 1.2);
-    ring_small_cell(context, *context.view.hovered);
+    const Cell hovered = context.seen(*context.view.hovered);
+    frame(hovered, faded(context.palette.text, 0.6), 1.2);
+    ring_small_cell(context, hovered);
   }
   if (!context.view.pinned) return;
-  frame(*context.view.pinned, context.palette.accent, 2);
+  frame(context.seen(*context.view.pinned), context.palette.accent, 2);
 }
 
 /// Where a cell's numbers leave no room for a disc: a frame around them.
@@ -232,15 +235,16 @@ void build_things(SceneContext& context) {
   const float rim = context.pixels(2);
   const Palette& palette = context.palette;
   const Scenario& scenario = context.run.scenario();
-  add_thing(context,
-            {context.centre(scenario.start), radius, palette.start, palette.outline, rim, Glyph::dot});
+  add_thing(context, {context.centre(context.seen(scenario.start)), radius, palette.start, palette.outline,
+                      rim, Glyph::dot});
   add_nearest(context, radius);
   add_thing(context,
             {goal_point(context), radius * 1.15f, palette.goal, palette.outline, rim, Glyph::target});
   const NodeId robot = robot_node(context);
   const Decision* decision = context.run.decision_at(context.cursor);
   // Before it has moved, the robot would only hide the start.
-  if (decision == nullptr || (robot == context.lattice.node(scenario.start) && decision->clock == 0)) return;
+  if (decision == nullptr || (robot == context.run.lattice().node(scenario.start) && decision->clock == 0))
+    return;
   context.scene.show(Sign::robot);
   add_thing(context, {robot_point(context), radius, palette.robot, palette.outline, rim, Glyph::heading,
                       heading(context)});

@@ -98,11 +98,12 @@ Scene build_scene(const Run& run, const View& view, Viewport viewport, const Pal
   Scene scene;
   scene.width = viewport.width;
   scene.height = viewport.height;
-  scene.columns = run.lattice().width();
-  scene.rows = run.lattice().height();
+  const SeenBox seen(run.lattice(), view.slice.along);
+  scene.columns = seen.width();
+  scene.rows = seen.height();
   scene.scale = view.scale;
   scene.background = palette.surround;
-  scene.camera = resolve(view.camera, run.lattice().width(), run.lattice().height(), viewport);
+  scene.camera = resolve(view.camera, scene.columns, scene.rows, viewport);
   SceneContext context{run, view, palette, memory.of(run), scene};
   clip(context);
   build_raster(context);

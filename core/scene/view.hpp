@@ -10,6 +10,7 @@
 #include "core/base/cell.hpp"
 #include "core/base/result.hpp"
 #include "core/drive/motion.hpp"
+#include "core/lattice/seen_box.hpp"
 #include "core/scene/pixel_box.hpp"
 
 namespace replan {
@@ -72,7 +73,7 @@ void show_last_repair(OverlaySet& overlays);
 
 /// Which part of the world a view shows. Zero zoom: fit the whole world.
 struct Camera {
-  double x = 0, y = 0;  ///< world coordinates (cells; cell (0, 0) covers 0..1) in the middle of the view
+  double x = 0, y = 0;  ///< columns and rows (cell (0, 0) covers 0..1) in the middle of the view
   double zoom = 0;      ///< device pixels per cell
   friend bool operator==(const Camera&, const Camera&) = default;
 };
@@ -88,7 +89,8 @@ struct View {
   OverlaySet overlays = default_overlays();
   FieldSpan range = FieldSpan::whole_run;
   Camera camera;
-  int slice = 0;  ///< the layer that is shown, of a world of more than one
+  Slice slice;  ///< what is shown of a world of more than one layer
+  // Cells of the world.
   std::optional<Cell> hovered;
   std::optional<Cell> pinned;
   // Of the motions that a driving robot can choose from: the one that is looked at, at every moment the arc nearest to

@@ -10,7 +10,6 @@
 #include "core/debug/difference.hpp"
 #include "core/session/lockstep.hpp"
 #include "core/session/stepping.hpp"
-#include "core/world/brush.hpp"
 #include "core/world/scenario.hpp"
 #include "core/world/transform.hpp"
 
@@ -21,15 +20,18 @@ struct PaintCells {
   std::vector<CellChange> cells;
   std::uint64_t stroke = 0;
 };
-/// So many cells that nobody wants them told to the robot one by one: what lies in the world of the spans, or of the
+/// So many cells that nobody wants them told to the robot one by one: what lies in the world of the boxes, or of the
 /// region of alike cells around one, in the map. The robot starts afresh. Start and goal stay free.
-struct PaintSpans {
-  std::vector<CellSpan> spans;
+struct PaintBoxes {
+  std::vector<CellBox> boxes;
   bool blocked = true;
 };
+/// The region lies in one layer across that axis; its cells are written there and in so many layers from it on.
 struct FillRegion {
   Cell from;
   bool blocked = true;
+  Axis across = Axis::z;
+  int layers = 1;
 };
 /// At most kMostSurprised cells.
 struct DropSurprise {

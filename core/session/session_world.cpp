@@ -133,7 +133,7 @@ Result<void> Session::run_command(const PaintCells& command) {
   return edit_cells(command.cells, true, command.stroke);
 }
 
-Result<void> Session::run_command(const PaintSpans& command) {
+Result<void> Session::run_command(const PaintBoxes& command) {
   return edit_world(command);
 }
 

@@ -7,6 +7,8 @@
 
 #include "core/base/words.hpp"
 #include "core/lattice/box_words.hpp"
+#include "core/lattice/seen_box.hpp"
+#include "core/world/brush.hpp"
 #include "core/world/choices.hpp"
 #include "core/world/ends.hpp"
 #include "core/world/generators/list.hpp"
@@ -71,11 +73,12 @@ class MapPainter {
     ++count_;
     painted_ = painted_ || blocked;
   }
-  void set(const CellSpan& span, bool blocked) {
+  void set(const CellBox& box, bool blocked) {
     const GridMap& map = edit_.scenario.map;
-    if (span.y < 0 || span.y >= map.height) return;
-    for (int x = std::max(0, span.first); x <= std::min(map.width - 1, span.last); ++x)
-      set(Cell{x, span.y}, blocked);
+    for (int z = std::max(0, box.low.z); z <= std::min(map.depth - 1, box.high.z); ++z)
+      for (int y = std::max(0, box.low.y); y <= std::min(map.height - 1, box.high.y); ++y)
+        for (int x = std::max(0, box.low.x); x <= std::min(map.width - 1, box.high.x); ++x)
+          set(Cell{x, y, z}, blocked);
   }
   Result<WorldEdit> edit() {
     if (count_ == 0) return Error{"nothing was drawn: every cell of it is like that already"};
@@ -162,9 +165,9 @@ Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const P
   return painter.edit();
 }
 
-Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const PaintSpans& command) {
+Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const PaintBoxes& command) {
   MapPainter painter(scenario, scripted);
-  for (const CellSpan& span : command.spans) painter.set(span, command.blocked);
+  for (const CellBox& box : command.boxes) painter.set(box, command.blocked);
   return painter.edit();
 }
 
@@ -172,9 +175,16 @@ Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const F
   const GridMap& map = scenario.map;
   if (!map.contains(command.from)) return Error{"a region to fill begins in the world"};
   MapPainter painter(scenario, scripted);
-  for (const CellSpan& span : connected_spans(map.width, map.height, command.from,
-                                              [&](Cell cell) { return map.at(cell) != command.blocked; }))
-    painter.set(span, command.blocked);
+  const SeenBox seen(map.box(), command.across);
+  const Cell from = seen.seen(command.from);
+  const int last = std::min(from.z + command.layers, seen.depth()) - 1;
+  const auto fillable = [&](Cell at) {
+    return map.at(seen.world(Cell{at.x, at.y, from.z})) != command.blocked;
+  };
+  for (const CellSpan& span : connected_spans(seen.width(), seen.height(), from, fillable))
+    painter.set(
+        box_of(seen.world(Cell{span.first, span.y, from.z}), seen.world(Cell{span.last, span.y, last})),
+        command.blocked);
   return painter.edit();
 }
 

@@ -43,7 +43,7 @@ Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const I
 Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const ClearWorld& command);
 /// So are these, for so many cells.
 Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const PaintCells& command);
-Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const PaintSpans& command);
+Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const PaintBoxes& command);
 Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const FillRegion& command);
 /// What the old world was called, and what it was about, is not said of the new one.
 Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const ReplaceMap& command);

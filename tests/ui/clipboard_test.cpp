@@ -66,7 +66,7 @@ TEST_F(ClipboardTest, TheWorldGoesOutAndComesBack) {
 TEST_F(ClipboardTest, ARegionIsCutAndPastedWhereThePinIs) {
   ActionContext context{*session_, view_, panels_, commands_, wish_};
   EXPECT_FALSE(action(ActionId::copy).available(context));
-  view_.editing.region = CellRect{{3, 0}, {5, 1}};
+  view_.editing.region = CellBox{{3, 0}, {5, 1}};
   perform(ActionId::copy);
   EXPECT_EQ(clipboard(), ".@.\n.@.\n");
   perform(ActionId::cut);
@@ -77,7 +77,7 @@ TEST_F(ClipboardTest, ARegionIsCutAndPastedWhereThePinIs) {
   perform(ActionId::paste);
   EXPECT_TRUE(session_->world().at({1, 2}));
   EXPECT_FALSE(session_->world().at({1, 1})) << "the start stays free";
-  EXPECT_EQ(view_.editing.region, (CellRect{{0, 1}, {2, 2}}));
+  EXPECT_EQ(view_.editing.region, (CellBox{{0, 1}, {2, 2}}));
 }
 
 TEST_F(ClipboardTest, WhatReachesOverTheEdgeIsLeftOut) {
@@ -106,7 +106,7 @@ TEST_F(ClipboardTest, DeleteTakesWhatIsSelected) {
   perform(ActionId::delete_selected);
   EXPECT_TRUE(session_->scenario().movers.empty());
   EXPECT_FALSE(holds_something(view_));
-  view_.editing.region = CellRect{{4, 0}, {4, 1}};
+  view_.editing.region = CellBox{{4, 0}, {4, 1}};
   perform(ActionId::delete_selected);
   EXPECT_FALSE(session_->world().at({4, 1}));
   EXPECT_TRUE(session_->world().at({4, 2}));

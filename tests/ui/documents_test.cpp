@@ -344,29 +344,34 @@ TEST(Dropped, TakesTheBestOfWhatCame) {
   EXPECT_EQ(inside.sentence, "");
 }
 
-/// Its views are planes: worlds of more layers stay closed, with what can be done instead.
-TEST(Documents, WorldsOfMoreThanOneLayerAreForTheCommandLine) {
+TEST(Documents, OpensWorldsOfSeveralLayers) {
   const test::TemporaryFolder folder;
   const std::string decks = REPLAN_SOURCE_DIR "/maps/decks.json",
                     box = folder.with("box.3dmap", "voxel 4 3 2\n1 0 0\n");
-  const auto scenario = open_document(decks, {}), map = open_document(box, {});
-  ASSERT_FALSE(scenario.ok() || map.ok());
-  EXPECT_NE(scenario.error().find("has 5 layers, and the window shows planes: drive it with 'replan run"),
-            std::string::npos)
-      << scenario.error();
-  EXPECT_NE(scenario.error().find("--slice Z"), std::string::npos) << scenario.error();
-  EXPECT_NE(map.error().find("has 2 layers, and the window shows planes: take one with 'replan convert"),
-            std::string::npos)
-      << map.error();
-  for (const std::string& path : {decks, box})
-    EXPECT_NE(make_preview(path, {}, {}).error.find("the window shows planes"), std::string::npos) << path;
-  EXPECT_TRUE(check_plane(GridMap(3, 3), "").ok());
-  EXPECT_FALSE(check_plane(GridMap(3, 3, 2), "").ok()) << "nor from the clipboard";
+  const auto scenario = open_document(decks, {});
+  ASSERT_TRUE(scenario.ok()) << scenario.error();
+  EXPECT_EQ(scenario->map.box(), Box(26, 16, 5));
+  Scenario planar;
+  planar.planners = {{"jps", {}, {}}, {"astar", {}, {}}};
+  planar.robot.kind = "dwa";
+  const auto map = open_document(box, planar);
+  ASSERT_TRUE(map.ok()) << map.error();
+  EXPECT_EQ(map->map.box(), Box(4, 3, 2));
+  ASSERT_EQ(map->planners.size(), 1u) << "those that plan in space are kept";
+  EXPECT_EQ(map->planners[0].id, "astar");
+  EXPECT_EQ(map->robot.kind, RobotSetup{}.kind);
+  planar.planners = {{"jps", {}, {}}};
+  EXPECT_EQ(open_document(box, planar)->planners.at(0).id, "dstar-lite");
+  const Preview preview = make_preview(box, {}, {});
+  EXPECT_EQ(preview.error, "");
+  EXPECT_EQ(preview.depth, 2);
+  EXPECT_EQ(preview.thumbnail.walls[1], 127) << "one of its two layers";
+  EXPECT_EQ(preview.thumbnail.walls[0], 0);
+  EXPECT_TRUE(saves_in_place(box));
   WorldLibrary library(REPLAN_SOURCE_DIR "/maps");
   library.refresh();
   library.update();
-  EXPECT_TRUE(library.found("two decks").empty()) << "and the list of worlds leaves them out";
-  EXPECT_FALSE(library.found("closing").empty());
+  EXPECT_FALSE(library.found("two decks").empty());
 }
 
 TEST(WorldLibrary, FindsWorldsAndLooksAtEachOnce) {

@@ -74,7 +74,7 @@ TEST_P(RenderGolden, SliceOfABox) {
   auto decks = read_scenario(std::string(REPLAN_SOURCE_DIR) + "/maps/decks.json");
   ASSERT_TRUE(decks.ok()) << decks.error();
   request.scenario = *decks;
-  request.slice = 3;
+  request.slice = Slice{Axis::z, 3};
   request.at = plan_end(request, 1);
   compare_with_golden(request, std::string("decks_slice_") + GetParam());
 }

@@ -183,7 +183,7 @@ TEST_F(ToolsTest, ADragSelectsARegionAndAClickPins) {
   state_.editing.mover = 0;
   drag({9, 6}, {5, 3});
   EXPECT_FALSE(state_.editing.mover.has_value());
-  EXPECT_EQ(state_.editing.region, (CellRect{{5, 3}, {9, 6}}));
+  EXPECT_EQ(state_.editing.region, (CellBox{{5, 3}, {9, 6}}));
   EXPECT_FALSE(state_.view.pinned.has_value());
   click({12, 1});
   EXPECT_FALSE(state_.editing.region.has_value());

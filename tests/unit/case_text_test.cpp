@@ -80,7 +80,7 @@ TEST(CaseText, ShowsWorldValuesAndOpenList) {
   EXPECT_NE(text.find("cells     around "), std::string::npos) << text;
   EXPECT_NE(text.find("  rhs"), std::string::npos) << text;
   EXPECT_NE(text.find("last      {\"event\":"), std::string::npos) << text;
-  const std::string region = driven.text(position + 2, {.pane = 1, .region = MapRegion{0, 0, 12, 7}});
+  const std::string region = driven.text(position + 2, {.pane = 1, .region = CellBox{{0, 0}, {11, 6}}});
   EXPECT_NE(region.find("cells     of the region from (0, 0)"), std::string::npos) << region;
 }
 
@@ -124,7 +124,7 @@ TEST(CaseText, OfALargeWorldAPartIsDrawn) {
   replan::Run lookahead(scenario, 1);
   lookahead.finish(Target::plan());
   lookahead.timeline().seek(lookahead.timeline().size());
-  const CaseFocus region{.pane = 1, .region = MapRegion{380, 280, 20, 20}};
+  const CaseFocus region{.pane = 1, .region = CellBox{{380, 280}, {399, 299}}};
   const std::string listed = case_text(*scenario, lookahead.log_view(), region);
   EXPECT_NE(listed.find("\nand 336 more\n"), std::string::npos) << "of 400 cells 64 are listed";
 }

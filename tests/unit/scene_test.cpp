@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/random.hpp"
 #include "core/scene/overview.hpp"
 #include "core/scene/svg.hpp"
 #include "core/session/session.hpp"
@@ -309,22 +310,22 @@ TEST(Overview, IsMadeAnewWhereTheMapHasChangedAndNotElse) {
   session.settle();
   SceneMemory memory;
   OverviewKeeper keeper;
-  EXPECT_TRUE(keeper.follow(session.run(), memory, 0, palette(), 160));
+  EXPECT_TRUE(keeper.follow(session.run(), memory, {}, palette(), 160));
   const Overview& small = keeper.picture();
   EXPECT_EQ(small.columns, 88) << "blocks of 8";
   EXPECT_EQ(small.rows, 38);
   const auto at = [&](int x, int y) { return small.texels[static_cast<std::size_t>(y / 8 * 88 + x / 8)]; };
   EXPECT_EQ(at(220, 120), palette().obstacle);
   EXPECT_EQ(at(20, 20), palette().free);
-  EXPECT_FALSE(keeper.follow(session.run(), memory, 0, palette(), 160));
+  EXPECT_FALSE(keeper.follow(session.run(), memory, {}, palette(), 160));
   ASSERT_TRUE(session.apply(Seek{0}).ok());
-  EXPECT_FALSE(keeper.follow(session.run(), memory, 0, palette(), 160)) << "another moment, the same map";
+  EXPECT_FALSE(keeper.follow(session.run(), memory, {}, palette(), 160)) << "another moment, the same map";
   std::vector<CellChange> wall;
   for (int y = 16; y < 24; ++y)
     for (int x = 16; x < 24; ++x) wall.push_back({{x, y}, true});
   ASSERT_TRUE(session.apply(PaintCells{wall, 0}).ok());
   session.settle();
-  EXPECT_TRUE(keeper.follow(session.run(), memory, 0, palette(), 160));
+  EXPECT_TRUE(keeper.follow(session.run(), memory, {}, palette(), 160));
   EXPECT_EQ(at(20, 20), palette().obstacle);
 }
 
@@ -549,7 +550,7 @@ Scenario decks() {
 View slice_view(int slice, std::initializer_list<Overlay> overlays) {
   View view = plain_view();
   for (const Overlay overlay : overlays) view.overlays.set(overlay, true);
-  view.slice = slice;
+  view.slice.layer = slice;
   return view;
 }
 
@@ -585,7 +586,7 @@ TEST(Slice, CellsSmallerThanAPixelAreThoseOfTheLayerToo) {
   View view = slice_view(0, {});
   view.camera = {200, 150, 0.4};
   const auto right = [&](int slice) {
-    view.slice = slice;
+    view.slice.layer = slice;
     return texel_at(build_scene(session.run(), view, kView, palette(), memory), {300, 150});
   };
   EXPECT_EQ(right(0), palette().free);
@@ -619,6 +620,92 @@ TEST(Slice, LinesAndThingsOfOtherLayersAreFaint) {
     EXPECT_EQ(opacity(target->fill) == 255, z == 2);
     EXPECT_EQ(scene.shows(Sign::to_come), z != 1) << "the surprise has no cell in the layer between";
   }
+}
+
+/// The world in which what is seen of another one along an axis lies along z.
+Scenario turned(const Scenario& scenario, Axis along) {
+  const SeenBox seen(scenario.map.box(), along);
+  Scenario turned = scenario;
+  turned.map = GridMap(seen.width(), seen.height(), seen.depth());
+  for (NodeId node = 0; node < seen.node_count(); ++node)
+    turned.map.set(seen.position(node), scenario.map.blocked[node] != 0);
+  turned.start = seen.seen(scenario.start);
+  turned.goal = seen.seen(scenario.goal);
+  Surprise surprise = scenario.surprises[0];
+  for (CellChange& change : surprise.cells) change.cell = seen.seen(change.cell);
+  std::sort(surprise.cells.begin(), surprise.cells.end(),
+            [](const CellChange& a, const CellChange& b) { return in_node_order(a.cell, b.cell); });
+  surprise.at.near = seen.seen(*surprise.at.near);
+  turned.surprises = {surprise};
+  for (MovingObstacle& mover : turned.movers) {
+    const Cell size{mover.width - 1, mover.height - 1, mover.depth - 1};
+    for (Cell& low : mover.way)
+      low = box_of(seen.seen(low), seen.seen(Cell{low.x + size.x, low.y + size.y, low.z + size.z})).low;
+    const Cell sides = seen.turned({mover.width, mover.height, mover.depth});
+    mover.width = sides.x;
+    mover.height = sides.y;
+    mover.depth = sides.z;
+  }
+  return turned;
+}
+
+/// Seen along an axis, a world looks as one does that is turned so that this axis is z.
+TEST(Slice, AlongAnyAxisShowsTheWorldAsIfItWereTurned) {
+  Random random(5);
+  Scenario scenario;
+  scenario.map = GridMap(13, 9, 7);
+  for (NodeId node = 0; node < scenario.map.blocked.size(); ++node)
+    if (random.below(4) == 0) scenario.map.set(scenario.map.box().position(node), true);
+  scenario.start = {1, 2, 3};
+  scenario.goal = {11, 7, 5};
+  scenario.map.set(scenario.start, false);
+  scenario.map.set(scenario.goal, false);
+  scenario.planners = {{"dstar-lite", {}}};
+  scenario.robot.sensor_radius = 2.5;
+  Surprise surprise;
+  surprise.at.near = Cell{6, 4, 3};
+  surprise.at.within = 3;
+  surprise.cells = {{{5, 4, 2}, true}, {{6, 4, 3}, true}, {{6, 5, 3}, false}, {{6, 4, 4}, true}};
+  scenario.surprises = {surprise};
+  scenario.movers = {{.way = {{2, 0, 1}, {9, 5, 3}}, .width = 3, .height = 2, .depth = 1, .from = 50}};
+  Session plain(scenario);
+  plain.settle();
+  ASSERT_TRUE(plain.apply(Seek{0}).ok());
+  for (const Axis along : {Axis::x, Axis::y, Axis::z}) {
+    Session other(turned(scenario, along));
+    other.settle();
+    ASSERT_TRUE(other.apply(Seek{0}).ok());
+    const SeenBox seen(scenario.map.box(), along);
+    SceneMemory memory;
+    for (const double zoom : {0.0, 0.3})
+      for (int layer = 0; layer < seen.depth(); ++layer) {
+        View view = slice_view(layer, {Overlay::sensor, Overlay::script, Overlay::unknown});
+        if (zoom > 0) view.camera = {3, 3, zoom};
+        const Scene expected = build_scene(other.run(), view, kView, palette());
+        view.slice.along = along;
+        const Scene scene = build_scene(plain.run(), view, kView, palette(), memory);
+        EXPECT_EQ(scene.columns, expected.columns);
+        EXPECT_EQ(scene.raster.texels, expected.raster.texels) << static_cast<int>(along) << ' ' << layer;
+        EXPECT_EQ(scene_svg(scene, palette()), scene_svg(expected, palette())) << layer;
+      }
+  }
+}
+
+TEST(Slice, HoveredAndPinnedCellsAreTheWorlds) {
+  Session session(decks());
+  session.settle();
+  View view = slice_view(2, {});
+  view.slice.along = Axis::y;
+  view.hovered = Cell{5, 2, 0};
+  const auto squares = [&] {
+    const auto all = shapes_of<Outline>(build_scene(session.run(), view, kView, palette()));
+    return std::count_if(all.begin(), all.end(), [](const Outline& each) {
+      return each.shape == OutlineShape::square && each.x == 5 && each.y == 2 && each.width == 1;
+    });
+  };
+  EXPECT_EQ(squares(), 1) << "x = 5, and z = 0 is the lowest of three rows";
+  view.hovered = Cell{5, 1, 0};
+  EXPECT_EQ(squares(), 0) << "on the layer before";
 }
 
 TEST(Slice, TheSensorIsTheCutOfABall) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/session/session.hpp"
+#include "core/world/brush.hpp"
 #include "core/world/generators/list.hpp"
 
 namespace replan::session_world_edit_test {
@@ -68,7 +69,8 @@ GridMap with_shape(GridMap map, const std::vector<CellSpan>& spans, bool blocked
 TEST_F(LargeWorldEdit, DrawsShapesOfVeryManyCellsInTheMap) {
   const Scenario before = large_world();
   const auto box = rectangle_spans({0, 0}, {699, 450});
-  both(PaintSpans{box, true});
+  const PaintBoxes boxes{{{{0, 0}, {699, 450}}}, true};
+  both(boxes);
   wait();
   EXPECT_EQ(live_.scenario().map, with_shape(before.map, box, true, {before.start, before.goal}));
   EXPECT_EQ(live_.scenario().map, patient_.scenario().map);
@@ -88,7 +90,7 @@ TEST_F(LargeWorldEdit, DrawsShapesOfVeryManyCellsInTheMap) {
   for (const CellSpan& span : box)
     for (int x = span.first; x <= span.last; ++x) cells.push_back({{x, span.y}, true});
   ASSERT_TRUE(patient_.apply(PaintCells{cells, 3}).ok());
-  ASSERT_TRUE(live_.apply(PaintSpans{box, true}).ok());
+  ASSERT_TRUE(live_.apply(boxes).ok());
   wait();
   EXPECT_EQ(live_.scenario().map, patient_.scenario().map);
   while (live_.history_position() > 0) ASSERT_TRUE(live_.apply(Undo{}).ok());
@@ -101,7 +103,7 @@ TEST_F(LargeWorldEdit, SaysWhatItCannotDraw) {
     return done.ok() ? std::string("nothing") : done.error();
   };
   EXPECT_EQ(said(FillRegion{{700, 0}, true}), "a region to fill begins in the world");
-  EXPECT_EQ(said(PaintSpans{{{-1, 0, 9}, {3, 800, 900}}, true}),
+  EXPECT_EQ(said(PaintBoxes{{{{0, -1}, {9, -1}}, {{800, 3}, {900, 3}}}, true}),
             "nothing was drawn: every cell of it is like that already");
   std::vector<CellChange> cells(kMostSurprised + 1, CellChange{{9, 9}, true});
   EXPECT_EQ(said(DropSurprise{cells}),

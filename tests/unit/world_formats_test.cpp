@@ -396,9 +396,22 @@ TEST(AsciiMap, ReadsEveryLetter) {
   EXPECT_EQ(world->start, (Cell{0, 2}));
   EXPECT_EQ(world->goal, (Cell{2, 2}));
   EXPECT_EQ(ascii_text(*world), ".....\n@@@@@\nS?G..\n");
-  EXPECT_EQ(ascii_text(*world, {-3, 1, 4, 100}), "@\nS\n");
-  EXPECT_EQ(ascii_text(*world, {1, 2, 2'000'000'000, 1}), "?G..\n");
-  EXPECT_EQ(ascii_text(*world, {5, 0, 1, 1}), "\n");
+  EXPECT_EQ(ascii_text(*world, {{-3, 1}, {0, 100}}), "@\nS\n");
+  EXPECT_EQ(ascii_text(*world, {{1, 2}, {2'000'000'000, 2}}), "?G..\n");
+  EXPECT_EQ(ascii_text(*world, {{5, 0}, {5, 0}}), "");
+}
+
+TEST(AsciiMap, HasLayersPartedByEmptyLines) {
+  const std::string text = "S.@\n...\n\n@@@\n..@\n\n.@.\n..G\n";
+  const auto world = parse_ascii_map(text, "a.txt");
+  ASSERT_TRUE(world.ok()) << world.error();
+  EXPECT_EQ(world->map.box(), Box(3, 2, 3));
+  EXPECT_EQ(world->start, (Cell{0, 0, 0}));
+  EXPECT_EQ(world->goal, (Cell{2, 1, 2}));
+  EXPECT_TRUE(world->map.at({2, 1, 1}));
+  EXPECT_FALSE(world->map.at({2, 1, 2}));
+  EXPECT_EQ(ascii_text(*world), text);
+  EXPECT_EQ(ascii_text(*world, {{1, 0, 1}, {2, 1, 9}}), "@@\n.@\n\n@.\n.G\n");
 }
 
 TEST(AsciiMap, RefusesWhatItCannotMean) {
@@ -409,7 +422,10 @@ TEST(AsciiMap, RefusesWhatItCannotMean) {
       error("...\n..\n"),
       "a.txt:2: the row has 2 cells, the rows before it have 3: make them equally long (blanks at the end "
       "count as free cells)");
-  EXPECT_EQ(error(".\n\n.\n"), "a.txt:3: a row after an empty line: the rows must follow each other");
+  EXPECT_EQ(error("..\n..\n\n..\n"),
+            "a.txt:5: empty lines part layers, and the one before this has 1 row, the first 2: make them "
+            "equally high, or leave out the empty lines");
+  EXPECT_EQ(error("..\n\n..\n..\n\n..\n").rfind("a.txt:6: empty lines part layers", 0), 0u);
   EXPECT_EQ(error("..\n.S\nS.\n"), "a.txt:3: column 1: a second S: there can be only one start");
   EXPECT_EQ(error("GG"), "a.txt:1: column 2: a second G: there can be only one goal");
   EXPECT_EQ(error(".\n%").rfind("a.txt:2: column 1: unknown cell letter '%'; known are ", 0), 0u);

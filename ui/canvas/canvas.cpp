@@ -11,6 +11,8 @@
 #include "ui/canvas/number_key.hpp"
 #include "ui/canvas/overlay.hpp"
 #include "ui/canvas/planner_menu.hpp"
+#include "ui/canvas/slice_bar.hpp"
+#include "ui/tools/cells.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
@@ -23,6 +25,7 @@ constexpr double kZoomStep = 1.25, kPanStep = 80;
 void forget_places(ViewState& state) {
   while (let_go(state)) {
   }
+  state.slices.forget();
   state.view.pinned.reset();
   state.view.motion.reset();
   state.view.hovered.reset();
@@ -38,6 +41,7 @@ struct Canvas::Parts {
     OverlaySet overlays;
     FieldSpan range = FieldSpan::whole_run;
     Camera camera;
+    Slice slice;
     std::optional<Cell> hovered, pinned;
     std::optional<Twist> motion, pointed_motion;
     std::optional<std::size_t> mover, surprise;
@@ -60,9 +64,13 @@ struct Canvas::Parts {
   explicit Parts(ImGuiRenderer& its_renderer) : renderer(its_renderer), minimap(its_renderer) {}
 
   void prepare(const Look& look, const Session& session, const Run& run, const ViewState& state,
-               bool may_wait);
+               const Camera& camera, bool may_wait);
   void upload();
-  void navigate(ViewState& state, ImVec2 min, bool hovered);
+  [[nodiscard]] Camera resolved(const Camera& camera) const {
+    return resolve(camera, sheet.box.width(), sheet.box.height(), viewport);
+  }
+  void turn_to(const Run& run, std::size_t pane, ViewState& state);
+  void navigate(std::size_t pane, ViewState& state, ImVec2 min, bool hovered);
   void zoom_by(ViewState& state, double factor, ImVec2 min, ImVec2 at);
   void take_wishes(ViewState& state, ImVec2 min, ImVec2 max);
   void pan(ViewState& state, bool hovered);
@@ -83,7 +91,8 @@ struct Canvas::Parts {
   std::optional<SceneKey> key;
   ImTextureID texture = nullptr;
   int texture_width = 0, texture_height = 0;
-  int columns = 0, rows = 0;  // of the world that was fitted
+  Box world;    // that was fitted
+  Sheet sheet;  // that shows
   Viewport viewport;
   CardFold card;
   bool behind = false;  // it shows what was, or nothing yet
@@ -133,26 +142,17 @@ void Canvas::Parts::upload() {
 }
 
 void Canvas::Parts::prepare(const Look& look, const Session& session, const Run& run, const ViewState& state,
-                            bool may_wait) {
+                            const Camera& camera, bool may_wait) {
   View view = state.view;
+  view.slice = {sheet.box.along(), sheet.layer};
+  view.camera = camera;
   view.selected_mover = state.editing.mover;
   view.selected_surprise = state.editing.surprise;
-  const SceneKey now{session.revision(),
-                     run.log_id(),
-                     view.overlays,
-                     view.range,
-                     view.camera,
-                     view.hovered,
-                     view.pinned,
-                     view.motion,
-                     view.pointed_motion,
-                     view.selected_mover,
-                     view.selected_surprise,
-                     view.taken,
-                     view.scale,
-                     viewport,
-                     look.theme.free,
-                     state.colours};
+  const SceneKey now{
+      session.revision(),  run.log_id(),           view.overlays, view.range,  view.camera,
+      view.slice,          view.hovered,           view.pinned,   view.motion, view.pointed_motion,
+      view.selected_mover, view.selected_surprise, view.taken,    view.scale,  viewport,
+      look.theme.free,     state.colours};
   behind = key != now && may_wait;
   if (key == now || behind) return;
   scene = build_scene(run, view, viewport, scene_palette(look.theme, state.colours), memory);
@@ -162,7 +162,7 @@ void Canvas::Parts::prepare(const Look& look, const Session& session, const Run&
 
 void Canvas::Parts::glide(ViewState& state, ImVec2 min) {
   if (!zooming.active) return;
-  Camera& camera = state.view.camera;
+  Camera& camera = state.camera(sheet.box.along());
   // Something else shows the whole world meanwhile.
   if (camera.zoom <= 0) {
     zooming.active = false;
@@ -178,13 +178,14 @@ void Canvas::Parts::glide(ViewState& state, ImVec2 min) {
 
 /// Begins to zoom, with what lies at a place of the screen staying there.
 void Canvas::Parts::zoom_by(ViewState& state, double factor, ImVec2 min, ImVec2 at) {
-  const double fitted = resolve({}, columns, rows, viewport).zoom;
-  state.view.camera = resolve(state.view.camera, columns, rows, viewport);
-  const double from = zooming.active ? zooming.target : state.view.camera.zoom;
+  Camera& camera = state.camera(sheet.box.along());
+  const double fitted = resolved({}).zoom;
+  camera = resolved(camera);
+  const double from = zooming.active ? zooming.target : camera.zoom;
   const double most = std::max(fitted, 200 * state.view.scale);
   zooming.target = std::clamp(from * factor, std::min(fitted, 1.0) / 2, most);
   Projection screen(scene, min);
-  screen.camera = state.view.camera;
+  screen.camera = camera;
   zooming.anchor = screen.world(at);
   zooming.at = at;
   zooming.active = true;
@@ -198,17 +199,35 @@ void Canvas::Parts::take_wishes(ViewState& state, ImVec2 min, ImVec2 max) {
   const int x = std::exchange(state.pan_x, 0), y = std::exchange(state.pan_y, 0);
   if (x == 0 && y == 0) return;
   zooming.active = false;
-  Camera& camera = state.view.camera;
-  camera = resolve(camera, columns, rows, viewport);
+  Camera& camera = state.camera(sheet.box.along());
+  camera = resolved(camera);
   camera.x += x * kPanStep * state.view.scale / camera.zoom;
   camera.y += y * kPanStep * state.view.scale / camera.zoom;
 }
 
-void Canvas::Parts::navigate(ViewState& state, ImVec2 min, bool is_hovered) {
+void Canvas::Parts::navigate(std::size_t pane, ViewState& state, ImVec2 min, bool is_hovered) {
   const ImGuiIO& io = ImGui::GetIO();
+  if (is_hovered && io.MouseWheel != 0 && io.KeyShift && world.solid())
+    return move_slice(state.slices, pane, world, io.MouseWheel > 0 ? 1 : -1,
+                      io.KeyCtrl ? SlicePanes::alone : SlicePanes::alike);
   if (is_hovered && io.MouseWheel != 0)
     zoom_by(state, std::pow(kZoomStep, static_cast<double>(io.MouseWheel)), min, io.MousePos);
   pan(state, is_hovered);
+}
+
+/// Which sheet it shows: the pane's slice of the run's world, of which it forgets what was another one's.
+void Canvas::Parts::turn_to(const Run& run, std::size_t pane, ViewState& state) {
+  const bool other_world = run.lattice() != world;
+  if (fit || (other_world && world.width() != 0)) {
+    state.fit_cameras();
+    zooming.active = false;
+    if (other_world) forget_places(state);
+  }
+  fit = false;
+  if (!state.slices.chosen()) state.slices.set_all({Axis::z, run.scenario().start.z});
+  world = run.lattice();
+  if (state.slices.follows_robot) state.slices.show(pane, robot_cell(run));
+  sheet = sheet_of(world, state.slices.of(pane));
 }
 
 /// By the middle button, or by the left one while Space is down.
@@ -226,8 +245,8 @@ void Canvas::Parts::pan(ViewState& state, bool is_hovered) {
   if (panning || (is_hovered && space)) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   if (!panning || (io.MouseDelta.x == 0 && io.MouseDelta.y == 0)) return;
   zooming.active = false;
-  Camera& camera = state.view.camera;
-  if (camera.zoom <= 0) camera = resolve(camera, columns, rows, viewport);
+  Camera& camera = state.camera(sheet.box.along());
+  if (camera.zoom <= 0) camera = resolved(camera);
   camera.x -= static_cast<double>(io.MouseDelta.x) / camera.zoom;
   camera.y -= static_cast<double>(io.MouseDelta.y) / camera.zoom;
 }
@@ -236,9 +255,9 @@ void Canvas::Parts::point(const Session& session, std::size_t pane, ViewState& s
                           bool is_hovered, std::vector<Command>& commands) {
   const Run& run = *session.runs()[pane];
   Projection screen(scene, min);
-  screen.camera = resolve(state.view.camera, columns, rows, viewport);
+  screen.camera = resolved(state.camera(sheet.box.along()));
   const Point at = screen.world(ImGui::GetIO().MousePos);
-  const Cell cell{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))};
+  const Cell cell = sheet.cell(static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)));
   const bool over = is_hovered && !panning;
   const bool inside = over && run.lattice().contains(cell);
   if (inside) {
@@ -253,7 +272,8 @@ void Canvas::Parts::point(const Session& session, std::size_t pane, ViewState& s
   const bool menu = ImGui::GetIO().KeyShift && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
   if (menu && inside && !hand.busy()) state.menu = cell;
   const double radius = 9 * state.view.scale / screen.camera.zoom;
-  const Pointer pointer{.cell = cell,
+  const Pointer pointer{.sheet = sheet,
+                        .cell = cell,
                         .over = over,
                         .inside = inside,
                         .left_pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Left),
@@ -309,7 +329,7 @@ void Canvas::Parts::take_hands(const Look& look, const Session& session, std::si
     commands.emplace_back(Lead{pane});
   if (is_hovered) ImGui::SetMouseCursor(state.tools.kind().cursor);
   take_wishes(state, min, max);
-  navigate(state, min, is_hovered);
+  navigate(pane, state, min, is_hovered);
   glide(state, min);
   point(session, pane, state, min, is_hovered && !panning, commands);
 }
@@ -330,31 +350,24 @@ void Canvas::Parts::draw_minimap(const Look& look, const Session& session, const
   if (!state.minimap || state.captured || !exceeds_view(scene)) return;
   const Breakpoints& breakpoints = session.breakpoints();
   if (breakpoints.hunt() || !breakpoints.stopped().empty()) foot.y -= look.px(44);
-  const auto middle =
-      minimap.draw(look, run, memory, scene, std::clamp(state.view.slice, 0, run.lattice().depth() - 1),
-                   scene_palette(look.theme, state.colours), foot);
+  const auto middle = minimap.draw(look, run, memory, scene, {sheet.box.along(), sheet.layer},
+                                   scene_palette(look.theme, state.colours), foot);
   if (!middle) return;
   zooming.active = false;
-  state.view.camera = {middle->x, middle->y, scene.camera.zoom};
+  state.camera(sheet.box.along()) = {middle->x, middle->y, scene.camera.zoom};
 }
 
 void Canvas::draw(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
                   ImVec2 max, bool interactive, std::vector<Command>& commands, float below, bool may_wait) {
   Parts& parts = *parts_;
-  const Viewport viewport{static_cast<int>(max.x - min.x), static_cast<int>(max.y - min.y),
-                          static_cast<int>(pane_title_height(look)), static_cast<int>(below)};
-  if (viewport.width <= 0 || viewport.height <= 0 || pane >= session.runs().size()) return;
+  if (pane >= session.runs().size()) return;
   const Run& run = *session.runs()[pane];
+  const float above = pane_title_height(look) + slice_bar_height(look, run.lattice());
+  const Viewport viewport{static_cast<int>(max.x - min.x), static_cast<int>(max.y - min.y),
+                          static_cast<int>(above), static_cast<int>(below)};
+  if (viewport.width <= 0 || viewport.height <= 0) return;
   state.view.scale = static_cast<double>(look.px.scale);
-  const bool other_world = run.lattice().width() != parts.columns || run.lattice().height() != parts.rows;
-  if (parts.fit || (other_world && parts.columns != 0)) {
-    state.view.camera = {};
-    parts.zooming.active = false;
-    if (other_world) forget_places(state);
-  }
-  parts.fit = false;
-  parts.columns = run.lattice().width();
-  parts.rows = run.lattice().height();
+  parts.turn_to(run, pane, state);
   parts.viewport = viewport;
   parts.scene.width = viewport.width;
   parts.scene.height = viewport.height;
@@ -366,7 +379,7 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
   }
   ImGui::PushID(static_cast<int>(pane));
   if (interactive) parts.take_hands(look, session, pane, state, min, max, commands);
-  parts.prepare(look, session, run, state, may_wait);
+  parts.prepare(look, session, run, state, state.camera(parts.sheet.box.along()), may_wait);
   list.PushClipRect(min, max, true);
   list.AddRectFilled(min, max, look.theme.surround);
   const Raster& raster = parts.scene.raster;
@@ -377,12 +390,16 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
     const Projection screen(parts.scene, min);
     const bool idle = !parts.hand.holds() && !parts.panning;
     const auto hovered = idle ? parts.hovered : std::nullopt;
-    draw_editing(CellPen(look, list, screen, run), state, parts.hand.preview(state, hovered), hovered);
+    draw_editing(CellPen(look, list, screen, run, parts.sheet), state,
+                 parts.hand.preview(state, parts.sheet, hovered), hovered);
   }
   const bool leads = interactive && session.runs().size() > 1 && pane == session.lead();
   if (leads) list.AddRectFilled(min, {max.x, min.y + look.px(2)}, look.theme.accent);
-  parts.chips = draw_chips(look, list, run, parts.scene, parts.memory, parts.plans, state, min, max,
-                           interactive, parts.card);
+  parts.chips = draw_chips(look, list, run, parts.scene, parts.memory, parts.plans, state, parts.sheet, min,
+                           max, interactive, parts.card);
+  if (interactive && run.lattice().solid() && !state.captured)
+    draw_slice_bar(look, parts.sheet, pane, state.slices,
+                   {min.x + look.px(12), min.y + pane_title_height(look)}, max.x - min.x - 2 * look.px(12));
   parts.take_answer(state, session, pane, commands);
   if (state.legend && pane == session.lead())
     draw_number_key(look, list, run.info(), parts.scene, min,

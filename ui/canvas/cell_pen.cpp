@@ -7,8 +7,8 @@ namespace replan::ui {
 std::vector<CellSpan> CellPen::inside(std::span<const CellSpan> spans) const {
   std::vector<CellSpan> cut;
   for (const CellSpan& span : spans) {
-    const CellSpan part{span.y, std::max(0, span.first), std::min(map().width - 1, span.last)};
-    if (part.y >= 0 && part.y < map().height && part.first <= part.last) cut.push_back(part);
+    const CellSpan part{span.y, std::max(0, span.first), std::min(sheet_.box.width() - 1, span.last)};
+    if (part.y >= 0 && part.y < sheet_.box.height() && part.first <= part.last) cut.push_back(part);
   }
   return cut;
 }
@@ -35,16 +35,27 @@ void CellPen::dashed(ImVec2 a, ImVec2 b, ImU32 colour) const {
   }
 }
 
-void CellPen::dashed_frame(const CellRect& rect, ImU32 colour) const {
-  const ImVec2 a = at(rect.low.x, rect.low.y), b = at(rect.high.x + 1, rect.high.y + 1);
+bool CellPen::meets(const CellBox& box) const {
+  const CellBox part = seen(box);
+  return part.low.z <= sheet_.layer && sheet_.layer <= part.high.z;
+}
+
+void CellPen::fill(const CellBox& box, ImU32 colour) const {
+  const CellBox part = seen(box);
+  list_.AddRectFilled(at(part.low.x, part.low.y), at(part.high.x + 1, part.high.y + 1), colour);
+}
+
+void CellPen::dashed_frame(const CellBox& box, ImU32 colour) const {
+  const CellBox part = seen(box);
+  const ImVec2 a = at(part.low.x, part.low.y), b = at(part.high.x + 1, part.high.y + 1);
   dashed(a, {b.x, a.y}, colour);
   dashed({b.x, a.y}, b, colour);
   dashed({a.x, b.y}, b, colour);
   dashed(a, {a.x, b.y}, colour);
 }
 
-ImVec2 CellPen::at(int x, int y) const {
-  const ImVec2 point = screen_({static_cast<double>(x), static_cast<double>(y)});
+ImVec2 CellPen::at(int column, int row) const {
+  const ImVec2 point = screen_({static_cast<double>(column), static_cast<double>(row)});
   return {std::round(point.x), std::round(point.y)};
 }
 

@@ -9,6 +9,7 @@
 #include "core/scene/cover.hpp"
 #include "core/world/choices.hpp"
 #include "core/world/ends.hpp"
+#include "ui/canvas/slice_bar.hpp"
 #include "ui/icons.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -39,7 +40,7 @@ std::string distinction(const Run& run) {
 }
 
 /// What stands beside the planner's name; where there is no room for all panes, how to come to the others.
-std::string title_figures(const Run& run, SceneMemory& memory, const ViewState& state) {
+std::string title_figures(const Run& run, SceneMemory& memory, const ViewState& state, const Sheet& sheet) {
   if (state.hides_panes)
     return "N shows the next of " + std::to_string(run.scenario().planners.size()) + " panes";
   const std::size_t cursor = run.timeline().cursor();
@@ -47,8 +48,10 @@ std::string title_figures(const Run& run, SceneMemory& memory, const ViewState& 
   std::string figures = count_text(memory.expansions(run, cursor), "expansion", "expansions");
   if (decision != nullptr && !decision->plan->path->empty())
     figures += " · " + count_text(static_cast<std::int64_t>(decision->plan->path->size()), "node", "nodes");
-  if (run.lattice().solid()) figures += " · layer " + std::to_string(state.view.slice);
-  return figures;
+  if (!sheet.box.solid()) return figures;
+  // The bar below tells the layer; a picture of the canvas alone has none.
+  if (state.captured) figures += " · " + layer_text(sheet);
+  return figures + " · " + axes_text(sheet.box.along());
 }
 
 /// Why a plan that was found cannot be driven.
@@ -96,11 +99,10 @@ struct CardDrawn {
 
 /// The card of a replan in a pane, beside its title or below it.
 CardDrawn draw_card(const Look& look, const Scene& scene, const ReplanReport& report, const CardFold& fold,
-                    const ScreenArea& pane, const ScreenArea& title) {
+                    const ScreenArea& pane, const ScreenArea& title, float below) {
   const float room = pane.max.x - title.max.x - 2 * look.px(12);
   const auto place = [&](CardForm form) {
     const ImVec2 size = replan_card_size(look, report, form);
-    const float below = title.max.y + look.px.s;
     return card_place(look, scene, pane, size, size.x <= room ? title.min.y : below, below);
   };
   // A picture has the whole card where that hides little of the world, and no number.
@@ -178,12 +180,12 @@ float pane_title_height(const Look& look) {
 }
 
 ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene& scene,
-                      SceneMemory& memory, FreshPlans& plans, const ViewState& state, ImVec2 min, ImVec2 max,
-                      bool choosable, CardFold& fold) {
+                      SceneMemory& memory, FreshPlans& plans, const ViewState& state, const Sheet& sheet,
+                      ImVec2 min, ImVec2 max, bool choosable, CardFold& fold) {
   const Theme& theme = look.theme;
   const float margin = look.px(12);
   const std::size_t cursor = run.timeline().cursor();
-  const std::string figures = title_figures(run, memory, state);
+  const std::string figures = title_figures(run, memory, state, sheet);
   const std::string name = std::string(run.info().name) + distinction(run);
   const std::array<TextRun, 3> title = {{{name, theme.text, look.fonts.title},
                                          {figures, theme.dim, look.fonts.small},
@@ -192,14 +194,14 @@ ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, const 
   const ImVec2 corner(min.x + margin, min.y + margin);
   const ImVec2 left = chip(look, list, corner, std::span(title).first(choosable ? 3 : 2));
   drawn.title = {corner, {corner.x + left.x, corner.y + left.y}};
-  float below = min.y + margin + left.y + look.px.s;
+  float below = min.y + margin + left.y + look.px.s + slice_bar_height(look, run.lattice());
   ImVec2 card_foot(max.x, min.y);  // lower left corner
   const RepairFigures repair = memory.repair(run, cursor);
   fold.see(repair.number, ImGui::GetTime());
   if (repair.number > 0) {
     const auto fresh = plans.of(run, static_cast<std::size_t>(repair.number), !state.live);
     const ReplanReport report{repair, fresh, state.live, run.info().incremental};
-    const CardDrawn card = draw_card(look, scene, report, fold, {min, max}, drawn.title);
+    const CardDrawn card = draw_card(look, scene, report, fold, {min, max}, drawn.title, below);
     drawn.card = card.answer;
     if (card.area.min.x > min.x + margin)
       card_foot = {card.area.min.x, card.area.max.y};

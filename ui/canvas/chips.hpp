@@ -17,8 +17,8 @@ struct ChipsDrawn {
 
 /// With `choosable` the planner's name has the sign of a menu. `scene` is what lies under them.
 ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene& scene,
-                      SceneMemory& memory, FreshPlans& plans, const ViewState& state, ImVec2 min, ImVec2 max,
-                      bool choosable, CardFold& fold);
+                      SceneMemory& memory, FreshPlans& plans, const ViewState& state, const Sheet& sheet,
+                      ImVec2 min, ImVec2 max, bool choosable, CardFold& fold);
 /// The height at the top of a pane that its title takes, with the space around it.
 float pane_title_height(const Look& look);
 

@@ -9,12 +9,6 @@
 
 namespace replan::ui {
 
-/// A rectangle of cells, both ends included.
-struct CellRect {
-  Cell low, high;
-  friend bool operator==(const CellRect&, const CellRect&) = default;
-};
-
 /// What the stroke under way does.
 enum class StrokeKind : std::uint8_t {
   none,
@@ -24,8 +18,8 @@ enum class StrokeKind : std::uint8_t {
 };
 
 struct Editing {
-  bool round = false;              ///< the brush
-  std::optional<CellRect> region;  ///< selected cells
+  bool round = false;             ///< the brush
+  std::optional<CellBox> region;  ///< selected cells
   // Numbers in the scenario; at most one is selected.
   std::optional<std::size_t> mover;
   std::optional<std::size_t> surprise;
@@ -33,7 +27,7 @@ struct Editing {
 };
 
 /// Selects cells, and nothing else.
-inline void select_region(Editing& editing, const CellRect& region) {
+inline void select_region(Editing& editing, const CellBox& region) {
   editing.region = region;
   editing.mover.reset();
   editing.surprise.reset();

@@ -18,9 +18,9 @@ bool Hand::could_hold(const Run& run, const ViewState& state, const Pointer& poi
   return !busy_ && state.tools.chosen().grabs() && grab(run, pointer) != nullptr;
 }
 
-CellPreview Hand::preview(const ViewState& state, std::optional<Cell> hovered) const {
+CellPreview Hand::preview(const ViewState& state, const Sheet& sheet, std::optional<Cell> hovered) const {
   if (drag_) return drag_->preview(press_, state);
-  return busy_ || !hovered ? CellPreview{} : state.tools.chosen().preview(state, *hovered);
+  return busy_ || !hovered ? CellPreview{} : state.tools.chosen().preview(state, sheet, *hovered);
 }
 
 void Hand::update(const Session& session, const Run& run, ViewState& state, const Pointer& pointer,
@@ -47,7 +47,15 @@ void Hand::press(ToolContext& context) {
   const Run& run = context.run;
   const Cell at = context.pointer.cell;
   const bool right = !context.pointer.left_pressed, outside = !context.pointer.inside;
-  press_ = {right, false, at, at, at, outside, StrokeKind::paints, next_stroke()};
+  press_ = {.right = right,
+            .moved = false,
+            .sheet = context.pointer.sheet,
+            .first = at,
+            .before = at,
+            .last = at,
+            .outside = outside,
+            .kind = StrokeKind::paints,
+            .stroke = next_stroke()};
   if (!outside && is_wall(run, at)) press_.kind = StrokeKind::erases_wall;
   if (right) press_.kind = StrokeKind::erases;
   busy_ = true;

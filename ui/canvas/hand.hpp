@@ -22,8 +22,9 @@ class Hand {
   [[nodiscard]] bool holds() const { return drag_ && drag_->holds(); }
   /// Whether a press would take hold of the start, the goal or the robot.
   [[nodiscard]] bool could_hold(const Run& run, const ViewState& state, const Pointer& pointer) const;
-  /// What would be written if the button were let go now, or pressed at `hovered`.
-  [[nodiscard]] CellPreview preview(const ViewState& state, std::optional<Cell> hovered) const;
+  /// What would be written if the button were let go now, or pressed at `hovered` on that sheet.
+  [[nodiscard]] CellPreview preview(const ViewState& state, const Sheet& sheet,
+                                    std::optional<Cell> hovered) const;
 
  private:
   void press(ToolContext& context);

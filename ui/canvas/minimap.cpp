@@ -50,7 +50,8 @@ void Minimap::upload() {
 }
 
 /// World, goal and robot, and what of it the view shows.
-void Minimap::paint(const Look& look, const Run& run, const Scene& scene, ImVec2 min, ImVec2 size) const {
+void Minimap::paint(const Look& look, const Run& run, const Scene& scene, Axis along, ImVec2 min,
+                    ImVec2 size) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 max(min.x + size.x, min.y + size.y);
   const float rim = look.px(kRim);
@@ -60,9 +61,10 @@ void Minimap::paint(const Look& look, const Run& run, const Scene& scene, ImVec2
   list.AddImage(texture_, min, max);
   const float across = size.x / static_cast<float>(scene.columns),
               down = size.y / static_cast<float>(scene.rows);
+  const SeenBox world(run.lattice(), along);
   const auto dot = [&](NodeId node, ImU32 colour) {
     if (node == kNoNode) return;
-    const Cell cell = run.lattice().position(node);
+    const Cell cell = world.position(node);
     const ImVec2 at(min.x + (static_cast<float>(cell.x) + 0.5f) * across,
                     min.y + (static_cast<float>(cell.y) + 0.5f) * down);
     list.AddCircleFilled(at, look.px(3.5f), look.theme.outline);
@@ -85,8 +87,8 @@ void Minimap::paint(const Look& look, const Run& run, const Scene& scene, ImVec2
 }
 
 std::optional<Point> Minimap::draw(const Look& look, const Run& run, SceneMemory& memory, const Scene& scene,
-                                   int layer, const Palette& palette, ImVec2 foot) {
-  if (keeper_.follow(run, memory, layer, palette, kMostTexels)) upload();
+                                   const Slice& slice, const Palette& palette, ImVec2 foot) {
+  if (keeper_.follow(run, memory, slice, palette, kMostTexels)) upload();
   const ImVec2 size = size_of(look, scene);
   const float rim = look.px(kRim);
   const ImVec2 min(std::floor(foot.x - size.x - rim), std::floor(foot.y - size.y - rim));
@@ -99,7 +101,7 @@ std::optional<Point> Minimap::draw(const Look& look, const Run& run, SceneMemory
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBackground);
   ImGui::PopStyleVar(2);
-  paint(look, run, scene, min, size);
+  paint(look, run, scene, slice.along, min, size);
   ImGui::InvisibleButton("world", {size.x + 2 * rim, size.y + 2 * rim});
   const bool held = ImGui::IsItemActive();
   if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);

@@ -23,11 +23,11 @@ class Minimap {
   /// In a window of its own, its lower right corner at `foot`, within the ID of its pane. Where the middle of the view is
   /// asked to go, in cells; nothing if the mouse asks for nothing.
   std::optional<Point> draw(const Look& look, const Run& run, SceneMemory& memory, const Scene& scene,
-                            int layer, const Palette& palette, ImVec2 foot);
+                            const Slice& slice, const Palette& palette, ImVec2 foot);
 
  private:
   void upload();
-  void paint(const Look& look, const Run& run, const Scene& scene, ImVec2 min, ImVec2 size) const;
+  void paint(const Look& look, const Run& run, const Scene& scene, Axis along, ImVec2 min, ImVec2 size) const;
 
   ImGuiRenderer& renderer_;
   OverviewKeeper keeper_;

@@ -6,9 +6,10 @@ void draw_editing(const CellPen& pen, const ViewState& state, const CellPreview&
                   std::optional<Cell> hovered) {
   const Theme& theme = pen.look().theme;
   if (const auto& region = state.editing.region) {
-    pen.dashed_frame(*region, theme.accent);
-    pen.list().AddRectFilled(pen.at(region->low.x, region->low.y),
-                             pen.at(region->high.x + 1, region->high.y + 1), with_alpha(theme.accent, 0.1f));
+    // Fainter on the layers before and behind it.
+    const bool here = pen.meets(*region);
+    pen.dashed_frame(*region, with_alpha(theme.accent, here ? 1 : 0.4f));
+    if (here) pen.fill(*region, with_alpha(theme.accent, 0.1f));
   }
   const auto own = state.tools.kind().colour;
   const ImU32 colour = !preview.adds ? theme.dim : own != nullptr ? theme.*own : theme.accent;

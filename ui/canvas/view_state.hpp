@@ -2,12 +2,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 
 #include "core/scene/view.hpp"
 #include "core/world/map_frame.hpp"
 #include "ui/canvas/editing.hpp"
+#include "ui/canvas/slices.hpp"
 #include "ui/colormap.hpp"
 #include "ui/tools/tool_box.hpp"
 
@@ -15,9 +17,15 @@ namespace replan::ui {
 
 /// No part of the document.
 struct ViewState {
-  View view;
+  View view;  ///< what all panes share; its slice is that of the pane that was drawn last
+  Slices slices;
+  /// Panes that are seen along the same axis share a camera.
+  [[nodiscard]] Camera& camera(Axis axis) { return axis == Axis::z ? view.camera : upright[axis == Axis::y]; }
+  void fit_cameras() { view.camera = upright[0] = upright[1] = {}; }
+  std::array<Camera, 2> upright;  ///< along x and along y
   ToolBox tools;
-  int brush = 1;  ///< side of the brush in cells, 1 to 64
+  int brush = 1;   ///< side of the brush in cells, 1 to 64
+  int layers = 1;  ///< that tools draw in at once, from the one that shows on, 1 to 64
   Editing editing;
   bool dark = true;
   FieldColours colours = FieldColours::viridis;

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/base/file.hpp"
+#include "core/world/choices.hpp"
 #include "core/world/ends.hpp"
 #include "core/world/map_file.hpp"
 
@@ -14,9 +15,12 @@ namespace {
 Scenario world_of(GridMap map, const Scenario& current) {
   Scenario scenario;
   scenario.map = std::move(map);
-  scenario.planners = current.planners;
   scenario.robot = current.robot;
-  scenario.goal = {scenario.map.width - 1, scenario.map.height - 1};
+  if (!require_robot(scenario.robot.kind, scenario.map.box())) scenario.robot = RobotSetup{};
+  for (const PlannerChoice& choice : current.planners)
+    if (fits(*find_choice(choice.id), scenario.map.box())) scenario.planners.push_back(choice);
+  if (scenario.planners.empty()) scenario.planners.push_back({"dstar-lite", {}, {}});
+  scenario.goal = {scenario.map.width - 1, scenario.map.height - 1, scenario.map.depth - 1};
   return scenario;
 }
 
@@ -35,14 +39,12 @@ Result<Scenario> open_document(const std::string& path, const Scenario& current,
   if (file_extension(path) == ".json") {
     Result<Scenario> scenario = read_scenario(path);
     if (!scenario) return scenario;
-    if (const auto plane = check_plane(scenario->map, path); !plane) return Error{plane.error()};
     return scenario;
   }
   if (file_extension(path) == ".scen")
     return Error{path + ": a .scen file lists problems, not a world; open the .map that it is for"};
   Result<MapFile> file = read_map_file(path, reading);
   if (!file) return Error{file.error()};
-  if (const auto plane = check_plane(file->map, path); !plane) return Error{plane.error()};
   Scenario scenario = world_of(std::move(file->map), current);
   scenario.map_found = std::move(file->found);
   scenario.name = file_stem(path);
@@ -50,23 +52,6 @@ Result<Scenario> open_document(const std::string& path, const Scenario& current,
   if (file->start) scenario.start = *file->start;
   if (file->goal) scenario.goal = *file->goal;
   return scenario;
-}
-
-Result<void> check_plane(const GridMap& map, const std::string& path) {
-  if (map.depth == 1) return {};
-  const std::string depth = std::to_string(map.depth);
-  if (path.empty())
-    return Error{
-        "This world has " + depth +
-        " layers, and the window shows planes: save its scenario as a file, and drive it with 'replan run "
-        "FILE' or draw a layer with 'replan render FILE --slice Z -o layer.png'."};
-  if (file_extension(path) == ".json")
-    return Error{"'" + path + "' has " + depth +
-                 " layers, and the window shows planes: drive it with 'replan run " + path +
-                 "', or draw a layer with 'replan render " + path + " --slice Z -o layer.png'."};
-  return Error{"'" + path + "' has " + depth +
-               " layers, and the window shows planes: take one with 'replan convert " + path +
-               " plane.map --slice Z', or drive through all of them with 'replan run --map " + path + "'."};
 }
 
 Scenario empty_world(int width, int height, const Scenario& current) {
@@ -78,7 +63,8 @@ Scenario empty_world(int width, int height, const Scenario& current) {
 }
 
 bool saves_in_place(const std::string& path) {
-  return file_extension(path) == ".json" || file_extension(path) == ".map";
+  const std::string extension = file_extension(path);
+  return extension == ".json" || extension == ".map" || extension == ".3dmap";
 }
 
 bool saves_in_place(const Session& session) {
@@ -138,7 +124,7 @@ Dropped sort_out(const std::vector<std::string>& paths) {
     dropped.path.clear();
     dropped.sentence = "'" + file_name(*best) +
                        "' is no world: drop a scenario (.json), or a map that ends in " +
-                       map_extensions(MapUse::read_as_plane) + ".";
+                       map_extensions(MapUse::read) + ".";
   } else if (paths.size() > 1) {
     dropped.sentence = "One world is open at a time: of " + std::to_string(paths.size()) +
                        " dropped files '" + file_name(*best) + "' was taken.";

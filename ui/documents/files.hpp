@@ -12,13 +12,10 @@
 namespace replan::ui {
 
 /// Reads a scenario (.json), or a map (.map, .png, ...) as a world with the start and goal of the file, else
-/// with ones far apart in its largest open region, and with the planners and the robot of `current`. Errors
-/// say what now. Slow for a large map: not for the drawing thread.
+/// with ones far apart in its largest open region, and with those planners and the robot of `current` that such a world
+/// can have. Errors say what now. Slow for a large map: not for the drawing thread.
 Result<Scenario> open_document(const std::string& path, const Scenario& current,
                                const MapReading& reading = {}, const std::stop_token& stop = {});
-/// A world as the window takes it: a plane. The error tells what can be done with one of more layers; `path` names
-/// it, empty for one without a file.
-Result<void> check_plane(const GridMap& map, const std::string& path);
 /// An all-free world with the planners and the robot of `current`.
 Scenario empty_world(int width, int height, const Scenario& current);
 /// Whether save_document() keeps everything that this file held, so that Ctrl+S may write to it without

@@ -18,19 +18,21 @@ Cell in_pixels(Cell cell, const GridMap& map, const Thumbnail& picture) {
           static_cast<int>(std::int64_t{cell.y} * picture.height / map.height)};
 }
 
-/// How much of the cells of one pixel is blocked, 0 to 255.
+/// How much of the cells of one pixel, through all layers, is blocked: 0 to 255.
 std::uint8_t share(const GridMap& map, int x0, int y0, int x1, int y1) {
   std::int64_t blocked = 0;
-  for (int y = y0; y < y1; ++y) {
-    const auto row = map.blocked.begin() + static_cast<std::ptrdiff_t>(map.index({0, y}));
-    blocked += std::count_if(row + x0, row + x1, [](std::uint8_t cell) { return cell != 0; });
-  }
-  return static_cast<std::uint8_t>(blocked * 255 / (std::int64_t{x1 - x0} * (y1 - y0)));
+  for (int z = 0; z < map.depth; ++z)
+    for (int y = y0; y < y1; ++y) {
+      const auto row = map.blocked.begin() + static_cast<std::ptrdiff_t>(map.index({0, y, z}));
+      blocked += std::count_if(row + x0, row + x1, [](std::uint8_t cell) { return cell != 0; });
+    }
+  return static_cast<std::uint8_t>(blocked * 255 / (std::int64_t{x1 - x0} * (y1 - y0) * map.depth));
 }
 
 void describe(const GridMap& map, std::optional<Cell> start, std::optional<Cell> goal, Preview& preview) {
   preview.width = map.width;
   preview.height = map.height;
+  preview.depth = map.depth;
   preview.resolution = map.resolution;
   preview.obstacles = map.blocked.size() -
                       static_cast<std::size_t>(std::count(map.blocked.begin(), map.blocked.end(), kFree));
@@ -101,16 +103,12 @@ Preview make_preview(const std::string& path, const MapReading& reading, const s
     const Result<Scenario> scenario = read_scenario(path);
     if (!scenario)
       preview.error = scenario.error();
-    else if (const auto plane = check_plane(scenario->map, path); !plane)
-      preview.error = plane.error();
     else if (!stop.stop_requested())
       describe(*scenario, preview);
   } else if (kind == FileKind::map || kind == FileKind::picture) {
     const Result<MapFile> file = read_map_file(path, reading);
     if (!file)
       preview.error = file.error();
-    else if (const auto plane = check_plane(file->map, path); !plane)
-      preview.error = plane.error();
     else if (!stop.stop_requested())
       describe(file->map, file->start, file->goal, preview);
     if (file) preview.notes = file->found.notes_for_planning();

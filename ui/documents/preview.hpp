@@ -34,7 +34,7 @@ std::vector<std::uint32_t> coloured(const Thumbnail& thumbnail, const Theme& the
 struct Preview {
   std::string error;  ///< why there is nothing to be seen; else empty
   std::string name, caption;
-  int width = 0, height = 0;
+  int width = 0, height = 0, depth = 1;
   std::size_t obstacles = 0;
   double resolution = 1;
   std::vector<std::string> planners;  ///< their names

@@ -184,8 +184,25 @@ void ActionContext::resize_brush(int by) {
 void ActionContext::move_pin(int dx, int dy) {
   const std::optional<Cell>& from = view.view.pinned ? view.view.pinned : view.view.hovered;
   if (!from) return;
-  const Cell to{from->x + dx, from->y + dy};
+  const SeenBox seen(session.scenario().map.box(), view.slices.of(session.lead()).along);
+  const Cell at = seen.seen(*from), to = seen.world(Cell{at.x + dx, at.y + dy, at.z});
   if (session.scenario().map.contains(to)) view.view.pinned = to;
+}
+
+bool ActionContext::is_solid() const {
+  return session.run().lattice().solid();
+}
+
+bool ActionContext::looks_along(Axis axis) const {
+  return is_solid() && view.slices.of(session.lead()).along == axis;
+}
+
+void ActionContext::turn_slice(Axis axis) {
+  ui::turn_slice(view.slices, session.lead(), session.run().lattice(), axis);
+}
+
+void ActionContext::move_slice(int by) {
+  ui::move_slice(view.slices, session.lead(), session.run().lattice(), by);
 }
 
 void ActionContext::toggle_overlay(Overlay overlay) {

@@ -51,7 +51,7 @@ struct ActionContext {
   // Through the clipboard, as text (ui/shell/clipboard.hpp); what takes longer than a frame goes on in the next ones.
   void copy_world();
   void copy_state();
-  void copy_cells(MapFile world, const MapRegion& region, std::string said);
+  void copy_cells(MapFile world, const CellBox& region, std::string said);
   void go_on_copying();
   void go_on_copying_state();
   void copy_figures(FiguresFormat format);
@@ -63,6 +63,11 @@ struct ActionContext {
   void put_in_cells(PastedText pasted);
   void move_pin(int dx, int dy);
   void toggle_overlay(Overlay overlay);
+  // Of a world with several layers: what the pane that leads shows of it.
+  [[nodiscard]] bool is_solid() const;
+  [[nodiscard]] bool looks_along(Axis axis) const;
+  void turn_slice(Axis axis);
+  void move_slice(int by);
   // The debugger's; those about a cell take the pinned one, else the one under the cursor.
   [[nodiscard]] std::optional<Cell> cell() const;
   void go_to_breakpoint(int direction);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/words.hpp"
+#include "core/lattice/box_words.hpp"
 #include "ui/documents/files.hpp"
 #include "ui/shell/actions.hpp"
 #include "ui/tools/select.hpp"
@@ -15,12 +16,17 @@ constexpr double kSliceMs = 8;
 /// Bytes of text that are read at once.
 constexpr std::size_t kLongText = std::size_t{1} << 18;
 
-MapRegion as_region(const CellRect& rect) {
-  return {rect.low.x, rect.low.y, rect.high.x - rect.low.x + 1, rect.high.y - rect.low.y + 1};
+CellBox whole_of(const GridMap& map) {
+  return {{0, 0, 0}, {map.width - 1, map.height - 1, map.depth - 1}};
 }
 
-std::string size_text(int width, int height) {
-  return std::to_string(width) + " × " + std::to_string(height) + " cells";
+/// Where a map's cells come to lie, with its first one at a place: what of it lies in the world.
+CellBox pasted_part(const GridMap& cells, const PastePlace& place) {
+  const Cell at = place.at;
+  return {at,
+          {std::min(at.x + cells.width, place.world.width()) - 1,
+           std::min(at.y + cells.height, place.world.height()) - 1,
+           std::min(at.z + cells.depth, place.world.depth()) - 1}};
 }
 
 /// Every cell of a map as changes, with its upper left cell at a place; what falls outside the world or would block a
@@ -28,13 +34,15 @@ std::string size_text(int width, int height) {
 std::vector<CellChange> placed(const GridMap& cells, const PastePlace& place) {
   std::vector<CellChange> changes;
   const std::vector<Cell>& keep_free = place.keep_free;
-  for (int y = 0; y < std::min(cells.height, place.height - place.at.y); ++y)
-    for (int x = 0; x < std::min(cells.width, place.width - place.at.x); ++x) {
-      const Cell to{place.at.x + x, place.at.y + y};
-      const bool blocked = cells.at({x, y});
-      if (blocked && std::find(keep_free.begin(), keep_free.end(), to) != keep_free.end()) continue;
-      changes.push_back({to, blocked});
-    }
+  const CellBox part = pasted_part(cells, place);
+  for (int z = part.low.z; z <= part.high.z; ++z)
+    for (int y = part.low.y; y <= part.high.y; ++y)
+      for (int x = part.low.x; x <= part.high.x; ++x) {
+        const Cell to{x, y, z};
+        const bool blocked = cells.at({x - place.at.x, y - place.at.y, z - place.at.z});
+        if (blocked && std::find(keep_free.begin(), keep_free.end(), to) != keep_free.end()) continue;
+        changes.push_back({to, blocked});
+      }
   return changes;
 }
 
@@ -76,7 +84,7 @@ std::optional<std::string> StateCopy::go_on(const Deadline& deadline) {
   return complete(draft_, hash_.value(), *scenario_text_);
 }
 
-CellsCopy::CellsCopy(MapFile world, const MapRegion& region, std::string said)
+CellsCopy::CellsCopy(MapFile world, const CellBox& region, std::string said)
     : text_(place_for(world.map.blocked.size() > kLargeWorld)), said_(std::move(said)) {
   text_.start(
       [world = std::move(world), region](const std::stop_token&) { return ascii_text(world, region); });
@@ -91,19 +99,19 @@ PastedText read_pasted(const std::string& text, const PastePlace& place) {
 
 void ActionContext::copy_world() {
   const Scenario& scenario = session.scenario();
-  const int width = scenario.map.width, height = scenario.map.height;
-  copy_cells({session.world(), scenario.start, scenario.goal}, {0, 0, width, height},
-             "Copied the world as text: " + size_text(width, height));
+  const CellBox all = whole_of(scenario.map);
+  copy_cells({session.world(), scenario.start, scenario.goal}, all,
+             "Copied the world as text: " + part_text(all));
 }
 
-void ActionContext::copy_cells(MapFile world, const MapRegion& region, std::string said) {
+void ActionContext::copy_cells(MapFile world, const CellBox& region, std::string said) {
   panels.clipboard.cells = std::make_unique<CellsCopy>(std::move(world), region, std::move(said));
   go_on_copying();
 }
 
 void ActionContext::copy_state() {
   CaseFocus focus{session.lead(), view.view.pinned, std::nullopt};
-  if (view.editing.region) focus.region = as_region(*view.editing.region);
+  focus.region = view.editing.region;
   panels.clipboard.copy = std::make_unique<StateCopy>(session, focus);
   go_on_copying();
 }
@@ -130,8 +138,8 @@ void ActionContext::go_on_copying_state() {
 }
 
 void ActionContext::copy_region() {
-  const MapRegion region = as_region(*view.editing.region);
-  copy_cells({session.world()}, region, "Copied " + size_text(region.width, region.height) + " as text");
+  const CellBox region = *view.editing.region;
+  copy_cells({session.world()}, region, "Copied " + part_text(region) + " as text");
 }
 
 void ActionContext::cut_region() {
@@ -146,7 +154,7 @@ void ActionContext::paste() {
   const GridMap& map = session.scenario().map;
   PastePlace place{view.editing.region ? view.editing.region->low
                                        : view.view.pinned.value_or(view.view.hovered.value_or(Cell{0, 0})),
-                   map.width, map.height, standing(session)};
+                   map.box(), standing(session)};
   panels.clipboard.paste = std::make_unique<Background<PastedText>>(place_for(held.size() > kLongText));
   panels.clipboard.paste->start([held = std::move(held), place = std::move(place)](const std::stop_token&) {
     return read_pasted(held, place);
@@ -167,8 +175,6 @@ void ActionContext::go_on_pasting() {
 
 void ActionContext::put_in_moment(Result<CaseMoment> moment) {
   if (!moment) return say(panels, moment.error(), true);
-  if (const auto plane = check_plane(moment->scenario.map, ""); !plane)
-    return say(panels, plane.error(), true);
   panels.pasted = std::make_shared<const CaseMoment>(std::move(moment.value()));
   wish = Wish::go_to_pasted;
 }
@@ -181,22 +187,20 @@ void ActionContext::put_in_cells(PastedText pasted) {
   for (const std::string& note : read->found.notes) panels.notices.push_back(note);
   const std::string noted = read->found.notes.empty() ? "" : "; " + read->found.notes.front();
   if (is_world(*read)) {
-    const bool same_frame = cells.width == scenario.map.width && cells.height == scenario.map.height &&
-                            read->start == scenario.start && read->goal == scenario.goal;
+    const bool same_frame =
+        cells.box() == scenario.map.box() && read->start == scenario.start && read->goal == scenario.goal;
     // Cell by cell if it can be, so that the plan is repaired.
     if (same_frame && cells.blocked.size() <= kLargeWorld)
-      push(PaintCells{placed(cells, {{0, 0}, cells.width, cells.height, standing(session)}), 0});
+      push(PaintCells{placed(cells, {{0, 0, 0}, cells.box(), standing(session)}), 0});
     else
       push(ReplaceMap{cells, read->start, read->goal});
-    return say(panels, "Pasted a world of " + size_text(cells.width, cells.height) + noted);
+    return say(panels, "Pasted a world of " + part_text(whole_of(cells)) + noted);
   }
-  const Cell at = pasted.place.at;
+  const CellBox part = pasted_part(cells, pasted.place);
   push(PaintCells{std::move(pasted.changes), 0});
-  const Cell end{std::min(at.x + cells.width, pasted.place.width) - 1,
-                 std::min(at.y + cells.height, pasted.place.height) - 1};
-  select_with_tool(view, {at, end});
-  const bool whole = end.x - at.x + 1 == cells.width && end.y - at.y + 1 == cells.height;
-  say(panels, "Pasted " + size_text(cells.width, cells.height) +
+  select_with_tool(view, part);
+  const bool whole = cell_count(part) == cells.blocked.size();
+  say(panels, "Pasted " + part_text(whole_of(cells)) +
                   (whole ? "" : "; what did not fit into the world was left out") + noted);
 }
 

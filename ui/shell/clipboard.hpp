@@ -36,7 +36,7 @@ class StateCopy {
 /// The text of cells that are being copied, and what to say once it is on the clipboard.
 class CellsCopy {
  public:
-  CellsCopy(MapFile world, const MapRegion& region, std::string said);
+  CellsCopy(MapFile world, const CellBox& region, std::string said);
 
   /// The text, once, when it is complete.
   std::optional<std::string> take() { return text_.take(); }
@@ -50,7 +50,7 @@ class CellsCopy {
 /// Where cells are pasted.
 struct PastePlace {
   Cell at;
-  int width = 0, height = 0;    ///< of the world
+  Box world;
   std::vector<Cell> keep_free;  ///< cells that no wall is put on
 };
 

@@ -31,13 +31,13 @@ void ActionContext::delete_selected() {
 }
 
 void ActionContext::clear_region() {
-  const CellRect& region = *view.editing.region;
-  std::vector<CellSpan> spans = rectangle_spans(region.low, region.high);
-  if (count_cells(spans) > kLargeWorld) return push(PaintSpans{std::move(spans), false});
+  const CellBox& region = *view.editing.region;
+  if (cell_count(region) > kLargeWorld) return push(PaintBoxes{{region}, false});
   std::vector<CellChange> cells;
-  for (int y = region.low.y; y <= region.high.y; ++y)
-    for (int x = region.low.x; x <= region.high.x; ++x)
-      if (session.scenario().map.contains({x, y})) cells.push_back({{x, y}, false});
+  for (int z = region.low.z; z <= region.high.z; ++z)
+    for (int y = region.low.y; y <= region.high.y; ++y)
+      for (int x = region.low.x; x <= region.high.x; ++x)
+        if (session.scenario().map.contains({x, y, z})) cells.push_back({{x, y, z}, false});
   push(PaintCells{std::move(cells), 0});
 }
 

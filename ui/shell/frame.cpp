@@ -92,16 +92,20 @@ const TouchedList* touched_by_last_replan(Frame& frame, const Run& run) {
 }
 
 void show_cell(Frame& frame, Cell cell) {
-  View& view = frame.view.view;
-  view.pinned = cell;
-  if (view.camera.zoom <= 0) return;  // the whole world is in sight
+  ViewState& view = frame.view;
+  view.view.pinned = cell;
+  const std::size_t lead = frame.session.lead();
+  view.slices.show(lead, cell);
+  const Sheet sheet = sheet_of(frame.run().lattice(), view.slices.of(lead));
+  Camera& camera = view.camera(sheet.box.along());
+  if (camera.zoom <= 0) return;  // the whole world is in sight
   const PixelArea& area = frame.panels.canvas;
   const double panes = static_cast<double>(std::max<std::size_t>(frame.session.runs().size(), 1));
-  const double half_width = (area.max.x - area.min.x) / panes / 2 / view.camera.zoom;
-  const double half_height = (area.max.y - area.min.y) / 2 / view.camera.zoom;
-  const double x = cell.x + 0.5, y = cell.y + 0.5;
-  if (std::abs(x - view.camera.x) > half_width * 0.9) view.camera.x = x;
-  if (std::abs(y - view.camera.y) > half_height * 0.9) view.camera.y = y;
+  const double half_width = (area.max.x - area.min.x) / panes / 2 / camera.zoom;
+  const double half_height = (area.max.y - area.min.y) / 2 / camera.zoom;
+  const Point at = centre_of(sheet.box.seen(cell));
+  if (std::abs(at.x - camera.x) > half_width * 0.9) camera.x = at.x;
+  if (std::abs(at.y - camera.y) > half_height * 0.9) camera.y = at.y;
 }
 
 void point_at(Frame& frame, Cell cell) {

@@ -62,6 +62,7 @@ enum class Menu : std::uint8_t {
   run,
   debug,
   view,
+  slice,
   move,
   panes,
   pin,

@@ -227,7 +227,7 @@ void Shell::draw_parts(Frame& frame) {
 }
 
 void Shell::fit() {
-  view_.view.camera = {};
+  view_.fit_cameras();
   panes_.fit();
 }
 
@@ -309,6 +309,7 @@ void Shell::show(const ViewSetup& view) {
   view_.pointed.reset();
   panels_.drafts.clear();
   fit();
+  view_.slices.forget();
   if (view.camera) view_.view.camera = {view.camera->x, view.camera->y, view.camera->zoom};
 }
 

@@ -293,10 +293,15 @@ void draw_status_bar(Frame& frame) {
   const std::optional<Cell> cell = view.hovered ? view.hovered : view.pinned;
   const GridMap& map = frame.session.scenario().map;
   const bool inside = cell && map.contains(*cell);
-  const auto place = [](int x, int y) { return std::to_string(x) + ", " + std::to_string(y); };
-  line.pair("Cell", inside ? place(cell->x, cell->y) : "–",
-            {"Cell", "", "Column and row, from (0, 0) at the top left."},
-            place(map.width - 1, map.height - 1).size());
+  const bool solid = map.box().solid();
+  const auto place = [solid](Cell at) {
+    return std::to_string(at.x) + ", " + std::to_string(at.y) + (solid ? ", " + std::to_string(at.z) : "");
+  };
+  line.pair("Cell", inside ? place(*cell) : "–",
+            {"Cell", "",
+             solid ? "Column, row and layer, from (0, 0, 0) at the top left of the lowest layer."
+                   : "Column and row, from (0, 0) at the top left."},
+            place({map.width - 1, map.height - 1, map.depth - 1}).size());
   const std::optional<MapFrame> metres = shown_frame(frame.view, map);
   if (metres && inside) {
     const Point middle = metres->to_metres(centre_of(*cell));

@@ -7,6 +7,8 @@
 namespace replan::ui {
 namespace {
 
+constexpr double kMostLayers = 64;
+
 /// What the strip takes with space between its parts: each button's, and that between groups; and without it.
 constexpr float kRoomyButton = 38, kRoomyRest = 146, kTightButton = 34, kTightRest = 24;
 
@@ -36,6 +38,19 @@ void tool(Frame& frame, const ToolKind& kind) {
                    .selected = each.checked(context_of(frame)),
                    .colour = kind.colour != nullptr ? frame.look.theme.*kind.colour : 0}))
     perform(frame, each.id);
+}
+
+/// How deep tools draw, in a world with several layers.
+void layers_slider(Frame& frame) {
+  double layers = frame.view.layers;
+  if (slider(
+          frame.look,
+          {.label = "Layers", .min = 1, .max = kMostLayers, .initial = 1, .decimals = 0, .logarithmic = true},
+          layers,
+          {"Layers", "",
+           "How many layers the tools draw in at once, from the one that shows on: a rectangle becomes a "
+           "box."}))
+    frame.view.layers = static_cast<int>(layers);
 }
 
 /// Shows the brush as it is, opens a slider, and takes the wheel.
@@ -68,7 +83,8 @@ void brush_size(Frame& frame) {
   ImGui::SetNextWindowPos({origin.x + look.px.tool + look.px(14), origin.y}, ImGuiCond_Always);
   if (ImGui::BeginPopup("brush size")) {
     double value = frame.view.brush;
-    ImGui::BeginChild("slider", {look.px(200), look.px(60)});
+    const bool solid = frame.run().lattice().solid();
+    ImGui::BeginChild("slider", {look.px(200), look.px(solid ? 110 : 60)});
     if (slider(look,
                {.label = "Brush",
                 .min = 1,
@@ -80,6 +96,7 @@ void brush_size(Frame& frame) {
                value))
       frame.view.brush = static_cast<int>(value);
     toggle(look, "Round", frame.view.editing.round);
+    if (solid) layers_slider(frame);
     ImGui::EndChild();
     ImGui::EndPopup();
   }

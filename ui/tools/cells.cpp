@@ -17,15 +17,15 @@ class BrushDrag final : public Drag {
  public:
   void move(ToolContext& context) override {
     // The mouse may have leapt over cells since the last frame.
-    std::vector<CellChange> cells =
-        changes(context, stroke_spans(brush_of(context.view), context.press.before, context.press.last));
+    std::vector<CellChange> cells = changes(
+        context, stroke_on(context.press.sheet, context.view, context.press.before, context.press.last));
     std::erase_if(cells, [&](const CellChange& each) {
       return !written_.insert(context.run.lattice().node(each.cell)).second;
     });
     paint(context, std::move(cells));
   }
   [[nodiscard]] CellPreview preview(const Press& press, const ViewState& view) const override {
-    return {brush_spans(brush_of(view), press.last), press.adds()};
+    return {brush_on(press.sheet, view, press.last), press.adds()};
   }
   [[nodiscard]] bool draws() const override { return true; }
   [[nodiscard]] bool leaves_world() const override { return true; }
@@ -46,7 +46,8 @@ std::unique_ptr<Drag> brush_drag() {
 }
 
 Cell clamped(const Box& lattice, Cell cell) {
-  return {std::clamp(cell.x, 0, lattice.width() - 1), std::clamp(cell.y, 0, lattice.height() - 1)};
+  return {std::clamp(cell.x, 0, lattice.width() - 1), std::clamp(cell.y, 0, lattice.height() - 1),
+          std::clamp(cell.z, 0, lattice.depth() - 1)};
 }
 
 bool is_wall(const Run& run, Cell cell) {
@@ -61,36 +62,62 @@ Cell robot_cell(const Run& run) {
   return place(run, run.timeline().state().node(Scalar::robot), run.scenario().start);
 }
 
-CellRect rectangle(Cell a, Cell b) {
-  return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
-}
-
-std::optional<CellRect> in_world(const Box& lattice, const CellRect& all) {
-  const CellRect kept = {
-      {std::max(all.low.x, 0), std::max(all.low.y, 0)},
-      {std::min(all.high.x, lattice.width() - 1), std::min(all.high.y, lattice.height() - 1)}};
-  if (kept.low.x > kept.high.x || kept.low.y > kept.high.y) return std::nullopt;
+std::optional<CellBox> in_world(const Box& lattice, const CellBox& all) {
+  const CellBox kept = {
+      {std::max(all.low.x, 0), std::max(all.low.y, 0), std::max(all.low.z, 0)},
+      {std::min(all.high.x, lattice.width() - 1), std::min(all.high.y, lattice.height() - 1),
+       std::min(all.high.z, lattice.depth() - 1)}};
+  if (kept.low.x > kept.high.x || kept.low.y > kept.high.y || kept.low.z > kept.high.z) return std::nullopt;
   return kept;
 }
 
-Brush brush_of(const ViewState& view) {
-  return {view.brush, view.editing.round};
+std::vector<CellSpan> brush_on(const Sheet& sheet, const ViewState& view, Cell at) {
+  return brush_spans({view.brush, view.editing.round}, sheet.box.seen(at));
 }
+
+std::vector<CellSpan> stroke_on(const Sheet& sheet, const ViewState& view, Cell from, Cell to) {
+  return stroke_spans({view.brush, view.editing.round}, sheet.box.seen(from), sheet.box.seen(to));
+}
+
+std::vector<CellSpan> rectangle_on(const Sheet& sheet, Cell a, Cell b) {
+  return rectangle_spans(sheet.box.seen(a), sheet.box.seen(b));
+}
+
+namespace {
+
+/// The layers that a press draws in: its sheet's, and as many behind it as there are and tools are to draw.
+std::vector<Sheet> sheets_of(const ToolContext& context) {
+  const Sheet& first = context.press.sheet;
+  std::vector<Sheet> sheets;
+  const int end = std::min(first.layer + context.view.layers, first.box.depth());
+  for (int layer = first.layer; layer < end; ++layer) sheets.push_back({first.box, layer});
+  return sheets;
+}
+
+/// What of a row lies on a sheet; nothing: none of it.
+std::optional<CellSpan> on_sheet(const Sheet& sheet, const CellSpan& span) {
+  const CellSpan kept{span.y, std::max(0, span.first), std::min(sheet.box.width() - 1, span.last)};
+  if (kept.y < 0 || kept.y >= sheet.box.height() || kept.first > kept.last) return std::nullopt;
+  return kept;
+}
+
+}  // namespace
 
 std::vector<CellChange> changes(const ToolContext& context, std::span<const CellSpan> spans,
                                 std::size_t enough) {
   const Run& run = context.run;
-  const Box& lattice = run.lattice();
   const bool adds = context.press.adds();
   const Cell start = run.scenario().start, goal = goal_cell(run);
   std::vector<CellChange> cells;
-  for (const CellSpan& span : spans) {
-    if (span.y < 0 || span.y >= lattice.height() || cells.size() > enough) continue;
-    for (int x = std::max(0, span.first); x <= std::min(lattice.width() - 1, span.last); ++x) {
-      const Cell at{x, span.y};
-      if (is_wall(run, at) != adds && !(adds && (at == start || at == goal))) cells.push_back({at, adds});
+  for (const Sheet& sheet : sheets_of(context))
+    for (const CellSpan& span : spans) {
+      const auto part = on_sheet(sheet, span);
+      if (!part || cells.size() > enough) continue;
+      for (int column = part->first; column <= part->last; ++column) {
+        const Cell at = sheet.cell(column, part->y);
+        if (is_wall(run, at) != adds && !(adds && (at == start || at == goal))) cells.push_back({at, adds});
+      }
     }
-  }
   return cells;
 }
 
@@ -98,11 +125,13 @@ void paint(ToolContext& context, std::vector<CellChange> cells) {
   if (!cells.empty()) context.commands.emplace_back(PaintCells{std::move(cells), context.press.stroke});
 }
 
-void paint(ToolContext& context, std::vector<CellSpan> spans) {
-  if (count_cells(spans) > kLargeWorld)
-    context.commands.emplace_back(PaintSpans{std::move(spans), context.press.adds()});
-  else
-    paint(context, changes(context, spans));
+void paint(ToolContext& context, const std::vector<CellSpan>& spans) {
+  const std::vector<Sheet> sheets = sheets_of(context);
+  if (count_cells(spans) * sheets.size() <= kLargeWorld) return paint(context, changes(context, spans));
+  std::vector<CellBox> boxes;
+  for (const CellSpan& span : spans)
+    boxes.push_back(box_of(sheets.front().cell(span.first, span.y), sheets.back().cell(span.last, span.y)));
+  context.commands.emplace_back(PaintBoxes{std::move(boxes), context.press.adds()});
 }
 
 void ShapeDrag::end(ToolContext& context) {
@@ -116,8 +145,7 @@ CellPreview ShapeDrag::preview(const Press& press, const ViewState& view) const 
 std::vector<CellSpan> ShapeDrag::spans(const ToolContext& context) const {
   std::vector<CellSpan> inside;
   for (const CellSpan& span : shape_(context.press, context.view))
-    if (const auto part = in_world(context.run.lattice(), {{span.first, span.y}, {span.last, span.y}}))
-      inside.push_back({span.y, part->low.x, part->high.x});
+    if (const auto part = on_sheet(context.press.sheet, span)) inside.push_back(*part);
   return inside;
 }
 

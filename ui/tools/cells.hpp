@@ -16,12 +16,15 @@ bool is_wall(const Run& run, Cell cell);
 /// Where the goal stands at the playhead.
 Cell goal_cell(const Run& run);
 Cell robot_cell(const Run& run);
-CellRect rectangle(Cell a, Cell b);
+/// Rows of the brush with its middle at a cell, of a straight stroke and of a rectangle between two, on a sheet.
+std::vector<CellSpan> brush_on(const Sheet& sheet, const ViewState& view, Cell at);
+std::vector<CellSpan> stroke_on(const Sheet& sheet, const ViewState& view, Cell from, Cell to);
+std::vector<CellSpan> rectangle_on(const Sheet& sheet, Cell a, Cell b);
 /// What of a rectangle lies in the world, if anything.
-std::optional<CellRect> in_world(const Box& lattice, const CellRect& all);
-Brush brush_of(const ViewState& view);
+std::optional<CellBox> in_world(const Box& lattice, const CellBox& all);
 
-/// Of the spans the cells that lie in the world and would change by the press. Start and goal keep standing on free
+/// Of the spans, on the press's sheet and as many layers behind it as the tools draw, the cells that lie in the world and
+/// would change by the press. Start and goal keep standing on free
 /// ground while others are painted around them. What is painted over the robot's own cell is there as it would be by a
 /// script: RobotSetup::robot_cell_blocks says what it does. If there are more than `enough`, some of them, but more
 /// than that.
@@ -29,8 +32,8 @@ std::vector<CellChange> changes(const ToolContext& context, std::span<const Cell
                                 std::size_t enough = SIZE_MAX);
 /// Queues them as one edit, if there are any.
 void paint(ToolContext& context, std::vector<CellChange> cells);
-/// Queues all that `spans` cover as one edit, however much that is.
-void paint(ToolContext& context, std::vector<CellSpan> spans);
+/// Queues all that `spans` cover in those layers as one edit, however much that is.
+void paint(ToolContext& context, const std::vector<CellSpan>& spans);
 
 /// A shape between two cells, which is painted when the button is let go.
 class ShapeDrag : public Drag {

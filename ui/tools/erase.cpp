@@ -10,8 +10,8 @@ class EraseTool final : public DrawingTool {
     context.press.kind = StrokeKind::erases;
     return brush_drag();
   }
-  [[nodiscard]] CellPreview preview(const ViewState& view, Cell at) const override {
-    return {brush_spans(brush_of(view), at), false};
+  [[nodiscard]] CellPreview preview(const ViewState& view, const Sheet& sheet, Cell at) const override {
+    return {brush_on(sheet, view, at), false};
   }
 };
 

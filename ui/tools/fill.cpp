@@ -11,11 +11,13 @@ class FillTool final : public DrawingTool {
     const Cell at = context.press.first;
     const bool wall = is_wall(run, at);
     if (context.press.right && !wall) return nullptr;  // nothing to clear
+    const Sheet& sheet = context.press.sheet;
+    const int layers = context.view.layers;
     const std::vector<CellSpan> region = connected_spans(
-        run.lattice().width(), run.lattice().height(), at,
-        [&](Cell cell) { return is_wall(run, cell) == wall; }, kLargeWorld);
-    if (count_cells(region) > kLargeWorld)
-      context.commands.emplace_back(FillRegion{at, context.press.adds()});
+        sheet.box.width(), sheet.box.height(), sheet.box.seen(at),
+        [&](Cell cell) { return is_wall(run, sheet.cell(cell.x, cell.y)) == wall; }, kLargeWorld);
+    if (count_cells(region) * static_cast<std::size_t>(layers) > kLargeWorld)
+      context.commands.emplace_back(FillRegion{at, context.press.adds(), sheet.box.along(), layers});
     else
       paint(context, changes(context, region));
     return nullptr;

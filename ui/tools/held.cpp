@@ -102,7 +102,7 @@ std::unique_ptr<Drag> grab(const Run& run, const Pointer& pointer) {
   std::unique_ptr<Drag> (*hold)() = nullptr;
   double nearest = pointer.reach;
   const auto try_one = [&](Cell at, std::unique_ptr<Drag> (*how)()) {
-    if (distance(pointer.cell, at) > nearest) return;
+    if (!pointer.sheet.has(at) || distance(pointer.cell, at) > nearest) return;
     nearest = distance(pointer.cell, at);
     hold = how;
   };

@@ -6,14 +6,14 @@ namespace replan::ui {
 namespace {
 
 std::vector<CellSpan> straight_stroke(const Press& press, const ViewState& view) {
-  return stroke_spans(brush_of(view), press.first, press.last);
+  return stroke_on(press.sheet, view, press.first, press.last);
 }
 
 class LineTool final : public DrawingTool {
   std::unique_ptr<Drag> press(ToolContext&) override { return std::make_unique<ShapeDrag>(straight_stroke); }
   std::unique_ptr<Drag> press_right(ToolContext& context) override { return press(context); }
-  [[nodiscard]] CellPreview preview(const ViewState& view, Cell at) const override {
-    return {brush_spans(brush_of(view), at)};
+  [[nodiscard]] CellPreview preview(const ViewState& view, const Sheet& sheet, Cell at) const override {
+    return {brush_on(sheet, view, at)};
   }
 };
 

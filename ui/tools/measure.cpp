@@ -45,7 +45,7 @@ void MeasureTool::draw(const CellPen& pen, const ViewState&, std::optional<Cell>
     pen.list().AddCircleFilled(end, look.px(4), look.theme.accent);
     pen.list().AddCircleFilled(end, look.px(2), look.theme.outline);
   }
-  const std::string words = measure_text(measured(*measure_), pen.map().resolution);
+  const std::string words = measure_text(measured(*measure_), pen.map().resolution, pen.map().box().solid());
   const std::array<TextRun, 1> runs = {{{words, look.theme.text, look.fonts.mono}}};
   // On the side of the end that the line does not come from, and inside the canvas.
   const float width = text_width(look.fonts.mono, words) + look.px(24);
@@ -60,23 +60,28 @@ MeasureFigures measured(const Measure& measure) {
   MeasureFigures figures;
   figures.dx = measure.to.x - measure.from.x;
   figures.dy = measure.to.y - measure.from.y;
-  figures.straight = std::hypot(figures.dx, figures.dy);
-  const int longer = std::max(std::abs(figures.dx), std::abs(figures.dy)),
-            shorter = std::min(std::abs(figures.dx), std::abs(figures.dy));
-  figures.octile = longer - shorter + shorter * std::numbers::sqrt2;
+  figures.dz = measure.to.z - measure.from.z;
+  figures.straight = distance(measure.from, measure.to);
+  std::array<int, 3> ways = {std::abs(figures.dx), std::abs(figures.dy), std::abs(figures.dz)};
+  std::sort(ways.begin(), ways.end());
+  figures.octile =
+      ways[0] * std::numbers::sqrt3 + (ways[1] - ways[0]) * std::numbers::sqrt2 + ways[2] - ways[1];
   figures.degrees = std::atan2(-figures.dy, figures.dx) * 180 / std::numbers::pi;
   if (figures.degrees < 0) figures.degrees += 360;
   return figures;
 }
 
-std::string measure_text(const MeasureFigures& figures, double resolution) {
+std::string measure_text(const MeasureFigures& figures, double resolution, bool solid) {
   std::array<char, 160> text{};
-  std::array<char, 32> metres{};
+  std::array<char, 32> metres{}, last{};
   if (resolution != 1)
     std::snprintf(metres.data(), metres.size(), " · %.2f m", figures.straight * resolution);
-  std::snprintf(text.data(), text.size(), "%.2f cells%s · octile %.2f · dx %d, dy %d · %.1f°",
-                figures.straight, metres.data(), figures.octile, figures.dx, figures.dy,
-                figures.degrees + 0.0);
+  if (solid)
+    std::snprintf(last.data(), last.size(), ", dz %d", figures.dz);
+  else
+    std::snprintf(last.data(), last.size(), " · %.1f°", figures.degrees + 0.0);
+  std::snprintf(text.data(), text.size(), "%.2f cells%s · octile %.2f · dx %d, dy %d%s", figures.straight,
+                metres.data(), figures.octile, figures.dx, figures.dy, last.data());
   return text.data();
 }
 

@@ -30,13 +30,14 @@ class MeasureTool final : public Tool {
 
 /// The figures of a measured distance.
 struct MeasureFigures {
-  int dx = 0, dy = 0;   ///< cells; y down
-  double straight = 0;  ///< cells, centre to centre
-  double octile = 0;    ///< cells, over the edges of an 8-connected grid
-  double degrees = 0;   ///< against the clock from the right, 0 to 360
+  int dx = 0, dy = 0, dz = 0;  ///< cells; y down
+  double straight = 0;         ///< cells, centre to centre
+  double octile = 0;           ///< cells, over the edges of a grid with all its diagonals
+  double degrees = 0;          ///< within its layer, against the clock from the right, 0 to 360
 };
 MeasureFigures measured(const Measure& measure);
-/// "12.8 cells · 0.64 m · octile 13.7 · dx 12, dy -4 · 18.4°"; metres where a cell has a length of its own.
-std::string measure_text(const MeasureFigures& figures, double resolution);
+/// "12.8 cells · 0.64 m · octile 13.7 · dx 12, dy -4 · 18.4°"; metres where a cell has a length of its own. In
+/// a `solid` world dz stands in the place of the angle.
+std::string measure_text(const MeasureFigures& figures, double resolution, bool solid = false);
 
 }  // namespace replan::ui

@@ -28,12 +28,18 @@ double distance_to_segment(Point at, Point a, Point b) {
 }
 
 /// Corners before lines, and the selected one before the others.
-std::optional<Met> met(const Scenario& scenario, const Editing& editing, Cell cell, double reach) {
-  const Point at{cell.x + 0.5, cell.y + 0.5};
+std::optional<Met> met(const Scenario& scenario, const Editing& editing, const Sheet& sheet, Cell cell,
+                       double reach) {
+  const Point at = centre_of(sheet.box.seen(cell));
+  const auto way_of = [&](std::size_t mover) {
+    std::vector<Point> points = way_points(scenario.movers[mover]);
+    for (Point& point : points) point = sheet.box.seen(point);
+    return points;
+  };
   std::optional<Met> best;
   double nearest = std::max(0.75, reach);
   for (std::size_t i = 0; i < scenario.movers.size(); ++i) {
-    const std::vector<Point> way = way_points(scenario.movers[i]);
+    const std::vector<Point> way = way_of(i);
     const double bonus = editing.mover == i ? 0.25 : 0;
     for (std::size_t corner = 0; corner < scenario.movers[i].way.size(); ++corner) {
       const double away = std::hypot(at.x - way[corner].x, at.y - way[corner].y) - bonus;
@@ -44,17 +50,21 @@ std::optional<Met> met(const Scenario& scenario, const Editing& editing, Cell ce
   }
   if (best) return best;
   for (std::size_t i = scenario.movers.size(); i-- > 0;) {
-    const std::vector<Point> way = way_points(scenario.movers[i]);
+    const std::vector<Point> way = way_of(i);
     for (std::size_t k = 1; k < way.size(); ++k)
       if (distance_to_segment(at, way[k - 1], way[k]) < nearest) return Met{i, std::nullopt};
   }
   return std::nullopt;
 }
 
-/// The corner of the box's upper left cell for a box of this side with its middle at a cell, on the map.
-Cell box_corner(Cell middle, int side, const GridMap& map) {
-  const int before = (side - 1) / 2;
-  return {std::clamp(middle.x - before, 0, map.width - 1), std::clamp(middle.y - before, 0, map.height - 1)};
+/// The first cell of a box of that size with its middle at a cell, on the map.
+Cell box_corner(Cell middle, Cell size, const Box& world) {
+  return clamped(world,
+                 {middle.x - (size.x - 1) / 2, middle.y - (size.y - 1) / 2, middle.z - (size.z - 1) / 2});
+}
+
+Cell size_of(const MovingObstacle& mover) {
+  return {mover.width, mover.height, mover.depth};
 }
 
 /// A corner of the selected moving obstacle's way.
@@ -69,8 +79,7 @@ class HeldCorner final : public HeldDrag {
     if (!selected || *selected >= movers.size()) return;
     MovingObstacle changed = movers[*selected];
     if (corner_ >= changed.way.size()) return;
-    changed.way[corner_] =
-        clamped(context.run.lattice(), {to.x - (changed.width - 1) / 2, to.y - (changed.height - 1) / 2});
+    changed.way[corner_] = box_corner(to, size_of(changed), context.run.lattice());
     context.commands.emplace_back(ChangeMover{*selected, std::move(changed), context.press.stroke});
   }
 
@@ -124,7 +133,8 @@ std::unique_ptr<Drag> MoverTool::press(ToolContext& context) {
   const Cell at = context.press.first;
   if (way_.empty()) {
     const Pointer& pointer = context.pointer;
-    if (const auto hit = met(context.session.scenario(), editing, pointer.cell, pointer.reach)) {
+    if (const auto hit =
+            met(context.session.scenario(), editing, pointer.sheet, pointer.cell, pointer.reach)) {
       editing.surprise.reset();
       editing.mover = hit->mover;
       return hit->corner ? std::make_unique<HeldCorner>(*hit->corner) : nullptr;
@@ -155,8 +165,9 @@ void MoverTool::draw(const CellPen& pen, const ViewState& view, std::optional<Ce
   if (hovered && !way_.empty())
     pen.dashed(pen.middle(way_.back()), pen.middle(*hovered), with_alpha(colour, 0.6f));
   for (const Cell corner : way_) pen.list().AddCircleFilled(pen.middle(corner), look.px(3.5f), colour);
-  if (!way_.empty()) pen.area(brush_spans(box, way_.front()), colour, 0.25f);
-  if (hovered) pen.area(brush_spans(box, *hovered), colour, 0);
+  const SeenBox& seen = pen.sheet().box;
+  if (!way_.empty()) pen.area(brush_spans(box, seen.seen(way_.front())), colour, 0.25f);
+  if (hovered) pen.area(brush_spans(box, seen.seen(*hovered)), colour, 0);
 }
 
 void MoverTool::choose(ViewState& view) {
@@ -172,8 +183,10 @@ void MoverTool::leave(ViewState& view) {
 void MoverTool::finish(const Session& session, ViewState& view, std::vector<Command>& commands) {
   if (way_.empty()) return;
   MovingObstacle mover;
-  for (const Cell corner : way_) mover.way.push_back(box_corner(corner, view.brush, session.scenario().map));
+  const Box world = session.scenario().map.box();
   mover.width = mover.height = view.brush;
+  mover.depth = world.solid() ? std::min(view.brush, world.depth()) : 1;
+  for (const Cell corner : way_) mover.way.push_back(box_corner(corner, size_of(mover), world));
   mover.speed = next_.speed;
   mover.at_end = next_.at_end;
   way_.clear();
@@ -196,9 +209,10 @@ void MoverTool::draw_options(Frame& frame) {
   movement(frame, next_.speed, next_.at_end);
   const std::string side = std::to_string(frame.view.brush);
   paragraph(look.fonts.ui, look.theme.dim,
-            way_.empty() ? "Click the corners of its way. It is as large as the brush: " + side + " × " +
-                               side + " cells."
-                         : "Click the next corner. A double click, Enter or the right button ends the way.");
+            way_.empty()
+                ? "Click the corners of its way. It is as large as the brush: " + side + " × " + side +
+                      (frame.session.scenario().map.box().solid() ? " × " + side : "") + " cells."
+                : "Click the next corner. A double click, Enter or the right button ends the way.");
 }
 
 void draw_selected_mover(Frame& frame) {
@@ -228,6 +242,7 @@ void draw_selected_mover(Frame& frame) {
   };
   side("Width", mover.width);
   side("Height", mover.height);
+  if (frame.session.scenario().map.box().solid()) side("Layers", mover.depth);
   if (changed) frame.commands.push_back(ChangeMover{index, mover, 0});
   draw_remove_button(frame);
 }

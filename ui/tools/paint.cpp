@@ -7,8 +7,8 @@ namespace {
 
 class PaintTool final : public DrawingTool {
   std::unique_ptr<Drag> press(ToolContext&) override { return brush_drag(); }
-  [[nodiscard]] CellPreview preview(const ViewState& view, Cell at) const override {
-    return {brush_spans(brush_of(view), at)};
+  [[nodiscard]] CellPreview preview(const ViewState& view, const Sheet& sheet, Cell at) const override {
+    return {brush_on(sheet, view, at)};
   }
 };
 

@@ -6,7 +6,7 @@ namespace replan::ui {
 namespace {
 
 std::vector<CellSpan> cells_between(const Press& press, const ViewState&) {
-  return rectangle_spans(press.first, press.last);
+  return rectangle_on(press.sheet, press.first, press.last);
 }
 
 class RectangleTool final : public DrawingTool {

@@ -1,5 +1,6 @@
 #include "ui/tools/select.hpp"
 
+#include "core/lattice/box_words.hpp"
 #include "core/scene/arcs.hpp"
 #include "ui/canvas/view_state.hpp"
 #include "ui/icons.hpp"
@@ -50,7 +51,7 @@ class RegionDrag final : public Drag {
   explicit RegionDrag(SelectTool& tool) : tool_(tool) {}
   void move(ToolContext& context) override {
     const Press& press = context.press;
-    const auto region = in_world(context.run.lattice(), rectangle(press.first, press.last));
+    const auto region = in_world(context.run.lattice(), box_of(press.first, press.last));
     if (press.moved && region) select_region(context.view.editing, *region);
   }
   void end(ToolContext& context) override {
@@ -69,9 +70,8 @@ std::unique_ptr<Drag> SelectTool::press(ToolContext&) {
 /// What can be done with the region.
 void SelectTool::draw_options(Frame& frame) {
   const Look& look = frame.look;
-  const CellRect& region = *frame.view.editing.region;
-  section_title(look, std::to_string(region.high.x - region.low.x + 1) + " × " +
-                          std::to_string(region.high.y - region.low.y + 1) + " cells");
+  const CellBox& region = *frame.view.editing.region;
+  section_title(look, part_text(region));
   const auto entry = [&](ActionId id, bool last) {
     const Action& each = action(id);
     if (small_button(look, each.name, {.icon = each.icon, .hint = each.hint()})) perform(frame, id);
@@ -85,7 +85,7 @@ void SelectTool::draw_options(Frame& frame) {
 
 }  // namespace
 
-void select_with_tool(ViewState& view, const CellRect& region) {
+void select_with_tool(ViewState& view, const CellBox& region) {
   choose_tool(view, "select");
   select_region(view.editing, region);
 }

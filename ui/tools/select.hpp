@@ -8,6 +8,6 @@ namespace replan::ui {
 struct ViewState;
 
 /// Takes the tool and selects cells, and nothing else.
-void select_with_tool(ViewState& view, const CellRect& region);
+void select_with_tool(ViewState& view, const CellBox& region);
 
 }  // namespace replan::ui

@@ -14,7 +14,7 @@ namespace replan::ui {
 namespace {
 
 std::vector<CellSpan> surprised_cells(const Press& press, const ViewState&) {
-  return rectangle_spans(press.first, press.last);
+  return rectangle_on(press.sheet, press.first, press.last);
 }
 
 class SurpriseDrag final : public ShapeDrag {
@@ -50,7 +50,8 @@ class SurpriseDrag final : public ShapeDrag {
     if (options_.time == SurpriseTime::step) {
       surprise.at.move = options_.step;
     } else {
-      surprise.at.near = Cell{(press.first.x + press.last.x) / 2, (press.first.y + press.last.y) / 2};
+      surprise.at.near = Cell{(press.first.x + press.last.x) / 2, (press.first.y + press.last.y) / 2,
+                              (press.first.z + press.last.z) / 2};
       surprise.at.within = options_.within;
     }
     surprise.cells = std::move(cells);

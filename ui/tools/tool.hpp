@@ -10,6 +10,7 @@
 
 #include <imgui.h>
 
+#include "core/lattice/seen_box.hpp"
 #include "core/session/session.hpp"
 #include "core/world/brush.hpp"
 #include "ui/canvas/editing.hpp"
@@ -24,12 +25,13 @@ struct ViewState;
 
 /// What the mouse does in one frame.
 struct Pointer {
+  Sheet sheet;  ///< what the canvas shows
   Cell cell;    ///< under the cursor; may lie outside the world
   bool over;    ///< the cursor is over the canvas, and the canvas has the mouse
   bool inside;  ///< and it is over the world
   bool left_pressed, right_pressed;
   bool left_down, right_down;
-  Point place;   ///< of the cursor in the world, in cells
+  Point place;   ///< of the cursor in columns and rows
   double pixel;  ///< how many cells a pixel of the design is
   double reach;  ///< how many cells away a start or goal can still be grabbed
 };
@@ -38,8 +40,9 @@ struct Pointer {
 struct Press {
   bool right = false;  ///< of the right button, which erases
   bool moved = false;
-  Cell first, before, last;  ///< where it began, and where it was and is in this frame
-  bool outside = false;      ///< it began beside the world, and `first` is there
+  Sheet sheet = {};                         ///< on which it began
+  Cell first = {}, before = {}, last = {};  ///< where it began, and where it was and is in this frame
+  bool outside = false;                     ///< it began beside the world, and `first` is there
   StrokeKind kind = StrokeKind::none;
   std::uint64_t stroke = 0;  ///< what it does is undone as one
   [[nodiscard]] bool adds() const { return kind == StrokeKind::paints; }
@@ -55,7 +58,7 @@ struct ToolContext {
   Press& press;
 };
 
-/// Cells that would be written, as the canvas shows them.
+/// Cells that would be written, in columns and rows of what the canvas shows.
 struct CellPreview {
   std::vector<CellSpan> cells = {};
   bool adds = true;     ///< obstacles
@@ -95,7 +98,7 @@ class Tool {
   [[nodiscard]] virtual bool grabs() const { return true; }
 
   /// The cells that a press at the cursor would write.
-  [[nodiscard]] virtual CellPreview preview(const ViewState&, Cell) const { return {}; }
+  [[nodiscard]] virtual CellPreview preview(const ViewState&, const Sheet&, Cell) const { return {}; }
   /// Draws over the canvas what there is besides; `hovered` is nothing while something is held.
   virtual void draw(const CellPen&, const ViewState&, std::optional<Cell> /*hovered*/) const {}
 

@@ -46,7 +46,8 @@ bool is_initial(const SliderSpec& spec, double value) {
   return shown(spec, value) == shown(spec, spec.initial);
 }
 
-/// The track with its knob; drags, and steps by the wheel while Ctrl is held.
+}  // namespace
+
 bool slider_track(const Look& look, const SliderSpec& spec, double& value) {
   const float height = look.px.l;
   const float width = std::max(ImGui::GetContentRegionAvail().x, look.px(40));
@@ -68,6 +69,8 @@ bool slider_track(const Look& look, const SliderSpec& spec, double& value) {
   if (!active && !ImGui::IsItemHovered()) list.AddCircleFilled({x, y}, radius - look.px(2), look.theme.panel);
   return value != before;
 }
+
+namespace {
 
 /// The value with its unit at the right of the label's line; a click or Tab begins typing.
 bool slider_value(const Look& look, const SliderSpec& spec, double& value, float right) {

@@ -208,6 +208,8 @@ bool number_field(const Look& look, const char* id, ImGuiDataType type, void* va
 
 /// A label, its value with unit, and a track; the value can be typed. Whether it changed.
 bool slider(const Look& look, const SliderSpec& spec, double& value, const Hint& what = {});
+/// Its track and knob alone, as wide as there is room.
+bool slider_track(const Look& look, const SliderSpec& spec, double& value);
 
 /// What is wrong with the text of a field: nothing, something that the typing may still mend, or what Enter was refused
 /// for.

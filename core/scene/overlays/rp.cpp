@@ -24,7 +24,7 @@ class RemoteParents final : public CellMark {
   }
   void finish() override {
     for (const auto& cell : {context_.view.pinned, context_.view.hovered})
-      if (cell && context_.lattice.contains(*cell)) add_chain(context_.lattice.node(*cell));
+      if (cell && context_.run.lattice().contains(*cell)) add_chain(context_.run.lattice().node(*cell));
   }
 
  private:

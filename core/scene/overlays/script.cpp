@@ -11,15 +11,16 @@ namespace {
 /// More cells than this in sight are shown by the rectangle around them.
 constexpr std::size_t kMostOutlined = 20'000;
 
-/// The cells of a surprise in one layer, in the order of nodes.
+/// The cells of a surprise in the layer that shows, by the view's coordinates and in the order of its rows.
 class CellSet {
  public:
-  CellSet(std::span<const CellChange> cells, int layer) {
+  CellSet(std::span<const CellChange> cells, const SceneContext& context) {
+    if (context.lattice.along() != Axis::z) cells = turn(cells, context);
     const auto from = [&](int z) {
       return std::partition_point(cells.begin(), cells.end(),
                                   [z](const CellChange& each) { return each.cell.z < z; });
     };
-    cells_ = {from(layer), from(layer + 1)};
+    cells_ = {from(context.slice), from(context.slice + 1)};
   }
   [[nodiscard]] std::span<const CellChange> all() const { return cells_; }
   [[nodiscard]] bool has(Cell cell) const {
@@ -29,6 +30,16 @@ class CellSet {
   }
 
  private:
+  std::span<const CellChange> turn(std::span<const CellChange> cells, const SceneContext& context) {
+    for (const CellChange& each : cells)
+      if (const Cell cell = context.seen(each.cell); cell.z == context.slice)
+        turned_.push_back({cell, each.blocked});
+    std::sort(turned_.begin(), turned_.end(),
+              [](const CellChange& a, const CellChange& b) { return in_node_order(a.cell, b.cell); });
+    return turned_;
+  }
+
+  std::vector<CellChange> turned_;  // where they are not in that order already
   std::span<const CellChange> cells_;
 };
 
@@ -88,7 +99,7 @@ class ComingSurprise {
   /// What sets it off: the step beside it, or a ring around the place.
   void add_trigger() {
     const Trigger& at = surprise_.at;
-    const Point place = SceneContext::centre(at.near.value_or(Cell{}));
+    const Point place = SceneContext::centre(context_.seen(at.near.value_or(Cell{})));
     const double radius = at.near ? context_.cut_radius(place, at.within) : 0;
     if (radius * context_.zoom > context_.pixels(4))
       context_.add(Ring{place, radius, faded(colour_, 0.7), context_.pixels(1), context_.pixels(4)});
@@ -100,27 +111,28 @@ class ComingSurprise {
 
   SceneContext& context_;
   const Surprise& surprise_;
-  CellSet cells_{surprise_.cells, context_.slice};
+  CellSet cells_{surprise_.cells, context_};
   Colour colour_;
   float width_;
 };
 
 void add_way(SceneContext& context, const MovingObstacle& mover, bool selected) {
   const Colour colour = selected ? context.palette.accent : context.palette.mover;
-  Polyline way{way_points(mover), colour, context.pixels(1.6), 0, context.pixels(5)};
+  Polyline way{{}, colour, context.pixels(1.6), 0, context.pixels(5)};
+  for (const Point& point : way_points(mover)) way.points.push_back(context.seen(point));
+  const Cell size = context.lattice.turned({mover.width, mover.height, mover.depth});
   const std::vector<Point> corners = way.points;
   if (mover.at_end == WayEnd::loop && corners.size() > 2) way.points.push_back(corners.front());
   context.scene.show(Sign::mover);
-  if (way.points.size() > 1) add_through_layers(context, std::move(way), mover.depth);
+  if (way.points.size() > 1) add_through_layers(context, std::move(way), size.z);
   for (std::size_t i = 1; i < corners.size(); ++i)
     context.add(Disc{corners[i], context.pixels(selected ? 4.5 : 3),
-                     context.seen_at(corners[i], colour, mover.depth),
-                     context.seen_at(corners[i], context.palette.outline, mover.depth), context.pixels(1)});
-  const Cell box = mover.way.front();
-  context.add(Outline{static_cast<double>(box.x), static_cast<double>(box.y),
-                      static_cast<double>(mover.width), static_cast<double>(mover.height),
-                      OutlineShape::square, context.seen_at(corners.front(), colour, mover.depth),
-                      context.pixels(selected ? 2.4 : 1.6), 0});
+                     context.seen_at(corners[i], colour, size.z),
+                     context.seen_at(corners[i], context.palette.outline, size.z), context.pixels(1)});
+  const Point middle = corners.front();
+  context.add(Outline{middle.x - size.x / 2.0, middle.y - size.y / 2.0, static_cast<double>(size.x),
+                      static_cast<double>(size.y), OutlineShape::square,
+                      context.seen_at(middle, colour, size.z), context.pixels(selected ? 2.4 : 1.6), 0});
 }
 
 void draw_script(SceneContext& context) {

@@ -91,7 +91,7 @@ class StepMarks {
     context_.written = cell;
     mark_cell(context_, cell, OutlineShape::square, colour_, 1, context_.pixels(2), 0);
     const Field& field = context_.run.info().values.field(write.event.kind);
-    context_.notes.push_back({cell, {written_words(context_.lattice, field, write)}, colour_});
+    context_.notes.push_back({cell, {written_words(context_.run.lattice(), field, write)}, colour_});
   }
 
   /// A ring around u, with a rim so that it stands off any field.

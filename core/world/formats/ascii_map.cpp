@@ -4,6 +4,7 @@
 
 #include "core/base/file.hpp"
 #include "core/base/words.hpp"
+#include "core/lattice/box_words.hpp"
 #include "core/world/formats/number_cells.hpp"
 #include "core/world/formats/text_cells.hpp"
 #include "core/world/formats/text_lines.hpp"
@@ -42,7 +43,10 @@ class AsciiParser {
         }
         continue;
       }
-      if (ended) return wrong("a row after an empty line: the rows must follow each other");
+      if (ended) {
+        if (Result<void> layer = end_layer(); !layer) return Error{layer.error()};
+        ended = false;
+      }
       if (Result<void> cell = read_cell(); !cell) return Error{cell.error()};
       ++x_;
     }
@@ -87,6 +91,20 @@ class AsciiParser {
     return {};
   }
 
+  /// An empty line parts two layers.
+  Result<void> end_layer() {
+    const int rows = y_ - layer_begin_;
+    if (layer_begin_ == 0) height_ = rows;
+    if (rows != height_) return wrong_layer(rows);
+    layer_begin_ = y_;
+    return {};
+  }
+  [[nodiscard]] Error wrong_layer(int rows) const {
+    return wrong("empty lines part layers, and the one before this has " + counted(rows, "row") +
+                 ", the first " + std::to_string(height_) +
+                 ": make them equally high, or leave out the empty lines");
+  }
+
   Result<void> read_cell() {
     if (cells_.size() >= static_cast<std::size_t>(kMaxCells))
       return wrong("the map is too large: at most " + std::to_string(kMaxCells) + " cells are read");
@@ -118,7 +136,7 @@ class AsciiParser {
     if (end)
       return wrong(column_text() + "a second " + letter + ": there can be only one " +
                    (letter == 'S' ? "start" : "goal"));
-    end = Cell{static_cast<int>(x_), y_};
+    end = Cell{static_cast<int>(x_), y_ - layer_begin_, height_ > 0 ? layer_begin_ / height_ : 0};
     return {};
   }
 
@@ -141,10 +159,13 @@ class AsciiParser {
     if (occupied_ && world_.found.numbers.empty())
       return Error{origin_ + ": its letters say themselves what is an obstacle; --occupied is for numbers"};
     world_.map.width = static_cast<int>(width_);
-    world_.map.height = y_;
+    if (height_ == 0) height_ = y_;
+    if (const int rows = y_ - layer_begin_; rows != height_) return wrong_layer(rows);
+    world_.map.height = height_;
+    world_.map.depth = y_ / height_;
     if (const std::string parted = parting_sentence(layout_); !parted.empty())
-      world_.found.notes.push_back(origin_ + ": " + parted + ": " + std::to_string(width_) + " x " +
-                                   std::to_string(y_) + " of them");
+      world_.found.notes.push_back(origin_ + ": " + parted + ": " + sides_text(world_.map.box()) +
+                                   " of them");
     auto cells = cells_.finish(origin_, world_.found.notes);
     if (!cells) return Error{cells.error()};
     world_.map.blocked = std::move(cells.value());
@@ -161,7 +182,9 @@ class AsciiParser {
   std::optional<CellPiece> odd_number_;  // the first one but 0 and 1
   bool letters_ = false;                 // there are some but S and G
   std::size_t x_ = 0, width_ = 0;
-  int y_ = 0;
+  int y_ = 0;            // rows of all layers
+  int layer_begin_ = 0;  // the row with which the last of them begins
+  int height_ = 0;       // rows of a layer, once one has ended
   MapFile world_;
 };
 
@@ -179,32 +202,48 @@ Result<MapFile> read_ascii_map(const std::string& path, std::optional<double> oc
 }
 
 std::string ascii_text(const MapFile& world) {
-  return ascii_text(world, {0, 0, world.map.width, world.map.height});
+  const GridMap& map = world.map;
+  return ascii_text(world, {{0, 0, 0}, {map.width - 1, map.height - 1, map.depth - 1}});
 }
 
-std::string ascii_text(const MapFile& world, const MapRegion& region) {
+namespace {
+
+/// Rows of one layer; nothing is empty.
+std::string layer_text(const MapFile& world, const CellBox& part, int z) {
   const GridMap& map = world.map;
-  const auto end_of = [](int from, int length, int size) {
-    return static_cast<int>(std::min<std::int64_t>(size, std::int64_t{from} + length));
-  };
-  const int left = std::clamp(region.x, 0, map.width), right = end_of(region.x, region.width, map.width);
-  const int top = std::max(0, region.y), bottom = end_of(region.y, region.height, map.height);
-  const auto length = static_cast<std::size_t>(std::max(0, right - left)) + 1;
-  std::string text(length * static_cast<std::size_t>(std::max(0, bottom - top)), '\n');
+  const auto width = static_cast<std::size_t>(part.high.x - part.low.x + 1);
+  std::string text((width + 1) * static_cast<std::size_t>(part.high.y - part.low.y + 1), '\n');
   const auto letter = [&](Cell cell) -> char& {
-    return text[static_cast<std::size_t>(cell.y - top) * length + static_cast<std::size_t>(cell.x - left)];
+    return text[static_cast<std::size_t>(cell.y - part.low.y) * (width + 1) +
+                static_cast<std::size_t>(cell.x - part.low.x)];
   };
-  for (int y = top; y < bottom; ++y) {
-    const auto row = map.blocked.begin() + static_cast<std::ptrdiff_t>(map.index({left, y}));
-    std::transform(row, row + std::max(0, right - left), &letter({left, y}),
+  for (int y = part.low.y; y <= part.high.y; ++y) {
+    const auto row = map.blocked.begin() + static_cast<std::ptrdiff_t>(map.index({part.low.x, y, z}));
+    std::transform(row, row + static_cast<std::ptrdiff_t>(width), &letter({part.low.x, y}),
                    [](std::uint8_t cell) { return ".@?"[cell]; });
   }
   const auto mark = [&](const std::optional<Cell>& cell, char sign) {
-    if (!cell || cell->x < left || cell->x >= right || cell->y < top || cell->y >= bottom) return;
+    if (!cell || cell->z != z || cell->x < part.low.x || cell->x > part.high.x || cell->y < part.low.y ||
+        cell->y > part.high.y)
+      return;
     if (map.blocked[map.index(*cell)] == kFree) letter(*cell) = sign;
   };
   mark(world.goal, 'G');
   mark(world.start, 'S');
+  return text;
+}
+
+}  // namespace
+
+std::string ascii_text(const MapFile& world, const CellBox& part) {
+  const GridMap& map = world.map;
+  const CellBox inside = {{std::max(part.low.x, 0), std::max(part.low.y, 0), std::max(part.low.z, 0)},
+                          {std::min(part.high.x, map.width - 1), std::min(part.high.y, map.height - 1),
+                           std::min(part.high.z, map.depth - 1)}};
+  std::string text;
+  if (inside.low.x > inside.high.x || inside.low.y > inside.high.y) return text;
+  for (int z = inside.low.z; z <= inside.high.z; ++z)
+    text += (z > inside.low.z ? "\n" : "") + layer_text(world, inside, z);
   return text;
 }
 

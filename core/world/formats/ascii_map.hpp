@@ -16,21 +16,17 @@ namespace replan {
 /// As numbers, one digit a cell or parted (see text_cells.hpp), S and G among them: number_cells.hpp says
 /// which number is the obstacle if not `occupied`. A note tells what parts the cells if something does.
 ///
-/// A byte order mark and empty lines before and after are passed over. All rows must be equally long: what a
-/// short one lacks is not guessed at. The error names line and column.
+/// A byte order mark and empty lines before and after are passed over. Empty lines between rows part layers, from z = 0
+/// up. All rows must be equally long, and all layers equally high: what a short one lacks is not guessed at. The error names line and column.
 Result<MapFile> parse_ascii_map(std::string_view text, const std::string& origin,
                                 std::optional<double> occupied = {});
 /// As parse_ascii_map() from a file.
 Result<MapFile> read_ascii_map(const std::string& path, std::optional<double> occupied = {});
 
-/// A part of a map, in cells.
-struct MapRegion {
-  int x = 0, y = 0, width = 0, height = 0;
-};
-/// The world as text: `.` free, `@` obstacle, `?` unmapped, `S`, `G`. An end that lies in an obstacle, and a
+/// The world as text: `.` free, `@` obstacle, `?` unmapped, `S`, `G`; layers are parted by an empty line. An end that lies in an obstacle, and a
 /// goal that is the start, does not show.
 std::string ascii_text(const MapFile& world);
-/// As ascii_text(), of a part: what of `region` lies on the map.
-std::string ascii_text(const MapFile& world, const MapRegion& region);
+/// As ascii_text(), of a part: what of it lies on the map.
+std::string ascii_text(const MapFile& world, const CellBox& part);
 
 }  // namespace replan

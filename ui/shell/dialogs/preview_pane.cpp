@@ -80,8 +80,10 @@ void PreviewPane::draw_facts(const Look& look) {
   ImGui::Dummy({0, look.px(2)});
   fact(look, "Kind", kind_text(entry_));
   if (preview_.width > 0) {
-    const double cells = static_cast<double>(preview_.width) * preview_.height;
-    fact(look, "Cells", grouped(std::size_t(preview_.width)) + " × " + grouped(std::size_t(preview_.height)));
+    const double cells = static_cast<double>(preview_.width) * preview_.height * preview_.depth;
+    fact(look, "Cells",
+         grouped(std::size_t(preview_.width)) + " × " + grouped(std::size_t(preview_.height)) +
+             (preview_.depth > 1 ? " × " + grouped(std::size_t(preview_.depth)) : ""));
     fact(look, "Obstacles",
          grouped(preview_.obstacles) + " (" +
              fixed(100 * static_cast<double>(preview_.obstacles) / cells, 0) + " %)");

@@ -32,7 +32,8 @@ void draw_wrapped(const Look& look, ImDrawList& list, ImVec2 pos, float width, s
 }
 
 std::string facts_of(const Preview& preview) {
-  std::string facts = std::to_string(preview.width) + " × " + std::to_string(preview.height);
+  std::string facts = std::to_string(preview.width) + " × " + std::to_string(preview.height) +
+                      (preview.depth > 1 ? " × " + std::to_string(preview.depth) : "");
   for (const std::string& planner : preview.planners) facts += " · " + planner;
   return facts;
 }

@@ -1,0 +1,177 @@
+// Worlds of several layers on the canvas: which slice a pane shows, and tools that draw on it.
+#include <algorithm>
+
+#include "tests/ui/canvas_fixture.hpp"
+#include "ui/keys.hpp"
+#include "ui/tools/measure.hpp"
+#include "ui/tools/mover.hpp"
+
+namespace replan::ui::slices_test {
+namespace {
+
+/// A box of 20 x 10 x 6 free cells, seen along y: 20 columns, 6 rows.
+class SlicesTest : public CanvasTest {
+ protected:
+  void SetUp() override {
+    CanvasTest::SetUp();
+    Scenario scenario;
+    scenario.map = GridMap(20, 10, 6);
+    scenario.start = {2, 5, 1};
+    scenario.goal = {17, 5, 4};
+    scenario.planners = {{"dstar-lite", {}}};
+    ASSERT_TRUE(session_->apply(ReplaceScenario{scenario, ""}).ok());
+    session_->settle();
+    frame();
+  }
+  void look_along(Axis axis, int layer) {
+    state_.slices.set_all({axis, layer});
+    frame();
+  }
+  void wheel(float steps, bool ctrl = false) {
+    input().key(key::kLeftShift, true);
+    if (ctrl) input().key(key::kLeftControl, true);
+    frame();
+    frame();
+    input().wheel(0, steps);
+    frame();
+    input().key(key::kLeftShift, false);
+    if (ctrl) input().key(key::kLeftControl, false);
+    frame();
+    frame();
+  }
+};
+
+TEST_F(SlicesTest, BeginWithTheLayerOfTheStart) {
+  EXPECT_EQ(state_.slices.of(0), (Slice{Axis::z, 1}));
+  EXPECT_EQ(canvas_->scene().columns, 20);
+  EXPECT_EQ(canvas_->scene().rows, 10);
+  look_along(Axis::y, 5);
+  EXPECT_EQ(canvas_->scene().rows, 6);
+}
+
+TEST_F(SlicesTest, ShiftAndTheWheelMoveThem) {
+  move_to({9, 4});
+  const Camera before = state_.view.camera;
+  wheel(1);
+  EXPECT_EQ(state_.slices.of(0), (Slice{Axis::z, 2}));
+  EXPECT_EQ(state_.slices.of(1), (Slice{Axis::z, 2})) << "panes that show the same go together";
+  EXPECT_EQ(state_.view.camera, before) << "and nothing zooms";
+  wheel(-1, true);
+  EXPECT_EQ(state_.slices.of(0), (Slice{Axis::z, 1}));
+  EXPECT_EQ(state_.slices.of(1), (Slice{Axis::z, 2})) << "with Ctrl one goes alone";
+  for (int i = 0; i < 9; ++i) wheel(-1);
+  EXPECT_EQ(state_.slices.of(0).layer, 0) << "there is none below the lowest";
+  EXPECT_EQ(state_.slices.of(1).layer, 2);
+}
+
+TEST_F(SlicesTest, TheCellUnderTheCursorIsTheWorlds) {
+  look_along(Axis::y, 7);
+  move_to({3, 0});
+  EXPECT_EQ(state_.view.hovered, (Cell{3, 7, 5})) << "the highest row is the highest z";
+  look_along(Axis::x, 12);
+  move_to({3, 5});
+  EXPECT_EQ(state_.view.hovered, (Cell{12, 3, 0}));
+}
+
+TEST_F(SlicesTest, ToolsDrawOnTheSliceThatShows) {
+  look_along(Axis::y, 7);
+  drag({5, 0}, {8, 0});
+  std::vector<CellChange> cells = cells_of<PaintCells>();
+  ASSERT_EQ(cells.size(), 4u);
+  for (const CellChange& each : cells) EXPECT_TRUE(each.cell.y == 7 && each.cell.z == 5 && each.blocked);
+  commands_.clear();
+  choose_tool(state_, "rectangle");
+  state_.layers = 3;
+  drag({5, 1}, {8, 2});
+  cells = cells_of<PaintCells>();
+  EXPECT_EQ(cells.size(), 24u) << "4 x 2, 3 layers deep";
+  for (const CellChange& each : cells)
+    EXPECT_TRUE(each.cell.y >= 7 && each.cell.y <= 9 && (each.cell.z == 3 || each.cell.z == 4));
+  commands_.clear();
+  look_along(Axis::y, 9);
+  choose_tool(state_, "surprise");
+  drag({10, 3}, {11, 3});
+  EXPECT_EQ(cells_of<DropSurprise>().size(), 2u) << "behind the last layer there is none";
+}
+
+TEST_F(SlicesTest, AFillStaysInItsLayer) {
+  look_along(Axis::y, 7);
+  choose_tool(state_, "fill");
+  drag({10, 3}, {10, 3});
+  const auto cells = cells_of<PaintCells>();
+  EXPECT_EQ(cells.size(), 120u);
+  EXPECT_TRUE(
+      std::all_of(cells.begin(), cells.end(), [](const CellChange& each) { return each.cell.y == 7; }));
+}
+
+TEST_F(SlicesTest, TheStartIsGrabbedWhereItStandsAlone) {
+  drag({2, 5}, {4, 6});
+  const auto* set = commands_.empty() ? nullptr : std::get_if<SetStart>(&commands_.back());
+  ASSERT_NE(set, nullptr);
+  EXPECT_EQ(set->cell, (Cell{4, 6, 1}));
+  commands_.clear();
+  look_along(Axis::z, 3);
+  drag({2, 5}, {4, 6});
+  EXPECT_TRUE(std::none_of(commands_.begin(), commands_.end(), [](const Command& each) {
+    return std::holds_alternative<SetStart>(each);
+  })) << "two layers below";
+}
+
+TEST_F(SlicesTest, SelectionMeasureAndWaysAreInTheWorld) {
+  look_along(Axis::x, 4);
+  choose_tool(state_, "select");
+  drag({1, 0}, {3, 2});
+  EXPECT_EQ(state_.editing.region, (CellBox{{4, 1, 3}, {4, 3, 5}}));
+  choose_tool(state_, "measure");
+  drag({1, 5}, {3, 2});
+  const auto& measure = state_.tools.get<MeasureTool>().measure();
+  ASSERT_TRUE(measure);
+  const MeasureFigures figures = measured(*measure);
+  EXPECT_EQ(figures.dx, 0);
+  EXPECT_EQ(figures.dy, 2);
+  EXPECT_EQ(figures.dz, 3);
+  EXPECT_NEAR(figures.octile, 1 + 2 * 1.41421356, 1e-6);
+  EXPECT_EQ(measure_text(figures, 1, true), "3.61 cells · octile 3.83 · dx 0, dy 2, dz 3");
+  choose_tool(state_, "mover");
+  state_.brush = 2;
+  drag({2, 4}, {2, 4});
+  look_along(Axis::z, 3);
+  drag({9, 6}, {9, 6});
+  drag({9, 6}, {9, 6});
+  const auto* add = commands_.empty() ? nullptr : std::get_if<AddMover>(&commands_.back());
+  ASSERT_NE(add, nullptr) << "a way may lead from slice to slice";
+  EXPECT_EQ(add->mover.way, (std::vector<Cell>{{4, 2, 1}, {9, 6, 3}}));
+  EXPECT_EQ(add->mover.depth, 2);
+}
+
+TEST_F(SlicesTest, FollowTheRobotWhereverItGoes) {
+  state_.slices.follows_robot = true;
+  frame();
+  EXPECT_EQ(state_.slices.of(0).layer, 1);
+  ASSERT_TRUE(session_->apply(Step{StepUnit::move, 15}).ok());
+  session_->settle();
+  frame();
+  const NodeId robot = session_->run().timeline().state().node(Scalar::robot);
+  EXPECT_EQ(state_.slices.of(0).layer, session_->run().lattice().position(robot).z);
+  EXPECT_GT(state_.slices.of(0).layer, 1);
+  move_to({9, 4});
+  wheel(1);
+  EXPECT_FALSE(state_.slices.follows_robot) << "a slice that is moved by hand stays there";
+}
+
+TEST_F(SlicesTest, AnotherWorldBeginsAgain) {
+  look_along(Axis::x, 12);
+  Scenario plane;
+  plane.map = GridMap(8, 8);
+  plane.goal = {7, 7};
+  plane.planners = {{"dstar-lite", {}}};
+  ASSERT_TRUE(session_->apply(ReplaceScenario{plane, ""}).ok());
+  session_->settle();
+  frame();
+  EXPECT_EQ(canvas_->scene().columns, 8);
+  move_to({3, 4});
+  EXPECT_EQ(state_.view.hovered, (Cell{3, 4, 0}));
+}
+
+}  // namespace
+}  // namespace replan::ui::slices_test

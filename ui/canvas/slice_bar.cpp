@@ -1,0 +1,109 @@
+#include "ui/canvas/slice_bar.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "ui/icons.hpp"
+
+namespace replan::ui {
+namespace {
+
+constexpr float kHeight = 32, kAxesWidth = 78, kWidest = 400;
+constexpr std::array<Axis, 3> kAxes = {Axis::x, Axis::y, Axis::z};
+
+/// The axis that is looked along. A pane that is turned shows the layer in the middle of the world.
+void draw_axes(const Look& look, const Sheet& sheet, std::size_t pane, Slices& slices) {
+  static constexpr std::array<const char*, 3> kNames = {"X", "Y", "Z"};
+  int chosen = static_cast<int>(sheet.box.along());
+  ImGui::BeginChild("axes", {look.px(kAxesWidth), look.px.control}, false, ImGuiWindowFlags_NoBackground);
+  if (segments(look, "axis", kNames, chosen))
+    turn_slice(slices, pane, sheet.box.box(), kAxes[static_cast<std::size_t>(chosen)]);
+  ImGui::EndChild();
+  hint(look, {"Slice", "Shift+X, Shift+Y, Shift+Z",
+              "The axis that the pane looks along: it shows one layer across it. Seen along x or y the world "
+              "stands upright, with z growing upwards. Panes that show the same slice go together."});
+}
+
+void draw_track(const Look& look, const Sheet& sheet, std::size_t pane, Slices& slices, float width) {
+  double layer = sheet.layer;
+  ImGui::BeginChild("track", {width, look.px.control}, false, ImGuiWindowFlags_NoBackground);
+  ImGui::SetCursorPosY((look.px.control - look.px.l) / 2);
+  const SliderSpec spec{
+      .label = "Layer", .min = 0, .max = static_cast<double>(sheet.box.depth() - 1), .decimals = 0};
+  const bool moved = slider_track(look, spec, layer);
+  ImGui::EndChild();
+  hint(look, {"Layer", "Shift+wheel",
+              "Which layer of the world the pane shows. On the canvas Shift and the wheel move it; with Ctrl "
+              "too, the pane goes alone."});
+  if (!moved) return;
+  slices.follows_robot = false;
+  slices.set(pane, {sheet.box.along(), static_cast<int>(layer)});
+}
+
+void draw_follow(const Look& look, Slices& slices) {
+  const IconButton button{
+      .icon = icon::crosshairs,
+      .hint = {"Follow the robot", "", "The panes show the layer that the robot is in, wherever it goes."},
+      .selected = slices.follows_robot,
+      .colour = slices.follows_robot ? look.theme.accent : 0};
+  if (small_button(look, "follow", button)) slices.follows_robot = !slices.follows_robot;
+}
+
+}  // namespace
+
+float slice_bar_height(const Look& look, const Box& world) {
+  return world.solid() ? look.px(kHeight) + look.px.xs : 0;
+}
+
+std::string axes_text(Axis along) {
+  switch (along) {
+    case Axis::x:
+      return "y → · z ↑";
+    case Axis::y:
+      return "x → · z ↑";
+    case Axis::z:
+      break;
+  }
+  return "x → · y ↓";
+}
+
+std::string layer_text(const Sheet& sheet) {
+  return std::string(axis_name(sheet.box.along())) + " = " + std::to_string(sheet.layer) + " of 0 to " +
+         std::to_string(sheet.box.depth() - 1);
+}
+
+void draw_slice_bar(const Look& look, const Sheet& sheet, std::size_t pane, Slices& slices, ImVec2 at,
+                    float width) {
+  width = std::min(width, look.px(kWidest));
+  const std::string words = layer_text(sheet);
+  ImGui::SetNextWindowPos(at);
+  ImGui::SetNextWindowSize({width, look.px(kHeight)});
+  ImGui::SetNextWindowBgAlpha(0.94f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                      ImVec2(look.px.xs, (look.px(kHeight) - look.px.control) / 2));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+  const std::string id = "slice##" + std::to_string(ImGui::GetID("slice"));
+  ImGui::Begin(id.c_str(), nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar(2);
+  draw_axes(look, sheet, pane, slices);
+  ImGui::SameLine(0, look.px.s);
+  const float figures = text_width(look.fonts.mono, words), button = look.px(24);
+  const float track = width - look.px(kAxesWidth) - figures - button - 2 * look.px.xs - 4 * look.px.s;
+  if (track >= look.px(40)) {
+    draw_track(look, sheet, pane, slices, track);
+    ImGui::SameLine(0, look.px.s);
+  }
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos({origin.x, origin.y + (look.px.control - look.fonts.mono->FontSize) / 2});
+  text(look.fonts.mono, look.theme.text, words);
+  hint(look, {"The layer that shows", "", "By its coordinate along the axis that the pane looks along."});
+  ImGui::SameLine(0, look.px.s);
+  ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, origin.y + (look.px.control - button) / 2});
+  draw_follow(look, slices);
+  ImGui::End();
+}
+
+}  // namespace replan::ui

@@ -1,0 +1,35 @@
+#include "ui/canvas/slices.hpp"
+
+#include <algorithm>
+
+namespace replan::ui {
+
+void Slices::set(std::size_t pane, Slice slice, SlicePanes panes) {
+  const Slice before = of(pane);
+  if (panes == SlicePanes::alike) std::replace(slices_.begin(), slices_.end(), before, slice);
+  slices_[pane % slices_.size()] = slice;
+}
+
+void Slices::show(std::size_t pane, Cell cell) {
+  Slice slice = of(pane);
+  slice.layer = along(slice.along, cell);
+  set(pane, slice);
+}
+
+void turn_slice(Slices& slices, std::size_t pane, const Box& world, Axis along) {
+  if (!world.solid() || slices.of(pane).along == along) return;
+  slices.set(pane, {along, SeenBox(world, along).depth() / 2});
+}
+
+void move_slice(Slices& slices, std::size_t pane, const Box& world, int by, SlicePanes panes) {
+  const Sheet now = sheet_of(world, slices.of(pane));
+  slices.follows_robot = false;
+  slices.set(pane, {now.box.along(), std::clamp(now.layer + by, 0, now.box.depth() - 1)}, panes);
+}
+
+Sheet sheet_of(const Box& world, const Slice& slice) {
+  const SeenBox box(world, world.solid() ? slice.along : Axis::z);
+  return {box, std::clamp(slice.layer, 0, box.depth() - 1)};
+}
+
+}  // namespace replan::ui

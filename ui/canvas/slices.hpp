@@ -1,0 +1,56 @@
+// Which layer each pane shows of a world of more than one.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/scene/view.hpp"
+
+namespace replan::ui {
+
+/// Which of the panes a change is for.
+enum class SlicePanes { alike, alone };
+
+class Slices {
+ public:
+  [[nodiscard]] const Slice& of(std::size_t pane) const { return slices_[pane % slices_.size()]; }
+  /// Has a pane show another one: `alike` also has those do that show the same as it, so that panes stay together until one
+  /// is moved alone.
+  void set(std::size_t pane, Slice slice, SlicePanes panes = SlicePanes::alike);
+  void set_all(Slice slice) {
+    slices_.fill(slice);
+    chosen_ = true;
+  }
+  /// Of another world: whoever draws it first chooses.
+  void forget() { chosen_ = false; }
+  [[nodiscard]] bool chosen() const { return chosen_; }
+  /// The one that shows the layer of a cell of the world along the axis that the pane is seen.
+  void show(std::size_t pane, Cell cell);
+
+  bool follows_robot = false;  ///< the layer is the robot's, wherever it goes
+
+ private:
+  std::array<Slice, 4> slices_;  // a session has no more panes
+  bool chosen_ = false;
+};
+
+/// The coordinate of a cell along an axis.
+constexpr int along(Axis axis, Cell cell) {
+  return axis == Axis::x ? cell.x : axis == Axis::y ? cell.y : cell.z;
+}
+
+/// "z"
+constexpr const char* axis_name(Axis axis) {
+  return axis == Axis::x ? "x" : axis == Axis::y ? "y" : "z";
+}
+
+/// Has a pane look along another axis, at the middle layer.
+void turn_slice(Slices& slices, std::size_t pane, const Box& world, Axis along);
+/// Moves a pane's slice by so many layers, as far as there are some; it follows the robot no more.
+void move_slice(Slices& slices, std::size_t pane, const Box& world, int by,
+                SlicePanes panes = SlicePanes::alike);
+
+/// The pane's sheet: layers that there are not are the nearest that there is.
+[[nodiscard]] Sheet sheet_of(const Box& world, const Slice& slice);
+
+}  // namespace replan::ui
