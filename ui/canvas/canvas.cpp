@@ -362,7 +362,9 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
   Parts& parts = *parts_;
   if (pane >= session.runs().size()) return;
   const Run& run = *session.runs()[pane];
-  const float above = pane_title_height(look) + slice_bar_height(look, run.lattice());
+  // A picture of the canvas alone has no controls: its title tells the layer.
+  const bool bar = interactive && run.lattice().solid() && !state.captured;
+  const float above = pane_title_height(look) + (bar ? slice_bar_height(look) : 0);
   const Viewport viewport{static_cast<int>(max.x - min.x), static_cast<int>(max.y - min.y),
                           static_cast<int>(above), static_cast<int>(below)};
   if (viewport.width <= 0 || viewport.height <= 0) return;
@@ -395,9 +397,9 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
   }
   const bool leads = interactive && session.runs().size() > 1 && pane == session.lead();
   if (leads) list.AddRectFilled(min, {max.x, min.y + look.px(2)}, look.theme.accent);
-  parts.chips = draw_chips(look, list, run, parts.scene, parts.memory, parts.plans, state, parts.sheet, min,
-                           max, interactive, parts.card);
-  if (interactive && run.lattice().solid() && !state.captured)
+  parts.chips = draw_chips(look, list, run, parts.scene, parts.memory, parts.plans, state,
+                           {parts.sheet, bar}, min, max, interactive, parts.card);
+  if (bar)
     draw_slice_bar(look, parts.sheet, pane, state.slices,
                    {min.x + look.px(12), min.y + pane_title_height(look)}, max.x - min.x - 2 * look.px(12));
   parts.take_answer(state, session, pane, commands);

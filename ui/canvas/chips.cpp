@@ -40,7 +40,7 @@ std::string distinction(const Run& run) {
 }
 
 /// What stands beside the planner's name; where there is no room for all panes, how to come to the others.
-std::string title_figures(const Run& run, SceneMemory& memory, const ViewState& state, const Sheet& sheet) {
+std::string title_figures(const Run& run, SceneMemory& memory, const ViewState& state, const ShownSlice& slice) {
   if (state.hides_panes)
     return "N shows the next of " + std::to_string(run.scenario().planners.size()) + " panes";
   const std::size_t cursor = run.timeline().cursor();
@@ -48,10 +48,9 @@ std::string title_figures(const Run& run, SceneMemory& memory, const ViewState& 
   std::string figures = count_text(memory.expansions(run, cursor), "expansion", "expansions");
   if (decision != nullptr && !decision->plan->path->empty())
     figures += " · " + count_text(static_cast<std::int64_t>(decision->plan->path->size()), "node", "nodes");
-  if (!sheet.box.solid()) return figures;
-  // The bar below tells the layer; a picture of the canvas alone has none.
-  if (state.captured) figures += " · " + layer_text(sheet);
-  return figures + " · " + axes_text(sheet.box.along());
+  if (!slice.sheet.box.solid()) return figures;
+  if (!slice.bar) figures += " · " + layer_text(slice.sheet);
+  return figures + " · " + axes_text(slice.sheet.box.along());
 }
 
 /// Why a plan that was found cannot be driven.
@@ -180,12 +179,12 @@ float pane_title_height(const Look& look) {
 }
 
 ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene& scene,
-                      SceneMemory& memory, FreshPlans& plans, const ViewState& state, const Sheet& sheet,
-                      ImVec2 min, ImVec2 max, bool choosable, CardFold& fold) {
+                      SceneMemory& memory, FreshPlans& plans, const ViewState& state,
+                      const ShownSlice& slice, ImVec2 min, ImVec2 max, bool choosable, CardFold& fold) {
   const Theme& theme = look.theme;
   const float margin = look.px(12);
   const std::size_t cursor = run.timeline().cursor();
-  const std::string figures = title_figures(run, memory, state, sheet);
+  const std::string figures = title_figures(run, memory, state, slice);
   const std::string name = std::string(run.info().name) + distinction(run);
   const std::array<TextRun, 3> title = {{{name, theme.text, look.fonts.title},
                                          {figures, theme.dim, look.fonts.small},
@@ -194,7 +193,7 @@ ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, const 
   const ImVec2 corner(min.x + margin, min.y + margin);
   const ImVec2 left = chip(look, list, corner, std::span(title).first(choosable ? 3 : 2));
   drawn.title = {corner, {corner.x + left.x, corner.y + left.y}};
-  float below = min.y + margin + left.y + look.px.s + slice_bar_height(look, run.lattice());
+  float below = min.y + margin + left.y + look.px.s + (slice.bar ? slice_bar_height(look) : 0);
   ImVec2 card_foot(max.x, min.y);  // lower left corner
   const RepairFigures repair = memory.repair(run, cursor);
   fold.see(repair.number, ImGui::GetTime());

@@ -52,8 +52,8 @@ void draw_follow(const Look& look, Slices& slices) {
 
 }  // namespace
 
-float slice_bar_height(const Look& look, const Box& world) {
-  return world.solid() ? look.px(kHeight) + look.px.xs : 0;
+float slice_bar_height(const Look& look) {
+  return look.px(kHeight) + look.px.xs;
 }
 
 std::string axes_text(Axis along) {

@@ -1,14 +1,13 @@
 // In a pane of a world with several layers, below its title: which layer it shows, and along which axis.
 #pragma once
 
-#include "core/lattice/box.hpp"
 #include "ui/canvas/slices.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 
-/// The height that the bar takes, with the space below it; 0 in a plane, which has none.
-float slice_bar_height(const Look& look, const Box& world);
+/// The height that the bar takes, with the space below it.
+float slice_bar_height(const Look& look);
 
 /// Draws it in a window of its own, its upper left corner at `at` and at most so wide, within the ID of its pane.
 void draw_slice_bar(const Look& look, const Sheet& sheet, std::size_t pane, Slices& slices, ImVec2 at,
