@@ -26,6 +26,8 @@ ui::ViewState filmed_view(const ui::ViewState& view) {
   filmed.view.hovered.reset();
   filmed.slices = view.slices;
   filmed.upright = view.upright;
+  filmed.orbit = view.orbit;
+  filmed.solid = view.solid;
   filmed.dark = view.dark;
   filmed.panels = view.panels;
   filmed.tab = view.tab;

@@ -149,6 +149,9 @@ Result<ui::ViewState> requested_view(const RenderRequest& request) {
   state.view.motion = request.motion;
   state.slices.set_all(request.slice.value_or(Slice{Axis::z, request.scenario.start.z}));
   state.slices.follows_robot = request.follows_robot;
+  if (request.orbit) state.orbit = *request.orbit;
+  state.solid.cut = request.cut;
+  for (std::size_t pane = 0; request.orbit && pane < 4; ++pane) state.slices.set_orbits(pane, true);
   state.view.scale = request.scale;
   state.view.range = request.range;
   state.legend = request.legend;

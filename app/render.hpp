@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/film/film_writer.hpp"
+#include "core/scene/orbit.hpp"
 #include "core/scene/scene.hpp"
 #include "core/scene/view.hpp"
 #include "core/session/film_plan.hpp"
@@ -40,6 +41,8 @@ struct RenderRequest {
   std::optional<Cell> pinned;
   std::optional<Twist> motion;              ///< of a driving robot: the one that is looked at
   std::optional<Slice> slice;               ///< the layer that is shown; else that of the start
+  std::optional<Orbit> orbit;               ///< the world from outside, from there
+  bool cut = false;                         ///< and cut at the slice
   bool follows_robot = false;               ///< the layer is that of the robot at each moment
   std::optional<ViewSetup::Camera> camera;  ///< else the scenario's, else the whole world
   bool legend = true;

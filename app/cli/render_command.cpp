@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,8 @@ struct RenderArguments {
   std::string arc;
   std::string camera;
   std::string slice;
+  std::string orbit;
+  bool cut = false;
   std::string panes;
   std::string fps;
   std::string speed;
@@ -183,6 +186,25 @@ Result<void> read_slice(const RenderArguments& arguments, app::RenderRequest& re
   return {};
 }
 
+Result<void> read_orbit(const RenderArguments& arguments, app::RenderRequest& request) {
+  if (arguments.orbit.empty())
+    return arguments.cut ? Result<void>(Error{"--cut is for a world from outside: add --orbit YAW,PITCH"})
+                         : Result<void>();
+  if (request.scenario.map.depth == 1)
+    return Error{"--orbit is for a world of more than one layer, and " + arguments.world.source() +
+                 " is a plane: leave it out"};
+  request.cut = arguments.cut;
+  const auto numbers = numbers_in(arguments.orbit, 2);
+  if (!numbers || std::abs((*numbers)[1]) > 89)
+    return Error{
+        "--orbit cannot be '" + arguments.orbit +
+        "': give YAW,PITCH in degrees, how far it is turned and how high above the horizon it is seen "
+        "from (at most 89), for example 30,35"};
+  const double degree = std::numbers::pi / 180;
+  request.orbit = Orbit{(*numbers)[0] * degree, (*numbers)[1] * degree, 0, {}};
+  return {};
+}
+
 Result<void> read_panes(const RenderArguments& arguments, app::RenderRequest& request) {
   if (arguments.panes.empty()) return {};
   const auto count = number_from<int>(arguments.panes);
@@ -244,6 +266,7 @@ Result<int> render(const RenderArguments& arguments) {
   if (const auto place = read_place(arguments, request); !place) return Error{place.error()};
   if (const auto arc = read_arc(arguments, request); !arc) return Error{arc.error()};
   if (const auto slice = read_slice(arguments, request); !slice) return Error{slice.error()};
+  if (const auto orbit = read_orbit(arguments, request); !orbit) return Error{orbit.error()};
   if (const auto panes = read_panes(arguments, request); !panes) return Error{panes.error()};
   if (const auto film = read_film(arguments, request); !film) return Error{film.error()};
   std::optional<ProgressBar> bar;
@@ -341,6 +364,13 @@ Command add_render(CLI::App& program) {
          "Of a world of more than one layer: the one that is shown, across z or, with x= or y=, across "
          "another axis, or 'robot' for that of the robot; else that of the start")
       ->type_name("[x=|y=|z=]N");
+  app->add_option(
+         "--orbit", into.orbit,
+         "Of a world of more than one layer: from outside, in 3D, turned by so many degrees and so many "
+         "above the horizon")
+      ->type_name("YAW,PITCH");
+  app->add_flag("--cut", into.cut,
+                "With --orbit: what lies beyond the slice, towards the viewer, is left out");
   app->add_option(
          "--camera", into.camera,
          "The point in the middle, in cells, and pixels per cell; else the scenario's, else all of the world")

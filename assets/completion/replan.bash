@@ -40,7 +40,7 @@ _replan_options() {
     render)
       echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --planner --set --stage -o --output --size --scale" \
         "--at --at-end --at-plan" \
-        "--overlay --theme --action --dialog --pin --arc --camera --slice --range --colours --canvas-only --panes --fps --speed --hold --from --to"
+        "--overlay --theme --action --dialog --pin --arc --camera --slice --orbit --cut --range --colours --canvas-only --panes --fps --speed --hold --from --to"
       ;;
     convert) echo "-h --help --start --goal --threshold --invert --unknown --occupied --slice --planner --set --stage" ;;
     show) echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --planner --set --stage --at --cell" ;;
@@ -77,7 +77,7 @@ _replan() {
     -o | --output) _replan_files png svg gif webp mp4; return ;;
     --dialog) COMPREPLY=($(compgen -W "new_world open worlds opening save_as figures film film_window film_run picture trace unsaved changed overwrite recover generate resize edits keys about menu_file menu_edit menu_world menu_planner menu_run menu_view menu_overlays menu_tabs menu_panes menu_record menu_help" -- "$cur")); return ;;
     --action) _replan_list "$(_replan_ids actions)"; return ;;
-    --start | --goal | --radius | --world | --break | --cell | --pin | --arc | --camera | --size | --scale | --limit | --threshold | --occupied | --slice | --fps | --hold) return ;;
+    --start | --goal | --radius | --world | --break | --cell | --pin | --arc | --orbit | --camera | --size | --scale | --limit | --threshold | --occupied | --slice | --fps | --hold) return ;;
     --panes) COMPREPLY=($(compgen -W "1 2 4 all" -- "$cur")); return ;;
     --colours) COMPREPLY=($(compgen -W "viridis cividis grey" -- "$cur")); return ;;
     --range) COMPREPLY=($(compgen -W "whole-run so-far" -- "$cur")); return ;;

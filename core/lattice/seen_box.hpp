@@ -1,6 +1,8 @@
 // How a view lays out a world's cells: in columns and rows, layer behind layer.
 #pragma once
 
+#include <algorithm>
+
 #include "core/base/point.hpp"
 #include "core/lattice/box.hpp"
 
@@ -137,5 +139,11 @@ struct Sheet {
   /// Whether a cell of the world lies in it.
   [[nodiscard]] bool has(Cell cell) const { return box.seen(cell).z == layer; }
 };
+
+/// What a slice of a world shows; of a layer that there is not the nearest that there is.
+inline Sheet sheet_of(const Box& world, const Slice& slice) {
+  const SeenBox box(world, world.solid() ? slice.along : Axis::z);
+  return {box, std::clamp(slice.layer, 0, box.depth() - 1)};
+}
 
 }  // namespace replan

@@ -138,41 +138,14 @@ void MapCoverage::recount(const Run& run, const MapEvent& event) {
 }
 
 void MapCoverage::follow(const Run& run, const RunDigest& digest, const SeenBox& world, int layer) {
-  const Timeline& log = run.timeline();
-  const std::size_t common = run.common_with(log_id_);
-  // A log that has no event yet has none in common with itself.
-  const bool another = common == 0 && log_id_ != run.log_id();
-  if (another || world != world_ || layer != layer_) {
-    truth_ = Coverage(world, layer, log.state(), EventKind::truth);
-    known_ = shares_all(run.lattice(), log.state()) ? truth_
-                                                    : Coverage(world, layer, log.state(), EventKind::known);
-    position_ = log.cursor();
-    world_ = world;
-    layer_ = layer;
-    counted_.clear();
-    ++revision_;
-  }
-  const auto place = [](const auto& events, std::size_t position) {
-    return std::partition_point(events.begin(), events.end(),
-                                [position](const MapEvent& event) { return event.event < position; });
-  };
-  if (log_id_ != run.log_id()) {
-    const auto gone = place(counted_, common);
-    for (auto event = gone; event != counted_.end(); ++event) recount(run, *event);
-    counted_.erase(gone, counted_.end());
-    position_ = std::min(position_, common);
-  }
-  const auto events = digest.map_events();
-  const auto last = place(events, std::max(position_, log.cursor()));
-  for (auto event = place(events, std::min(position_, log.cursor())); event != last; ++event)
-    recount(run, *event);
-  const auto count = static_cast<std::size_t>(place(events, log.cursor()) - events.begin());
-  if (count < counted_.size())
-    counted_.erase(counted_.begin() + static_cast<std::ptrdiff_t>(count), counted_.end());
-  counted_.insert(counted_.end(), events.begin() + static_cast<std::ptrdiff_t>(counted_.size()),
-                  events.begin() + static_cast<std::ptrdiff_t>(count));
-  position_ = log.cursor();
-  log_id_ = run.log_id();
+  const bool other_layer = world != world_ || layer != layer_;
+  if (follower_.follow(run, digest, other_layer, [&](const MapEvent& event) { recount(run, event); })) return;
+  const SearchState& state = run.timeline().state();
+  truth_ = Coverage(world, layer, state, EventKind::truth);
+  known_ = shares_all(run.lattice(), state) ? truth_ : Coverage(world, layer, state, EventKind::known);
+  world_ = world;
+  layer_ = layer;
+  ++revision_;
 }
 
 }  // namespace replan

@@ -7,6 +7,7 @@
 
 #include "core/lattice/seen_box.hpp"
 #include "core/scene/digest.hpp"
+#include "core/scene/map_follower.hpp"
 
 namespace replan {
 
@@ -58,11 +59,10 @@ class MapCoverage {
  private:
   void recount(const Run& run, const MapEvent& event);
 
-  std::uint64_t log_id_ = 0, revision_ = 0;
+  std::uint64_t revision_ = 0;
   SeenBox world_;
   int layer_ = 0;
-  std::size_t position_ = 0;
-  std::vector<MapEvent> counted_;  // before that position: what a cut takes out of the log is counted anew
+  MapFollower follower_;
   Coverage truth_, known_;
 };
 

@@ -150,11 +150,11 @@ void paint_cells(SceneContext& context, CellColours& colours) {
 }
 
 /// Which cells, or blocks of them, the pixels along one axis cover.
-struct Axis {
+struct PixelAxis {
   std::vector<int> first, last;  ///< blocks, the last included
   std::vector<int> middle;       ///< cell in the middle
 
-  Axis(double origin, double per_pixel, int pixels, int cells, int level) {
+  PixelAxis(double origin, double per_pixel, int pixels, int cells, int level) {
     for (int p = 0; p < pixels; ++p) {
       const auto cell = [&](double at) {
         return std::clamp(static_cast<int>(std::floor(origin + at * per_pixel)), 0, cells - 1);
@@ -202,7 +202,7 @@ struct MeanShare {
   [[nodiscard]] unsigned of_255() const { return (sum + count - 1) / count; }
 };
 
-MeanShare mean_share(const std::vector<std::uint32_t>& shares, const Axis& across, std::size_t pixel,
+MeanShare mean_share(const std::vector<std::uint32_t>& shares, const PixelAxis& across, std::size_t pixel,
                      int rows) {
   const auto first = static_cast<std::size_t>(across.first[pixel]),
              last = static_cast<std::size_t>(across.last[pixel]);
@@ -224,8 +224,8 @@ struct PixelRow {
   std::vector<std::uint32_t> truth, known;
 };
 
-void paint_pixel_row(SceneContext& context, CellColours& colours, const Axis& across, const PixelRow& row,
-                     Colour* texels) {
+void paint_pixel_row(SceneContext& context, CellColours& colours, const PixelAxis& across,
+                     const PixelRow& row, Colour* texels) {
   for (std::size_t p = 0; p < across.first.size(); ++p) {
     const unsigned t = mean_share(row.truth, across, p, row.rows).of_255(),
                    k = mean_share(row.known, across, p, row.rows).of_255();
@@ -277,8 +277,8 @@ void paint_pixels(SceneContext& context, CellColours& colours) {
   raster.texels.resize(static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows));
   const MapCoverage& coverage = context.memory.coverage;
   const int level = std::min(static_cast<int>(std::floor(std::log2(per_pixel))), coverage.truth().levels());
-  const Axis across(raster.x, per_pixel, raster.columns, context.lattice.width(), level);
-  const Axis down(raster.y, per_pixel, raster.rows, context.lattice.height(), level);
+  const PixelAxis across(raster.x, per_pixel, raster.columns, context.lattice.width(), level);
+  const PixelAxis down(raster.y, per_pixel, raster.rows, context.lattice.height(), level);
   PixelRow row;
   for (std::size_t p = 0; p < down.first.size(); ++p) {
     row.cells = down.middle[p];

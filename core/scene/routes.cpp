@@ -1,4 +1,6 @@
 // What runs across cells: path, trail, sight checks; and the things that stand on them.
+#include "core/scene/routes.hpp"
+
 #include <cmath>
 
 #include "core/scene/numbers.hpp"
@@ -12,7 +14,8 @@ NodeId robot_node(const SceneContext& context) {
   return robot == kNoNode ? context.run.lattice().node(context.run.scenario().start) : robot;
 }
 
-/// Where it has to go now: the goal may have moved.
+}  // namespace
+
 Point goal_point(const SceneContext& context) {
   const NodeId goal = context.state.wanted_goal();
   return goal == kNoNode ? context.centre(context.seen(context.run.scenario().goal)) : context.centre(goal);
@@ -27,6 +30,8 @@ Point robot_point(const SceneContext& context) {
                             between(decision->before.y, decision->at.y),
                             between(decision->before.z, decision->at.z)});
 }
+
+namespace {
 
 /// The path from the robot on.
 std::vector<Point> ahead(const SceneContext& context, const Decision& decision) {
@@ -58,14 +63,40 @@ std::vector<Point> chain_of_parents(const SceneContext& context) {
   return points;
 }
 
-void add_path(SceneContext& context) {
+}  // namespace
+
+PathLine path_line(const SceneContext& context) {
   const RunDigest& digest = context.memory.digest;
   const std::size_t plans = digest.plans_before(context.cursor);
   const bool searching = plans > 0 && digest.plans()[plans - 1].end > context.cursor;
   const Decision* decision = context.run.decision_at(context.cursor);
-  const std::vector<Point> points = decision != nullptr ? ahead(context, *decision)
-                                    : searching         ? chain_of_parents(context)
-                                                        : std::vector<Point>();
+  if (decision != nullptr) return {ahead(context, *decision), searching};
+  return {searching ? chain_of_parents(context) : std::vector<Point>(), searching};
+}
+
+std::vector<Point> trail_points(const SceneContext& context) {
+  std::vector<Point> points;
+  for (const Decision& decision : context.run.decisions()) {
+    if (decision.event > context.cursor) break;
+    if (decision.plan->path->empty()) continue;  // it stood still
+    if (const Point at = context.seen(decision.at); points.empty() || points.back() != at)
+      points.push_back(at);
+  }
+  if (context.run.travel() < 1 && !points.empty()) points.back() = robot_point(context);
+  return points;
+}
+
+bool robot_has_set_out(const SceneContext& context) {
+  const Decision* decision = context.run.decision_at(context.cursor);
+  if (decision == nullptr) return false;
+  const NodeId start = context.run.lattice().node(context.run.scenario().start);
+  return robot_node(context) != start || decision->clock != 0;
+}
+
+namespace {
+
+void add_path(SceneContext& context) {
+  const auto [points, searching] = path_line(context);
   if (points.size() < 2) return;
   Polyline line{points, context.palette.path, context.line_width(3), 0};
   if (searching) line.colour = faded(line.colour, 0.4);
@@ -80,14 +111,7 @@ void add_path(SceneContext& context) {
 }
 
 void add_trail(SceneContext& context) {
-  Polyline line{{}, faded(context.palette.robot, 0.75), context.line_width(2), 0};
-  for (const Decision& decision : context.run.decisions()) {
-    if (decision.event > context.cursor) break;
-    if (decision.plan->path->empty()) continue;  // it stood still
-    if (const Point at = context.seen(decision.at); line.points.empty() || line.points.back() != at)
-      line.points.push_back(at);
-  }
-  if (context.run.travel() < 1 && !line.points.empty()) line.points.back() = robot_point(context);
+  Polyline line{trail_points(context), faded(context.palette.robot, 0.75), context.line_width(2), 0};
   if (line.points.size() < 2) return;
   context.scene.show(Sign::trail);
   add_through_layers(context, std::move(line));
@@ -240,11 +264,7 @@ void build_things(SceneContext& context) {
   add_nearest(context, radius);
   add_thing(context,
             {goal_point(context), radius * 1.15f, palette.goal, palette.outline, rim, Glyph::target});
-  const NodeId robot = robot_node(context);
-  const Decision* decision = context.run.decision_at(context.cursor);
-  // Before it has moved, the robot would only hide the start.
-  if (decision == nullptr || (robot == context.run.lattice().node(scenario.start) && decision->clock == 0))
-    return;
+  if (!robot_has_set_out(context)) return;
   context.scene.show(Sign::robot);
   add_thing(context, {robot_point(context), radius, palette.robot, palette.outline, rim, Glyph::heading,
                       heading(context)});

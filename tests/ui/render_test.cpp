@@ -68,6 +68,19 @@ TEST_P(RenderGolden, Arrival) {
   compare_with_golden(request, std::string("demo_arrival_") + GetParam());
 }
 
+/// The same from outside, cut at a slice that stands upright.
+TEST_P(RenderGolden, BoxFromOutside) {
+  RenderRequest request = demo(GetParam());
+  auto decks = read_scenario(std::string(REPLAN_SOURCE_DIR) + "/maps/decks.json");
+  ASSERT_TRUE(decks.ok()) << decks.error();
+  request.scenario = *decks;
+  request.slice = Slice{Axis::y, 12};
+  request.orbit = Orbit{0.5, 0.6, 0, {}};
+  request.cut = true;
+  request.at = plan_end(request, 1);
+  compare_with_golden(request, std::string("decks_orbit_") + GetParam());
+}
+
 /// The upper deck once the plan is repaired: the path rises into it, and what runs below is faint.
 TEST_P(RenderGolden, SliceOfABox) {
   RenderRequest request = demo(GetParam());

@@ -173,5 +173,74 @@ TEST_F(SlicesTest, AnotherWorldBeginsAgain) {
   EXPECT_EQ(state_.view.hovered, (Cell{3, 4, 0}));
 }
 
+/// The same world from outside.
+class OrbitTest : public SlicesTest {
+ protected:
+  void SetUp() override {
+    SlicesTest::SetUp();
+    state_.slices.set_orbits(0, true);
+    frame();
+  }
+  void drag_pixels(float x, float y, float dx, float dy, int which = 0) {
+    input().mouse_move(x, y);
+    frame();
+    button(which, true);
+    input().mouse_move(x + dx, y + dy);
+    frame();
+    button(which, false);
+    frame();
+  }
+  [[nodiscard]] OrbitLens lens() const {
+    const Scene& scene = canvas_->scene();
+    return {state_.orbit, session_->run().lattice(), {scene.width, scene.height, above_, 0}};
+  }
+  int above_ = 69;  // what the title and the bar take
+};
+
+TEST_F(OrbitTest, ADragTurnsTheWorldAndTheWheelComesNearer) {
+  const Orbit before = state_.orbit;
+  drag_pixels(320, 300, 40, 20);
+  EXPECT_LT(state_.orbit.yaw, before.yaw);
+  EXPECT_GT(state_.orbit.pitch, before.pitch);
+  EXPECT_GT(state_.orbit.distance, 0) << "what was fitted stands from now on";
+  const double distance = state_.orbit.distance;
+  input().wheel(0, 1);
+  frame();
+  EXPECT_LT(state_.orbit.distance, distance);
+  const Point focus = state_.orbit.focus;
+  drag_pixels(320, 300, 40, 0, 1);
+  EXPECT_NE(state_.orbit.focus, focus) << "the right button moves it";
+  EXPECT_TRUE(commands_.empty()) << "and nothing of it changes the world";
+  EXPECT_FALSE(state_.view.pinned);
+  canvas_->fit();
+  frame();
+  EXPECT_EQ(state_.orbit.distance, 0);
+  wheel(1);
+  EXPECT_EQ(state_.slices.of(0), (Slice{Axis::z, 2}));
+}
+
+TEST_F(OrbitTest, AClickPinsWhatIsUnderTheCursor) {
+  ASSERT_TRUE(session_->apply(PaintCells{{{{10, 5, 3}, true}}, 0}).ok());
+  session_->settle();
+  frame();
+  const auto pixel = lens().pixel(centre_of(Cell{10, 5, 3}));
+  ASSERT_TRUE(pixel);
+  drag_pixels(static_cast<float>(pixel->x), static_cast<float>(pixel->y), 0, 0);
+  EXPECT_EQ(state_.view.hovered, (Cell{10, 5, 3}));
+  EXPECT_EQ(state_.view.pinned, (Cell{10, 5, 3}));
+  drag_pixels(static_cast<float>(pixel->x), static_cast<float>(pixel->y), 0, 0, 1);
+  EXPECT_EQ(state_.menu, (Cell{10, 5, 3})) << "and the right button asks for its menu";
+  drag_pixels(static_cast<float>(pixel->x), static_cast<float>(pixel->y), 0, 0);
+  EXPECT_FALSE(state_.view.pinned);
+}
+
+TEST_F(OrbitTest, TheLegendTellsWhatShows) {
+  EXPECT_TRUE(canvas_->scene().shows(Sign::path));
+  EXPECT_TRUE(canvas_->scene().shows(Sign::queue));
+  state_.view.overlays.set(Overlay::path, false);
+  frame();
+  EXPECT_FALSE(canvas_->scene().shows(Sign::path));
+}
+
 }  // namespace
 }  // namespace replan::ui::slices_test

@@ -9,6 +9,7 @@
 #include "ui/canvas/hand.hpp"
 #include "ui/canvas/minimap.hpp"
 #include "ui/canvas/number_key.hpp"
+#include "ui/canvas/orbit_pane.hpp"
 #include "ui/canvas/overlay.hpp"
 #include "ui/canvas/planner_menu.hpp"
 #include "ui/canvas/slice_bar.hpp"
@@ -70,6 +71,11 @@ struct Canvas::Parts {
     return resolve(camera, sheet.box.width(), sheet.box.height(), viewport);
   }
   void turn_to(const Run& run, std::size_t pane, ViewState& state);
+  OrbitPane& orbit_pane() {
+    if (!orbit) orbit = std::make_unique<OrbitPane>(renderer);
+    return *orbit;
+  }
+  void draw_slice(const Look& look, const Run& run, const ViewState& state, ImVec2 min, bool interactive);
   void navigate(std::size_t pane, ViewState& state, ImVec2 min, bool hovered);
   void zoom_by(ViewState& state, double factor, ImVec2 min, ImVec2 at);
   void take_wishes(ViewState& state, ImVec2 min, ImVec2 max);
@@ -100,6 +106,8 @@ struct Canvas::Parts {
   bool panning = false;
   Glide zooming;
   Hand hand;
+  std::unique_ptr<OrbitPane> orbit;  // once the pane has shown the world from outside
+  bool orbits = false;
   std::optional<Cell> hovered;
   ChipsDrawn chips;  // as drawn last
   Minimap minimap;
@@ -226,6 +234,7 @@ void Canvas::Parts::turn_to(const Run& run, std::size_t pane, ViewState& state) 
   fit = false;
   if (!state.slices.chosen()) state.slices.set_all({Axis::z, run.scenario().start.z});
   world = run.lattice();
+  orbits = world.solid() && state.slices.orbits(pane);
   if (state.slices.follows_robot) state.slices.show(pane, robot_cell(run));
   sheet = sheet_of(world, state.slices.of(pane));
 }
@@ -327,6 +336,10 @@ void Canvas::Parts::take_hands(const Look& look, const Session& session, std::si
       ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Right);
   if (is_hovered && state.tools.kind().leads && pressed && pane != session.lead())
     commands.emplace_back(Lead{pane});
+  if (orbits) {
+    hovered.reset();
+    return orbit_pane().take_hands(look, *session.runs()[pane], {min, viewport}, state, is_hovered, pane);
+  }
   if (is_hovered) ImGui::SetMouseCursor(state.tools.kind().cursor);
   take_wishes(state, min, max);
   navigate(pane, state, min, is_hovered);
@@ -347,7 +360,7 @@ void Canvas::Parts::take_answer(ViewState& state, const Session& session, std::s
 /// Above the sentence of a stop, if there is one.
 void Canvas::Parts::draw_minimap(const Look& look, const Session& session, const Run& run, ViewState& state,
                                  ImVec2 foot) {
-  if (!state.minimap || state.captured || !exceeds_view(scene)) return;
+  if (!state.minimap || state.captured || orbits || !exceeds_view(scene)) return;
   const Breakpoints& breakpoints = session.breakpoints();
   if (breakpoints.hunt() || !breakpoints.stopped().empty()) foot.y -= look.px(44);
   const auto middle = minimap.draw(look, run, memory, scene, {sheet.box.along(), sheet.layer},
@@ -355,6 +368,22 @@ void Canvas::Parts::draw_minimap(const Look& look, const Session& session, const
   if (!middle) return;
   zooming.active = false;
   state.camera(sheet.box.along()) = {middle->x, middle->y, scene.camera.zoom};
+}
+
+/// The scene, and what tools show over it.
+void Canvas::Parts::draw_slice(const Look& look, const Run& run, const ViewState& state, ImVec2 min,
+                               bool interactive) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Raster& raster = scene.raster;
+  const ImVec2 used(static_cast<float>(raster.columns) / static_cast<float>(std::max(1, texture_width)),
+                    static_cast<float>(raster.rows) / static_cast<float>(std::max(1, texture_height)));
+  draw_scene(list, look, scene, min, {texture, used});
+  if (interactive) {
+    const Projection screen(scene, min);
+    const bool idle = !hand.holds() && !panning;
+    const auto under = idle ? hovered : std::nullopt;
+    draw_editing(CellPen(look, list, screen, run, sheet), state, hand.preview(state, sheet, under), under);
+  }
 }
 
 void Canvas::draw(const Look& look, const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
@@ -374,34 +403,33 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
   parts.scene.width = viewport.width;
   parts.scene.height = viewport.height;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (may_wait && !parts.key) {
+  if (may_wait && !parts.key && !parts.orbits) {
     parts.behind = true;
     list.AddRectFilled(min, max, look.theme.surround);
     return;
   }
   ImGui::PushID(static_cast<int>(pane));
   if (interactive) parts.take_hands(look, session, pane, state, min, max, commands);
-  parts.prepare(look, session, run, state, state.camera(parts.sheet.box.along()), may_wait);
+  if (parts.orbits)
+    parts.key.reset(), parts.behind = false;
+  else
+    parts.prepare(look, session, run, state, state.camera(parts.sheet.box.along()), may_wait);
   list.PushClipRect(min, max, true);
   list.AddRectFilled(min, max, look.theme.surround);
-  const Raster& raster = parts.scene.raster;
-  const ImVec2 used(static_cast<float>(raster.columns) / static_cast<float>(std::max(1, parts.texture_width)),
-                    static_cast<float>(raster.rows) / static_cast<float>(std::max(1, parts.texture_height)));
-  draw_scene(list, look, parts.scene, min, {parts.texture, used});
-  if (interactive) {
-    const Projection screen(parts.scene, min);
-    const bool idle = !parts.hand.holds() && !parts.panning;
-    const auto hovered = idle ? parts.hovered : std::nullopt;
-    draw_editing(CellPen(look, list, screen, run, parts.sheet), state,
-                 parts.hand.preview(state, parts.sheet, hovered), hovered);
+  if (parts.orbits) {
+    parts.orbit_pane().draw(look, session, run, {parts.sheet.box.along(), parts.sheet.layer},
+                            {min, parts.viewport}, state, parts.memory);
+    parts.scene = parts.orbit->legend();
+  } else {
+    parts.draw_slice(look, run, state, min, interactive);
   }
   const bool leads = interactive && session.runs().size() > 1 && pane == session.lead();
   if (leads) list.AddRectFilled(min, {max.x, min.y + look.px(2)}, look.theme.accent);
   parts.chips = draw_chips(look, list, run, parts.scene, parts.memory, parts.plans, state,
-                           {parts.sheet, bar}, min, max, interactive, parts.card);
+                           {parts.sheet, bar, parts.orbits}, min, max, interactive, parts.card);
   if (bar)
-    draw_slice_bar(look, parts.sheet, pane, state.slices,
-                   {min.x + look.px(12), min.y + pane_title_height(look)}, max.x - min.x - 2 * look.px(12));
+    draw_slice_bar(look, parts.sheet, pane, state, {min.x + look.px(12), min.y + pane_title_height(look)},
+                   max.x - min.x - 2 * look.px(12));
   parts.take_answer(state, session, pane, commands);
   if (state.legend && pane == session.lead())
     draw_number_key(look, list, run.info(), parts.scene, min,

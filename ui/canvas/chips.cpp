@@ -40,7 +40,8 @@ std::string distinction(const Run& run) {
 }
 
 /// What stands beside the planner's name; where there is no room for all panes, how to come to the others.
-std::string title_figures(const Run& run, SceneMemory& memory, const ViewState& state, const ShownSlice& slice) {
+std::string title_figures(const Run& run, SceneMemory& memory, const ViewState& state,
+                          const ShownSlice& slice) {
   if (state.hides_panes)
     return "N shows the next of " + std::to_string(run.scenario().planners.size()) + " panes";
   const std::size_t cursor = run.timeline().cursor();
@@ -50,7 +51,7 @@ std::string title_figures(const Run& run, SceneMemory& memory, const ViewState& 
     figures += " · " + count_text(static_cast<std::int64_t>(decision->plan->path->size()), "node", "nodes");
   if (!slice.sheet.box.solid()) return figures;
   if (!slice.bar) figures += " · " + layer_text(slice.sheet);
-  return figures + " · " + axes_text(slice.sheet.box.along());
+  return slice.orbits ? figures : figures + " · " + axes_text(slice.sheet.box.along());
 }
 
 /// Why a plan that was found cannot be driven.
@@ -179,8 +180,8 @@ float pane_title_height(const Look& look) {
 }
 
 ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene& scene,
-                      SceneMemory& memory, FreshPlans& plans, const ViewState& state,
-                      const ShownSlice& slice, ImVec2 min, ImVec2 max, bool choosable, CardFold& fold) {
+                      SceneMemory& memory, FreshPlans& plans, const ViewState& state, const ShownSlice& slice,
+                      ImVec2 min, ImVec2 max, bool choosable, CardFold& fold) {
   const Theme& theme = look.theme;
   const float margin = look.px(12);
   const std::size_t cursor = run.timeline().cursor();

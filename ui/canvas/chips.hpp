@@ -18,13 +18,14 @@ struct ChipsDrawn {
 /// What a pane shows of its world.
 struct ShownSlice {
   Sheet sheet;
-  bool bar = false;  ///< the bar below the title tells it
+  bool bar = false;     ///< the bar below the title tells it
+  bool orbits = false;  ///< the world shows from outside
 };
 
 /// With `choosable` the planner's name has the sign of a menu. `scene` is what lies under them.
 ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, const Scene& scene,
-                      SceneMemory& memory, FreshPlans& plans, const ViewState& state,
-                      const ShownSlice& slice, ImVec2 min, ImVec2 max, bool choosable, CardFold& fold);
+                      SceneMemory& memory, FreshPlans& plans, const ViewState& state, const ShownSlice& slice,
+                      ImVec2 min, ImVec2 max, bool choosable, CardFold& fold);
 /// The height at the top of a pane that its title takes, with the space around it.
 float pane_title_height(const Look& look);
 

@@ -9,20 +9,24 @@
 namespace replan::ui {
 namespace {
 
-constexpr float kHeight = 32, kAxesWidth = 78, kWidest = 400;
+constexpr float kHeight = 32, kAxesWidth = 116, kWidest = 440;
 constexpr std::array<Axis, 3> kAxes = {Axis::x, Axis::y, Axis::z};
 
-/// The axis that is looked along. A pane that is turned shows the layer in the middle of the world.
+/// The axis that is looked along, or the whole world from outside. A pane that is turned shows the layer in the middle.
 void draw_axes(const Look& look, const Sheet& sheet, std::size_t pane, Slices& slices) {
-  static constexpr std::array<const char*, 3> kNames = {"X", "Y", "Z"};
-  int chosen = static_cast<int>(sheet.box.along());
+  static constexpr std::array<const char*, 4> kNames = {"X", "Y", "Z", "3D"};
+  int chosen = slices.orbits(pane) ? 3 : static_cast<int>(sheet.box.along());
   ImGui::BeginChild("axes", {look.px(kAxesWidth), look.px.control}, false, ImGuiWindowFlags_NoBackground);
-  if (segments(look, "axis", kNames, chosen))
-    turn_slice(slices, pane, sheet.box.box(), kAxes[static_cast<std::size_t>(chosen)]);
+  if (segments(look, "axis", kNames, chosen)) {
+    slices.set_orbits(pane, chosen == 3);
+    if (chosen < 3) turn_slice(slices, pane, sheet.box.box(), kAxes[static_cast<std::size_t>(chosen)]);
+  }
   ImGui::EndChild();
-  hint(look, {"Slice", "Shift+X, Shift+Y, Shift+Z",
-              "The axis that the pane looks along: it shows one layer across it. Seen along x or y the world "
-              "stands upright, with z growing upwards. Panes that show the same slice go together."});
+  hint(look,
+       {"Slice, or 3D", "Shift+X, Shift+Y, Shift+Z, Shift+O",
+        "The axis that the pane looks along: it shows one layer across it. Seen along x or y the world "
+        "stands upright, with z growing upwards. 3D shows the whole world from outside, with that layer "
+        "framed in it. Panes that show the same slice go together."});
 }
 
 void draw_track(const Look& look, const Sheet& sheet, std::size_t pane, Slices& slices, float width) {
@@ -50,6 +54,22 @@ void draw_follow(const Look& look, Slices& slices) {
   if (small_button(look, "follow", button)) slices.follows_robot = !slices.follows_robot;
 }
 
+/// What a view from outside leaves out, so that one sees into the world.
+void draw_solid_switches(const Look& look, SolidOptions& options) {
+  const auto toggled = [&](const char* id, const char* sign, const Hint& words, bool& on) {
+    ImGui::SameLine(0, 0);
+    const IconButton button{
+        .icon = sign, .hint = words, .selected = on, .colour = on ? look.theme.accent : 0};
+    if (small_button(look, id, button)) on = !on;
+  };
+  toggled("cut", icon::cut,
+          {"Cut at the slice", "", "Leaves out what lies between you and the layer that the slice shows."},
+          options.cut);
+  toggled("see-through", icon::adjust,
+          {"See through obstacles", "", "Obstacles are like glass: what is behind them shows."},
+          options.see_through);
+}
+
 }  // namespace
 
 float slice_bar_height(const Look& look) {
@@ -73,8 +93,9 @@ std::string layer_text(const Sheet& sheet) {
          std::to_string(sheet.box.depth() - 1);
 }
 
-void draw_slice_bar(const Look& look, const Sheet& sheet, std::size_t pane, Slices& slices, ImVec2 at,
+void draw_slice_bar(const Look& look, const Sheet& sheet, std::size_t pane, ViewState& state, ImVec2 at,
                     float width) {
+  Slices& slices = state.slices;
   width = std::min(width, look.px(kWidest));
   const std::string words = layer_text(sheet);
   ImGui::SetNextWindowPos(at);
@@ -91,7 +112,8 @@ void draw_slice_bar(const Look& look, const Sheet& sheet, std::size_t pane, Slic
   draw_axes(look, sheet, pane, slices);
   ImGui::SameLine(0, look.px.s);
   const float figures = text_width(look.fonts.mono, words), button = look.px(24);
-  const float track = width - look.px(kAxesWidth) - figures - button - 2 * look.px.xs - 4 * look.px.s;
+  const float buttons = slices.orbits(pane) ? 3 * button : button;
+  const float track = width - look.px(kAxesWidth) - figures - buttons - 2 * look.px.xs - 4 * look.px.s;
   if (track >= look.px(40)) {
     draw_track(look, sheet, pane, slices, track);
     ImGui::SameLine(0, look.px.s);
@@ -103,6 +125,7 @@ void draw_slice_bar(const Look& look, const Sheet& sheet, std::size_t pane, Slic
   ImGui::SameLine(0, look.px.s);
   ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, origin.y + (look.px.control - button) / 2});
   draw_follow(look, slices);
+  if (slices.orbits(pane)) draw_solid_switches(look, state.solid);
   ImGui::End();
 }
 

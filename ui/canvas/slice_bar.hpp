@@ -1,7 +1,7 @@
 // In a pane of a world with several layers, below its title: which layer it shows, and along which axis.
 #pragma once
 
-#include "ui/canvas/slices.hpp"
+#include "ui/canvas/view_state.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
@@ -10,7 +10,7 @@ namespace replan::ui {
 float slice_bar_height(const Look& look);
 
 /// Draws it in a window of its own, its upper left corner at `at` and at most so wide, within the ID of its pane.
-void draw_slice_bar(const Look& look, const Sheet& sheet, std::size_t pane, Slices& slices, ImVec2 at,
+void draw_slice_bar(const Look& look, const Sheet& sheet, std::size_t pane, ViewState& state, ImVec2 at,
                     float width);
 
 /// "x → · z ↑": where the axes of the world lead in what a pane shows.

@@ -27,9 +27,4 @@ void move_slice(Slices& slices, std::size_t pane, const Box& world, int by, Slic
   slices.set(pane, {now.box.along(), std::clamp(now.layer + by, 0, now.box.depth() - 1)}, panes);
 }
 
-Sheet sheet_of(const Box& world, const Slice& slice) {
-  const SeenBox box(world, world.solid() ? slice.along : Axis::z);
-  return {box, std::clamp(slice.layer, 0, box.depth() - 1)};
-}
-
 }  // namespace replan::ui

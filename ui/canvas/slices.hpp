@@ -27,10 +27,15 @@ class Slices {
   /// The one that shows the layer of a cell of the world along the axis that the pane is seen.
   void show(std::size_t pane, Cell cell);
 
+  /// Whether a pane shows the whole world from outside, with its slice framed in it.
+  [[nodiscard]] bool orbits(std::size_t pane) const { return orbits_[pane % orbits_.size()]; }
+  void set_orbits(std::size_t pane, bool on) { orbits_[pane % orbits_.size()] = on; }
+
   bool follows_robot = false;  ///< the layer is the robot's, wherever it goes
 
  private:
   std::array<Slice, 4> slices_;  // a session has no more panes
+  std::array<bool, 4> orbits_{};
   bool chosen_ = false;
 };
 
@@ -49,8 +54,5 @@ void turn_slice(Slices& slices, std::size_t pane, const Box& world, Axis along);
 /// Moves a pane's slice by so many layers, as far as there are some; it follows the robot no more.
 void move_slice(Slices& slices, std::size_t pane, const Box& world, int by,
                 SlicePanes panes = SlicePanes::alike);
-
-/// The pane's sheet: layers that there are not are the nearest that there is.
-[[nodiscard]] Sheet sheet_of(const Box& world, const Slice& slice);
 
 }  // namespace replan::ui

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "core/scene/orbit.hpp"
+#include "core/scene/solid_scene.hpp"
 #include "core/scene/view.hpp"
 #include "core/world/map_frame.hpp"
 #include "ui/canvas/editing.hpp"
@@ -21,8 +23,13 @@ struct ViewState {
   Slices slices;
   /// Panes that are seen along the same axis share a camera.
   [[nodiscard]] Camera& camera(Axis axis) { return axis == Axis::z ? view.camera : upright[axis == Axis::y]; }
-  void fit_cameras() { view.camera = upright[0] = upright[1] = {}; }
+  void fit_cameras() {
+    view.camera = upright[0] = upright[1] = {};
+    orbit.distance = 0;
+  }
   std::array<Camera, 2> upright;  ///< along x and along y
+  Orbit orbit;                    ///< of all panes that show the world from outside
+  SolidOptions solid;
   ToolBox tools;
   int brush = 1;   ///< side of the brush in cells, 1 to 64
   int layers = 1;  ///< that tools draw in at once, from the one that shows on, 1 to 64

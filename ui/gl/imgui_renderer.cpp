@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <string>
+
+#include "ui/gl/shader.hpp"
 
 namespace replan::ui {
 namespace {
@@ -37,23 +38,6 @@ ImTextureID id_of(GLuint name) {
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(name));
 }
 
-Result<GLuint> compile(const Gl& gl, GLenum kind, const char* source) {
-  const GLuint shader = gl.CreateShader(kind);
-  gl.ShaderSource(shader, 1, &source, nullptr);
-  gl.CompileShader(shader);
-  GLint compiled = GL_FALSE;
-  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-  if (compiled == GL_TRUE) return shader;
-  std::array<char, 512> log{};
-  gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-  gl.DeleteShader(shader);
-  return Error{std::string("The OpenGL driver refused a shader: ") + log.data()};
-}
-
-const void* offset(std::size_t bytes) {
-  return reinterpret_cast<const void*>(bytes);
-}
-
 }  // namespace
 
 Result<std::unique_ptr<ImGuiRenderer>> ImGuiRenderer::create(const Gl& gl) {
@@ -76,23 +60,9 @@ ImGuiRenderer::~ImGuiRenderer() {
 }
 
 Result<void> ImGuiRenderer::build_program() {
-  const Result<GLuint> vertex = compile(gl_, GL_VERTEX_SHADER, kVertexShader);
-  if (!vertex) return Error{vertex.error()};
-  const Result<GLuint> fragment = compile(gl_, GL_FRAGMENT_SHADER, kFragmentShader);
-  if (!fragment) return Error{fragment.error()};
-  program_ = gl_.CreateProgram();
-  gl_.AttachShader(program_, *vertex);
-  gl_.AttachShader(program_, *fragment);
-  gl_.LinkProgram(program_);
-  gl_.DeleteShader(*vertex);
-  gl_.DeleteShader(*fragment);
-  GLint linked = GL_FALSE;
-  gl_.GetProgramiv(program_, GL_LINK_STATUS, &linked);
-  if (linked != GL_TRUE) {
-    std::array<char, 512> log{};
-    gl_.GetProgramInfoLog(program_, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    return Error{std::string("The OpenGL driver could not link the shaders: ") + log.data()};
-  }
+  const Result<GLuint> program = ui::build_program(gl_, kVertexShader, kFragmentShader);
+  if (!program) return Error{program.error()};
+  program_ = *program;
   projection_location_ = gl_.GetUniformLocation(program_, "projection");
   gl_.UseProgram(program_);
   gl_.Uniform1i(gl_.GetUniformLocation(program_, "image"), 0);
@@ -110,9 +80,9 @@ void ImGuiRenderer::build_buffers() {
   gl_.EnableVertexAttribArray(0);
   gl_.EnableVertexAttribArray(1);
   gl_.EnableVertexAttribArray(2);
-  gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, stride, offset(offsetof(ImDrawVert, pos)));
-  gl_.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, stride, offset(offsetof(ImDrawVert, uv)));
-  gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, offset(offsetof(ImDrawVert, col)));
+  gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, stride, byte_offset(offsetof(ImDrawVert, pos)));
+  gl_.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, stride, byte_offset(offsetof(ImDrawVert, uv)));
+  gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, byte_offset(offsetof(ImDrawVert, col)));
 }
 
 void ImGuiRenderer::upload_fonts() {
@@ -276,7 +246,7 @@ void ImGuiRenderer::draw_command(const ImDrawData& data, const ImDrawCmd& comman
   bind(command.TextureId);
   const std::size_t first_byte = (first_index + command.IdxOffset) * sizeof(ImDrawIdx);
   gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), GL_UNSIGNED_SHORT,
-                             offset(first_byte), base_vertex + static_cast<int>(command.VtxOffset));
+                             byte_offset(first_byte), base_vertex + static_cast<int>(command.VtxOffset));
 }
 
 }  // namespace replan::ui

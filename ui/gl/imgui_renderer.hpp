@@ -43,6 +43,8 @@ class ImGuiRenderer {
   /// The longest side a texture may have in this context; larger rasters must be tiled.
   [[nodiscard]] int max_texture_size() const { return max_texture_size_; }
 
+  [[nodiscard]] const Gl& gl() const { return gl_; }
+
   /// Clears the frame to `background` and draws `data` over it.
   void render(const ImDrawData& data, ImU32 background);
 

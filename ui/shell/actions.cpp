@@ -1,6 +1,7 @@
 #include "ui/shell/actions.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include "ui/icons.hpp"
 #include "ui/shell/format.hpp"
@@ -195,6 +196,10 @@ bool ActionContext::is_solid() const {
 
 bool ActionContext::looks_along(Axis axis) const {
   return is_solid() && view.slices.of(session.lead()).along == axis;
+}
+
+bool ActionContext::orbits() const {
+  return is_solid() && view.slices.orbits(session.lead());
 }
 
 void ActionContext::turn_slice(Axis axis) {

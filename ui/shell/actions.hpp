@@ -66,6 +66,7 @@ struct ActionContext {
   // Of a world with several layers: what the pane that leads shows of it.
   [[nodiscard]] bool is_solid() const;
   [[nodiscard]] bool looks_along(Axis axis) const;
+  [[nodiscard]] bool orbits() const;
   void turn_slice(Axis axis);
   void move_slice(int by);
   // The debugger's; those about a cell take the pinned one, else the one under the cursor.

@@ -75,12 +75,16 @@ void draw_why_chip(Frame& frame, const Scene& scene, ImVec2 min, ImVec2 max) {
     frame.panels.why_open = false;
   frame.view.view.taken.reset();
   if (!pinned || !frame.session.scenario().map.contains(*pinned)) return;
+  const std::size_t lead = frame.session.lead();
+  const Sheet sheet = sheet_of(frame.run().lattice(), frame.view.slices.of(lead));
+  // Beside a cell that does not show there is nothing to ask.
+  if (!sheet.has(*pinned) || (sheet.box.solid() && frame.view.slices.orbits(lead))) return;
   const Look& look = frame.look;
   const bool open = frame.panels.why_open;
   const float line = look.fonts.title->FontSize + look.px.s;
   const ImVec2 size = open ? ImVec2(look.px(kAnswerWidth), frame.panels.why_height)
                            : ImVec2(text_width(look.fonts.title, "Why?") + 2 * look.px.s, line);
-  const ImVec2 at = place(frame, scene, *pinned, size, min, max);
+  const ImVec2 at = place(frame, scene, sheet.box.seen(*pinned), size, min, max);
   frame.view.view.taken = PixelBox{at.x - min.x, at.y - min.y, at.x - min.x + size.x, at.y - min.y + size.y};
   ImGui::SetNextWindowPos(at);
   ImGui::SetNextWindowSize(open ? ImVec2(size.x, 0) : size);

@@ -1,0 +1,123 @@
+// From where a world in space is looked at, and what lies under a pixel.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "core/base/point.hpp"
+#include "core/lattice/box.hpp"
+#include "core/scene/scene.hpp"
+
+namespace replan {
+
+/// A view that turns around a point.
+struct Orbit {
+  double yaw = -0.6;   ///< radians; 0: from the front, where y is largest; against the clock, seen from above
+  double pitch = 0.6;  ///< radians above the horizon
+  double distance = 0;  ///< cells from the point to the eye; 0: all of the world is in sight
+  Point focus = {};     ///< the point, where there is a distance; else it is the middle of the world
+  static constexpr double kSteepest = 1.55;
+  friend bool operator==(const Orbit&, const Orbit&) = default;
+};
+
+/// A half-line.
+struct Ray {
+  Point from, direction;
+  [[nodiscard]] Point at(double t) const {
+    return {from.x + t * direction.x, from.y + t * direction.y, from.z + t * direction.z};
+  }
+};
+
+/// An orbit as it is seen in a view of so many pixels. The world's y runs towards the viewer, as it runs down the screen
+/// in a plane; z upwards.
+class OrbitLens {
+ public:
+  OrbitLens(const Orbit& orbit, const Box& world, const Viewport& view);
+
+  /// From the world's points to OpenGL's clip space, column by column.
+  [[nodiscard]] std::array<float, 16> matrix() const;
+  struct Pixel {
+    double x = 0, y = 0;  ///< from the upper left corner
+    double depth = 0;     ///< cells before the eye
+  };
+  /// Where a point is seen; nothing behind the eye.
+  [[nodiscard]] std::optional<Pixel> pixel(const Point& point) const;
+  [[nodiscard]] Ray ray(double x, double y) const;
+  /// With the point and the distance that the orbit leaves open.
+  [[nodiscard]] const Orbit& orbit() const { return orbit_; }
+  [[nodiscard]] Point eye() const { return eye_; }
+  /// How many cells a pixel is, in the depth of the focus.
+  [[nodiscard]] double cells_per_pixel() const;
+  /// The smallest rectangle around all of the world.
+  [[nodiscard]] PixelBox bounds(const Box& world) const;
+  /// The focus moved by so many pixels across the view.
+  [[nodiscard]] Point panned(double right, double down) const;
+
+ private:
+  static constexpr double kFieldOfView = 0.6;  // radians from top to bottom
+
+  Orbit orbit_;
+  /// The least distance from which all corners of the world lie between what is over the view's edges.
+  void fit(const Box& world, const Viewport& view);
+
+  int width_, height_;
+  double near_ = 0, far_ = 0;
+  Point eye_, right_, up_, ahead_;
+};
+
+/// Whether it meets a cube around a point, with sides of twice that.
+inline bool meets_cube(const Ray& ray, const Point& middle, double half) {
+  double enter = 0, leave = HUGE_VAL;
+  const auto clip = [&](double from, double way, double at) {
+    const double a = (at - half - from) / way, b = (at + half - from) / way;
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  };
+  clip(ray.from.x, ray.direction.x, middle.x);
+  clip(ray.from.y, ray.direction.y, middle.y);
+  clip(ray.from.z, ray.direction.z, middle.z);
+  return enter < leave;
+}
+
+/// The first cell that a ray meets for which `solid(cell)` holds; nothing if there is none in the world. Cell by cell
+/// along the ray: Amanatides & Woo, "A fast voxel traversal algorithm for ray tracing", Eurographics 1987.
+template <class Solid>
+std::optional<Cell> first_on_ray(const Box& world, const Ray& ray, Solid&& solid) {
+  const std::array<double, 3> from = {ray.from.x, ray.from.y, ray.from.z},
+                              way = {ray.direction.x, ray.direction.y, ray.direction.z};
+  const std::array<int, 3> size = {world.width(), world.height(), world.depth()};
+  double enter = 0, leave = HUGE_VAL;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (way[axis] == 0) {
+      if (from[axis] < 0 || from[axis] >= size[axis]) return std::nullopt;
+      continue;
+    }
+    const double a = -from[axis] / way[axis], b = (size[axis] - from[axis]) / way[axis];
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  if (enter >= leave) return std::nullopt;
+  std::array<int, 3> at{}, step{};
+  std::array<double, 3> next{}, each{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double place = from[axis] + enter * way[axis];
+    at[axis] = std::clamp(static_cast<int>(std::floor(place)), 0, size[axis] - 1);
+    step[axis] = way[axis] > 0 ? 1 : -1;
+    each[axis] = way[axis] == 0 ? HUGE_VAL : std::abs(1 / way[axis]);
+    const double border = at[axis] + (way[axis] > 0 ? 1 : 0);
+    next[axis] = way[axis] == 0 ? HUGE_VAL : (border - from[axis]) / way[axis];
+  }
+  for (;;) {
+    const Cell cell{at[0], at[1], at[2]};
+    if (solid(cell)) return cell;
+    const std::size_t axis =
+        static_cast<std::size_t>(std::min_element(next.begin(), next.end()) - next.begin());
+    at[axis] += step[axis];
+    if (at[axis] < 0 || at[axis] >= size[axis]) return std::nullopt;
+    next[axis] += each[axis];
+  }
+}
+
+}  // namespace replan

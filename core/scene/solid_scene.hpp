@@ -1,0 +1,70 @@
+// What an orbit view shows beside the faces of obstacles, as plain lists in the world's units.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/scene/orbit.hpp"
+#include "core/scene/scene.hpp"
+#include "core/scene/solid_mesh.hpp"
+
+namespace replan {
+
+/// A small cube, or what else is a box: 28 bytes, as they go to the graphics card.
+struct SolidBox {
+  float low[3], high[3];
+  Colour colour;
+};
+/// A piece of a line, so many pixels wide: 32 bytes.
+struct SolidLine {
+  float from[3], to[3];
+  Colour colour;
+  float width;
+};
+
+/// A thing that stands in the world, drawn over it.
+struct SolidMark {
+  enum class Shape : std::uint8_t { star, diamond, robot, pin } shape;
+  Point at;
+  Colour fill;
+};
+
+/// What an orbit view lets one choose.
+struct SolidOptions {
+  bool cut = false;          ///< what lies beyond the slice, towards the viewer, is left out
+  bool see_through = false;  ///< obstacles hide nothing
+  friend bool operator==(const SolidOptions&, const SolidOptions&) = default;
+};
+
+/// Half of the world: the side of a layer on which everything shows.
+struct SolidCut {
+  Axis across = Axis::z;
+  double at = 0;            ///< the coordinate of the plane
+  bool keeps_lower = true;  ///< else what is above it
+  [[nodiscard]] bool shows(const Point& point) const {
+    const double place = across == Axis::x ? point.x : across == Axis::y ? point.y : point.z;
+    return keeps_lower ? place <= at : place >= at;
+  }
+};
+
+struct SolidScene {
+  std::vector<SolidFace> cut_faces;  ///< what the cut lays open
+  std::vector<SolidBox> boxes;
+  std::vector<SolidLine> lines;
+  std::vector<SolidMark> marks;
+  std::optional<SolidCut> cut;
+  float opacity = 1;        ///< of the obstacles
+  bool left_out = false;    ///< some of the open list: it is too long
+  std::uint32_t signs = 0;  ///< of a legend, as in Scene
+};
+
+/// What `view` shows of the run at its cursor in an orbit view; `eye` is where it is seen from. The slice is drawn as a
+/// frame, and is where a cut is made.
+SolidScene build_solid_scene(const Run& run, const View& view, const SolidOptions& options, const Point& eye,
+                             const Palette& palette, SceneMemory& memory);
+
+/// The cell that a ray meets first, of what the scene shows: an obstacle, or a small cube of the open list.
+std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const Ray& ray);
+
+}  // namespace replan

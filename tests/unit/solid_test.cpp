@@ -1,0 +1,282 @@
+// Worlds from outside: lenses, what lies under a pixel, and the faces of obstacles.
+#include <algorithm>
+#include <array>
+#include <set>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "core/base/random.hpp"
+#include "core/scene/context.hpp"
+#include "core/scene/orbit.hpp"
+#include "core/scene/solid_mesh.hpp"
+#include "core/scene/solid_scene.hpp"
+#include "core/session/session.hpp"
+
+namespace replan::solid_test {
+namespace {
+
+constexpr Viewport kView{800, 600, 60, 40};
+const Box kWorld(30, 20, 10);
+
+TEST(OrbitLens, FitsTheWorldBetweenWhatLiesOverTheEdges) {
+  for (const double yaw : {0.0, 0.7, 2.0, -2.5})
+    for (const double pitch : {-1.5, 0.0, 0.4, 1.5})
+      for (const Viewport& view : {kView, Viewport{200, 700, 60, 40}}) {
+        const PixelBox seen = OrbitLens({yaw, pitch, 0, {}}, kWorld, view).bounds(kWorld);
+        EXPECT_GE(seen.left, 0);
+        EXPECT_LE(seen.right, view.width);
+        EXPECT_GE(seen.top, view.above);
+        EXPECT_LE(seen.bottom, view.height - view.below);
+        const double filled = std::max(seen.width() / view.width, seen.height() / (view.height - 100));
+        EXPECT_GT(filled, 0.7) << yaw << ' ' << pitch;
+      }
+}
+
+TEST(OrbitLens, RaysLeadToThePixelsThatTheyComeFrom) {
+  const OrbitLens lens({0.5, 0.8, 35, {12, 9, 4}}, kWorld, kView);
+  for (const double x : {0.0, 133.0, 400.0, 790.0})
+    for (const double y : {0.0, 250.0, 600.0})
+      for (const double t : {1.0, 20.0, 70.0}) {
+        const auto pixel = lens.pixel(lens.ray(x, y).at(t));
+        ASSERT_TRUE(pixel);
+        EXPECT_NEAR(pixel->x, x, 1e-6);
+        EXPECT_NEAR(pixel->y, y, 1e-6);
+      }
+  EXPECT_FALSE(lens.pixel(lens.ray(400, 300).at(-5))) << "behind the eye";
+}
+
+/// The matrix that the graphics card gets puts points where the lens says they are.
+TEST(OrbitLens, HasTheMatrixOfItsPixels) {
+  const OrbitLens lens({-2.1, 0.3, 0, {}}, kWorld, kView);
+  const std::array<float, 16> matrix = lens.matrix();
+  for (const Point& point : {Point{0, 0, 0}, {30, 20, 10}, {3.5, 17, 9}}) {
+    std::array<double, 4> clip{};
+    const std::array<double, 4> in = {point.x, point.y, point.z, 1};
+    for (std::size_t row = 0; row < 4; ++row)
+      for (std::size_t k = 0; k < 4; ++k) clip[row] += static_cast<double>(matrix[k * 4 + row]) * in[k];
+    const auto pixel = lens.pixel(point);
+    ASSERT_TRUE(pixel);
+    EXPECT_NEAR((clip[0] / clip[3] + 1) / 2 * kView.width, pixel->x, 0.01);
+    EXPECT_NEAR((1 - clip[1] / clip[3]) / 2 * kView.height, pixel->y, 0.01);
+    EXPECT_GT(clip[2] / clip[3], -1);
+    EXPECT_LT(clip[2] / clip[3], 1);
+  }
+}
+
+TEST(OrbitLens, LooksFromTheFrontWithZUpwards) {
+  const OrbitLens lens({0, 0, 0, {}}, kWorld, {400, 400});
+  const auto middle = lens.pixel({15, 10, 5}), right = lens.pixel({16, 10, 5}), up = lens.pixel({15, 10, 6}),
+             nearer = lens.pixel({15, 11, 5});
+  EXPECT_GT(right->x, middle->x + 1);
+  EXPECT_LT(up->y, middle->y - 1);
+  EXPECT_LT(nearer->depth, middle->depth) << "y runs towards the viewer";
+}
+
+/// By looking at every cell: the first whose inside the ray meets.
+std::optional<Cell> first_by_brute_force(const Ray& ray, const std::vector<bool>& solid) {
+  std::optional<Cell> first;
+  double least = HUGE_VAL;
+  for (NodeId node = 0; node < kWorld.node_count(); ++node) {
+    if (!solid[node]) continue;
+    const Cell cell = kWorld.position(node);
+    double enter = 0, leave = HUGE_VAL;
+    const auto clip = [&](double from, double way, double low) {
+      const double a = (low - from) / way, b = (low + 1 - from) / way;
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
+    };
+    clip(ray.from.x, ray.direction.x, cell.x);
+    clip(ray.from.y, ray.direction.y, cell.y);
+    clip(ray.from.z, ray.direction.z, cell.z);
+    if (enter >= leave || enter >= least) continue;
+    least = enter;
+    first = cell;
+  }
+  return first;
+}
+
+TEST(FirstOnRay, IsTheFirstCellThatTheRayMeets) {
+  Random random(3);
+  std::vector<bool> solid(kWorld.node_count());
+  for (std::size_t i = 0; i < solid.size(); ++i) solid[i] = random.below(40) == 0;
+  int met = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Orbit orbit{random.below(628) / 100.0, random.below(300) / 100.0 - 1.5, 0, {}};
+    const OrbitLens lens(orbit, kWorld, kView);
+    const Ray ray = lens.ray(random.below(800) + 0.137, random.below(600) + 0.291);
+    const auto found = first_on_ray(kWorld, ray, [&](Cell cell) { return solid[kWorld.node(cell)]; });
+    EXPECT_EQ(found, first_by_brute_force(ray, solid));
+    met += found ? 1 : 0;
+  }
+  EXPECT_GT(met, 40);
+}
+
+using UnitFace = std::tuple<int, int, int, int, Colour>;
+
+/// Rectangles taken apart into the faces of single cells; each of them once.
+std::set<UnitFace> taken_apart(const SolidMesh& mesh) {
+  std::set<UnitFace> all;
+  for (std::size_t block = 0; block < mesh.block_count(); ++block)
+    for (const SolidFace& face : mesh.faces(block))
+      for (int i = 0; i < face.across; ++i)
+        for (int j = 0; j < face.on; ++j) {
+          const int axis = face.side / 2;
+          const int x = face.x + (axis == 0 ? 0 : i),
+                    y = face.y + (axis == 0   ? i
+                                  : axis == 1 ? 0
+                                              : j),
+                    z = face.z + (axis == 2 ? 0 : j);
+          EXPECT_TRUE(all.insert({x, y, z, face.side, face.colour}).second);
+        }
+  return all;
+}
+
+Palette solid_palette() {
+  Palette palette;
+  palette.free = 0xFFFFFFFF;
+  palette.obstacle = 0xFF445566;
+  palette.mover = 0xFFAA00AA;
+  palette.surprise = 0xFF0080FF;
+  return palette;
+}
+
+/// By the definition: between an obstacle and a free cell of the world.
+std::set<UnitFace> by_definition(const Run& run) {
+  const Palette palette = solid_palette();
+  const SearchState& state = run.timeline().state();
+  const Box& world = run.lattice();
+  const auto colour = [&](Cell cell) -> Colour {
+    const NodeId node = world.node(cell);
+    if (state.moving(node)) return palette.mover;
+    const bool truth = state.truly_blocked(node), known = state.known_blocked(node);
+    if (!truth && !known) return 0;
+    const auto& surprises = run.scenario().surprises;
+    if (truth && run.scenario().map.blocked[node] == kFree)
+      for (const Surprise& surprise : surprises)
+        for (const CellChange& change : surprise.cells)
+          if (change.blocked && !surprise.announced && change.cell == cell) return palette.surprise;
+    return known ? palette.obstacle : mix(palette.free, palette.obstacle, 0.5f);
+  };
+  constexpr std::array<Cell, 6> kSides = {
+      {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
+  std::set<UnitFace> all;
+  for (NodeId node = 0; node < world.node_count(); ++node) {
+    const Cell cell = world.position(node);
+    const Colour own = colour(cell);
+    for (int side = 0; own != 0 && side < 6; ++side) {
+      const Cell by = kSides[static_cast<std::size_t>(side)];
+      const Cell next{cell.x + by.x, cell.y + by.y, cell.z + by.z};
+      if (world.contains(next) && colour(next) == 0) all.insert({cell.x, cell.y, cell.z, side, own});
+    }
+  }
+  return all;
+}
+
+/// Larger than one block, with something that moves and a surprise.
+Scenario busy_world() {
+  Random random(11);
+  Scenario scenario;
+  scenario.map = GridMap(40, 35, 9);
+  for (NodeId node = 0; node < scenario.map.blocked.size(); ++node)
+    if (random.below(6) == 0) scenario.map.set(scenario.map.box().position(node), true);
+  scenario.start = {1, 1, 1};
+  scenario.goal = {38, 33, 7};
+  scenario.map.set(scenario.start, false);
+  scenario.map.set(scenario.goal, false);
+  scenario.planners = {{"dstar-lite", {}, {}}};
+  scenario.robot.knowledge = Knowledge::nothing;
+  scenario.robot.sensor_radius = 4;
+  Surprise surprise;
+  surprise.at.move = 6;
+  for (int z = 2; z < 5; ++z) surprise.cells.push_back({{20, 18, z}, true});
+  scenario.surprises = {surprise};
+  scenario.movers = {{.way = {{5, 5, 3}, {30, 28, 5}}, .width = 3, .height = 2, .depth = 2, .speed = 4}};
+  return scenario;
+}
+
+TEST(SolidMesh, HasTheFacesBetweenObstaclesAndFreeSpaceAtEveryMoment) {
+  Session session(busy_world());
+  session.settle();
+  SolidMesh mesh;
+  SceneMemory memory;
+  Random random(4);
+  const std::size_t end = session.run().timeline().size();
+  std::size_t made = 0;
+  for (int i = 0; i < 12; ++i) {
+    const std::size_t at = i == 0 ? 0 : i == 1 ? end : random.below(static_cast<std::uint32_t>(end));
+    ASSERT_TRUE(session.apply(Seek{at}).ok());
+    session.settle();
+    const std::uint64_t before = mesh.block_count() > 0 ? mesh.revision(0) : 0;
+    mesh.follow(session.run(), memory.of(session.run()).digest, solid_palette());
+    made += mesh.revision(0) != before ? 1 : 0;
+    EXPECT_EQ(taken_apart(mesh), by_definition(session.run())) << at;
+  }
+  EXPECT_GT(made, 2u);
+  const std::uint64_t before = mesh.revision(0);
+  mesh.follow(session.run(), memory.of(session.run()).digest, solid_palette());
+  EXPECT_EQ(mesh.revision(0), before) << "nothing has changed";
+}
+
+TEST(SolidMesh, AStrokeMakesItsOwnBlocksAnewAndNoOther) {
+  Scenario scenario;
+  scenario.map = GridMap(128, 64, 64);
+  scenario.start = {1, 1, 1};
+  scenario.goal = {9, 1, 1};
+  scenario.planners = {{"astar", {}, {}}};
+  Session session(scenario);
+  session.settle();
+  SolidMesh mesh;
+  SceneMemory memory;
+  mesh.follow(session.run(), memory.of(session.run()).digest, solid_palette());
+  ASSERT_EQ(mesh.block_count(), 16u);
+  std::vector<std::uint64_t> before;
+  for (std::size_t i = 0; i < 16; ++i) before.push_back(mesh.revision(i));
+  ASSERT_TRUE(session.apply(Seek{session.run().timeline().size()}).ok());
+  ASSERT_TRUE(session.apply(PaintCells{{{{50, 40, 40}, true}}, 0}).ok());
+  session.settle();
+  ASSERT_TRUE(session.apply(Seek{session.run().timeline().size()}).ok());
+  mesh.follow(session.run(), memory.of(session.run()).digest, solid_palette());
+  EXPECT_EQ(mesh.face_count(), 6u);
+  std::size_t made = 0;
+  for (std::size_t i = 0; i < 16; ++i) made += mesh.revision(i) != before[i] ? 1 : 0;
+  EXPECT_EQ(made, 1u) << "the one that it lies in";
+  EXPECT_EQ(taken_apart(mesh), by_definition(session.run()));
+}
+
+TEST(SolidScene, HasPathMarksAndTheFrameOfTheSlice) {
+  Session session(busy_world());
+  session.settle();
+  SceneMemory memory;
+  View view;
+  view.slice = {Axis::y, 12};
+  ASSERT_TRUE(session.apply(Seek{0}).ok());
+  const SolidScene before = build_solid_scene(session.run(), view, {}, {0, 100, 50}, solid_palette(), memory);
+  ASSERT_EQ(before.marks.size(), 2u);
+  EXPECT_EQ(before.marks[0].at, (Point{1.5, 1.5, 1.5}));
+  EXPECT_EQ(before.marks[1].at, (Point{38.5, 33.5, 7.5}));
+  EXPECT_EQ(std::count_if(before.lines.begin(), before.lines.end(),
+                          [](const SolidLine& line) { return line.from[1] == 12.5f && line.to[1] == 12.5f; }),
+            4);
+  EXPECT_FALSE(before.cut);
+  ASSERT_TRUE(session.apply(Step{StepUnit::move, 3}).ok());
+  const SolidScene after =
+      build_solid_scene(session.run(), view, {.cut = true}, {0, 100, 50}, solid_palette(), memory);
+  EXPECT_EQ(after.marks.size(), 3u);
+  EXPECT_GT(after.lines.size(), before.lines.size());
+  ASSERT_TRUE(after.cut);
+  EXPECT_TRUE(after.cut->keeps_lower) << "seen from the front, what has the larger y is left out";
+  EXPECT_EQ(after.cut->at, 13);
+  std::size_t cells = 0, solid = 0;
+  for (const SolidFace& face : after.cut_faces) cells += std::size_t{face.across} * face.on;
+  const SearchState& state = session.run().timeline().state();
+  for (int z = 0; z < 9; ++z)
+    for (int x = 0; x < 40; ++x) {
+      const NodeId node = session.run().lattice().node({x, 12, z});
+      solid += state.truly_blocked(node) || state.known_blocked(node) ? 1 : 0;
+    }
+  EXPECT_EQ(cells, solid);
+}
+
+}  // namespace
+}  // namespace replan::solid_test
