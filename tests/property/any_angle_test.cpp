@@ -32,7 +32,7 @@ TEST(AnyAngle, IsWhatABruteForceVisibilityGraphFinds) {
                       b = half_centre(world.lattice.position(goal));
       const Squares squares(world.lattice);
       ASSERT_EQ(squares.clear(a, b, corners), squares.clear(b, a, corners)) << "seed " << seed;
-      ASSERT_EQ(squares.clear(a, b, corners), brute.sees(a, b)) << "seed " << seed;
+      ASSERT_EQ(squares.clear(a, b, corners), a == b || brute.sees(a, b)) << "seed " << seed;
       const Path path = optimum.shortest(a, b);
       const double right = brute.length(a, b);
       ASSERT_EQ(path.empty(), right == HUGE_VAL) << "seed " << seed;
