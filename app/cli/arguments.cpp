@@ -187,7 +187,7 @@ Result<Scenario> WorldArguments::load() const {
     if (!cells) return Error{cells.error()};
     world->robot.radius = *cells;
   }
-  auto choices = planners.choose(world->planners, &world->map);
+  auto choices = planners.choose(world->planners, &world->map, world->robot.radius);
   if (!choices) return Error{choices.error()};
   world->planners = std::move(choices.value());
   return world;

@@ -25,9 +25,11 @@ struct PlannerArguments {
 
   void declare(CLI::App& command);
   /// The planners asked for, in that order; those of `own` (a scenario's) if none is asked for. A planner
-  /// keeps the settings and stages that it has in `own`; `--set` changes them, `--stage` adds to them.
+  /// keeps the settings and stages that it has in `own`; `--set` changes them, `--stage` adds to them. With a world
+  /// an error if one cannot plan there for a robot of that radius, in cells.
   [[nodiscard]] Result<std::vector<PlannerChoice>> choose(std::span<const PlannerChoice> own = {},
-                                                          const GridMap* world = nullptr) const;
+                                                          const GridMap* world = nullptr,
+                                                          double radius = 0) const;
 };
 
 /// `--threshold`, `--invert`, `--unknown` and `--occupied`: how a map file is read, as typed.

@@ -127,9 +127,10 @@ Result<void> add_stage(std::string_view typed, std::vector<PlannerChoice>& choic
 
 /// "all" are all that search and can do so in that world; who is named and cannot is refused.
 Result<std::vector<PlannerChoice>> chosen(std::span<const std::string> ids,
-                                          std::span<const PlannerChoice> own, const GridMap* world) {
-  const auto can_plan = [world](const PlannerInfo& info) {
-    return world == nullptr ? Result<void>() : fits(info, world->box());
+                                          std::span<const PlannerChoice> own, const GridMap* world,
+                                          double radius) {
+  const auto can_plan = [world, radius](const PlannerInfo& info) {
+    return world == nullptr ? Result<void>() : fits(info, world->box(), radius);
   };
   std::vector<PlannerChoice> result;
   for (const std::string& id : ids) {
@@ -194,8 +195,8 @@ void PlannerArguments::declare(CLI::App& command) {
 }
 
 Result<std::vector<PlannerChoice>> PlannerArguments::choose(std::span<const PlannerChoice> own,
-                                                            const GridMap* world) const {
-  auto choices = chosen(split_list(ids), own, world);
+                                                            const GridMap* world, double radius) const {
+  auto choices = chosen(split_list(ids), own, world, radius);
   if (!choices) return choices;
   for (const std::string& typed : stages)
     if (const auto done = add_stage(typed, choices.value()); !done) return Error{done.error()};
@@ -203,6 +204,10 @@ Result<std::vector<PlannerChoice>> PlannerArguments::choose(std::span<const Plan
     const auto set = take_apart(typed);
     if (!set) return Error{set.error()};
     if (const auto done = assign(*set, choices.value(), world); !done) return Error{done.error()};
+  }
+  for (const PlannerChoice& choice : choices.value()) {
+    if (world == nullptr) break;
+    if (const auto fit = fits(info_of(choice), world->box(), radius); !fit) return Error{fit.error()};
   }
   return choices;
 }

@@ -9,6 +9,7 @@
 
 #include "core/lattice/segment.hpp"
 #include "core/lattice/sight.hpp"
+#include "core/lattice/squares.hpp"
 
 namespace replan {
 namespace {
@@ -238,6 +239,10 @@ template <int D>
 bool path_is_free(const BoxLattice<D>& lattice, const Path& path) {
   const auto bad = [&](NodeId node) { return lattice.blocked(node); };
   const auto free_between = [&](std::size_t i) {
+    if constexpr (D == 2)
+      if (path.touches)
+        return Squares(lattice).clear(half_point(path.point(i - 1)), half_point(path.point(i)),
+                                      lattice.rules().corners);
     if (path.nodes().empty())
       return walk_segment(lattice.box(), path.point(i - 1), path.point(i), [&](NodeId n) { return !bad(n); });
     const NodeId from = path.nodes()[i - 1], to = path.nodes()[i];

@@ -35,7 +35,8 @@ PathFigures path_figures(const BoxLattice<D>& lattice, const Path& path) {
 }
 
 /// True if every segment of a path over the lattice's nodes is one of its moves or a line of sight on its free
-/// cells; every segment of another path must touch free cells only.
+/// cells; every segment of another path must touch free cells only, unless the path may touch obstacles: then it must keep
+/// to the rule of core/lattice/squares.hpp.
 template <int D>
 bool path_is_free(const BoxLattice<D>& lattice, const Path& path);
 

@@ -21,7 +21,11 @@ std::vector<Point> points_along(const Box& box, const std::vector<NodeId>& way, 
 /// The path, which begins where the way ends, from the way's beginning on.
 Path out_along(const Box& box, const std::vector<NodeId>& way, Path path) {
   if (way.empty() || path.empty()) return path;
-  if (path.nodes().empty()) return Path(points_along(box, way, path));
+  if (path.nodes().empty()) {
+    Path whole(points_along(box, way, path));
+    whole.touches = path.touches;
+    return whole;
+  }
   std::vector<NodeId> nodes(way.begin(), way.end() - 1);
   nodes.insert(nodes.end(), path.nodes().begin(), path.nodes().end());
   Path whole(box, std::move(nodes), path.sight());

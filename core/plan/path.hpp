@@ -54,6 +54,8 @@ class Path {
   bool loops = false;
   /// Some segment was taken on trust and may cross an obstacle: only with `remote_parents=printed`.
   bool unchecked = false;
+  /// Its points are centres and corners of cells, and it may touch obstacles as core/lattice/squares.hpp allows.
+  bool touches = false;
 
   friend bool operator==(const Path&, const Path&) = default;
 

@@ -69,7 +69,10 @@ Result<const PlannerInfo*> require_planner(std::string_view id) {
   return require_by_id(planners(), id, "planner");
 }
 
-Result<void> fits(const PlannerInfo& info, const Box& box) {
+Result<void> fits(const PlannerInfo& info, const Box& box, double radius) {
+  if (radius > 0 && !info.point_only.empty())
+    return Error{"'" + std::string(info.id) + "' plans for a robot without a size alone, since " +
+                 std::string(info.point_only)};
   if (!info.planar || !box.solid()) return {};
   return Error{"'" + std::string(info.id) + "' plans in the plane alone, and this world has " +
                std::to_string(box.depth()) + " layers"};

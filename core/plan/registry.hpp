@@ -35,7 +35,9 @@ struct PlannerInfo {
   bool from_goal = false;            ///< searches from the goal: g is the cost to go
   bool clearance = false;            ///< pays for coming near obstacles
   bool sight = false;                ///< asks for lines of sight
-  bool blind = false;                ///< no planner: its path is the same whatever stands there
+  /// Why it plans for a robot without a size alone, and what to do about it; empty: it does not.
+  std::string_view point_only;
+  bool blind = false;  ///< no planner: its path is the same whatever stands there
   /// With these settings a path is at most so many times as long as a shortest lattice path: 1 if it is never
   /// longer, infinite if there is no bound (only where a planner is meant to fail).
   double (*length_bound)(const Settings& settings) = nullptr;
@@ -63,8 +65,8 @@ const PlannerInfo* find_planner(std::string_view id);
 /// As find_planner(), with an error that suggests the nearest id.
 Result<const PlannerInfo*> require_planner(std::string_view id);
 
-/// Nothing, or why it cannot plan in a world of that size.
-Result<void> fits(const PlannerInfo& info, const Box& box);
+/// Nothing, or why it cannot plan in a world of that size, or for a robot of that radius.
+Result<void> fits(const PlannerInfo& info, const Box& box, double radius);
 
 /// Makes a planner that fits the lattice's box. `lattice` and `tracer` must outlive it.
 /// Instantiated for Grid2 and Voxel3 with NoTrace and Recorder.

@@ -59,7 +59,7 @@ Result<Replanner> Replanner::make(Box box, std::vector<std::uint8_t> cells, std:
   if (std::string fault = fault_of(box, cells.size()); !fault.empty()) return Error{std::move(fault)};
   const auto info = require_planner(planner);
   if (!info) return Error{info.error()};
-  if (const auto fit = fits(**info, box); !fit) return Error{fit.error()};
+  if (const auto fit = fits(**info, box, radius); !fit) return Error{fit.error()};
   Settings values;
   for (const auto& [key, text] : settings)
     if (const auto set = set_from_text(values, (*info)->parameters, key, text); !set)
@@ -106,8 +106,12 @@ PlanStatus Replanner::status() const {
 
 std::vector<Cell> Replanner::path() const {
   std::vector<Cell> cells;
-  for (const Point& point : points())
-    if (const Cell cell = cell_of(point); cells.empty() || cell != cells.back()) cells.push_back(cell);
+  for (const Point& point : points()) {
+    Cell cell = cell_of(point);
+    for (const Cell left_or_above : {Cell{cell.x - 1, cell.y, cell.z}, Cell{cell.x, cell.y - 1, cell.z}})
+      if (blocked(cell) && !blocked(left_or_above)) cell = left_or_above;
+    if (cells.empty() || cell != cells.back()) cells.push_back(cell);
+  }
   return cells;
 }
 

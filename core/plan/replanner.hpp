@@ -51,7 +51,8 @@ class Replanner {
   /// `searching` until plan() is called; `status_sentence()` says it in words.
   [[nodiscard]] PlanStatus status() const;
   /// From start to goal, both included; neighbours, or cells that see each other if the planner leaves the grid's
-  /// directions. Where its points need not be centres of cells, the cells that they lie in. Empty if there is none.
+  /// directions. Where its points need not be centres of cells, the cells that they lie in, and beside an obstacle's corner a
+  /// free one. Empty if there is none.
   [[nodiscard]] std::vector<Cell> path() const;
   /// The same as points: cell (x, y) covers x..x+1, y..y+1, and its centre is (x + 0.5, y + 0.5).
   [[nodiscard]] std::vector<Point> points() const;

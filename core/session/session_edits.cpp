@@ -180,10 +180,10 @@ PlannerChoice Session::choice_of(const PlannerInfo& info, const Settings& settin
 Result<void> Session::run_command(const ChoosePlanner& command) {
   const auto info = require_choice(command.id);
   if (!info) return Error{info.error()};
-  if (const auto fit = fits(**info, box()); !fit) return fit;
   if (command.pane >= scenario_->planners.size()) return Error{"there is no such pane"};
   PlannerChoice choice = choice_of(**info, scenario_->planners[command.pane].settings);
   choice.stages = scenario_->planners[command.pane].stages;
+  if (const auto fit = fits(info_of(choice), box(), scenario_->robot.radius); !fit) return fit;
   if (choice == scenario_->planners[command.pane]) return {};
   Scenario changed = *scenario_;
   changed.planners[command.pane] = std::move(choice);
@@ -203,6 +203,7 @@ Result<void> Session::run_command(const SetParameter& command) {
   if (!value) return Error{value.error()};
   choice.settings.reset(command.key);
   if (in_force() != *value) choice.settings.set(command.key, *value);
+  if (const auto fit = fits(info_of(choice), box(), scenario_->robot.radius); !fit) return fit;
   commit("set " + std::string(parameter->label) + " to " + format_value(*parameter, *value), 0,
          std::move(changed));
   return {};
@@ -230,6 +231,8 @@ Result<void> Session::run_command(const SetStages& command) {
 Result<void> Session::run_command(const SetRobot& command) {
   if (command.robot == scenario_->robot) return {};
   if (const auto known = require_robot(command.robot.kind, box()); !known) return Error{known.error()};
+  for (const PlannerChoice& choice : scenario_->planners)
+    if (const auto fit = fits(info_of(choice), box(), command.robot.radius); !fit) return fit;
   Scenario changed = *scenario_;
   changed.robot = command.robot;
   commit("change the robot", 0, std::move(changed));

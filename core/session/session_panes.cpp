@@ -18,13 +18,14 @@ int unlikeness(const PlannerInfo& a, const PlannerInfo& b) {
 }
 
 /// The planner that is least like any of those there: there is most to see. Of equals the later one in the
-/// registry, which has the plainest first. nullptr if all that fit the world are there.
-const PlannerInfo* planner_beside(std::span<const PlannerChoice> there, const Box& box) {
+/// registry, which has the plainest first. nullptr if all that fit the world and the robot are there.
+const PlannerInfo* planner_beside(std::span<const PlannerChoice> there, const Box& box, double radius) {
   const PlannerInfo* best = nullptr;
   int most = 0;
   for (const PlannerInfo& info : planners()) {
     const auto is_there = [&](const PlannerChoice& each) { return each.id == info.id; };
-    if (info.exercise || !fits(info, box) || std::any_of(there.begin(), there.end(), is_there)) continue;
+    const bool can_plan = !info.exercise && fits(info, box, radius);
+    if (!can_plan || std::any_of(there.begin(), there.end(), is_there)) continue;
     int least = 100;
     for (const PlannerChoice& each : there) least = std::min(least, unlikeness(info, info_of(each)));
     if (best != nullptr && least < most) continue;
@@ -45,11 +46,12 @@ Result<void> Session::run_command(const SetPanes& command) {
   for (; panes.size() > command.count; panes.pop_back()) put_away_.push_back(panes.back());
   for (; panes.size() < command.count && !put_away_.empty(); put_away_.pop_back()) {
     const auto is_there = [&](const PlannerChoice& each) { return each.id == put_away_.back().id; };
-    if (std::none_of(panes.begin(), panes.end(), is_there) && fits(*find_choice(put_away_.back().id), box()))
+    if (std::none_of(panes.begin(), panes.end(), is_there) &&
+        fits(info_of(put_away_.back()), box(), changed.robot.radius))
       panes.push_back(put_away_.back());
   }
   while (panes.size() < command.count) {
-    const PlannerInfo* info = planner_beside(panes, box());
+    const PlannerInfo* info = planner_beside(panes, box(), changed.robot.radius);
     if (info == nullptr) return Error{"there is no further planner to compare with"};
     panes.push_back(choice_of(*info, run().choice().settings));
   }

@@ -40,7 +40,8 @@ Result<WorldEdit> with_map(const Scenario& scenario, std::string label, std::str
   for (const auto& end : {made.start, made.goal})
     if (end && !made.map.contains(*end)) return Error{"start and goal must lie on the map"};
   for (const PlannerChoice& choice : scenario.planners)
-    if (const auto fit = fits(*find_choice(choice.id), made.map.box()); !fit) return Error{fit.error()};
+    if (const auto fit = fits(info_of(choice), made.map.box(), scenario.robot.radius); !fit)
+      return Error{fit.error()};
   if (const auto robot = require_robot(scenario.robot.kind, made.map.box()); !robot)
     return Error{robot.error()};
   Scenario changed = scenario;

@@ -148,7 +148,7 @@ void Mission::plan_stands() {
 void Mission::follow(const Path& path, PlanStatus status) {
   const bool same = *now_.plan->path == path;
   auto kept = same ? now_.plan->path : std::make_shared<const Path>(path);
-  route_ = lay_out(box_, path);
+  route_ = lay_out(box_, navigator_->known(), path);
   const double length = route_.along.empty() ? 0 : route_.along.back();
   now_.plan = std::make_shared<const Plan>(Plan{std::move(kept), status, length});
   if (!now_.first_path && !path.empty()) now_.first_path = now_.plan->path;
@@ -318,7 +318,7 @@ void Mission::restore(const Checkpoint& checkpoint, const SearchState& state) {
   robot_ = state.node(Scalar::robot);
   aim_ = state.node(Scalar::goal);
   goal_ = state.wanted_goal();
-  route_ = lay_out(box_, *now_.plan->path);
+  route_ = lay_out(box_, navigator_->known(), *now_.plan->path);
   begun_ = true;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/lattice/segment.hpp"
 #include "core/lattice/sight.hpp"
+#include "core/lattice/squares.hpp"
 
 namespace replan {
 namespace {
@@ -30,8 +31,19 @@ std::vector<NodeId> cells_between(const Box& box, NodeId from, NodeId to, SightR
   return cells;
 }
 
-/// The cells of the path's segment that ends at point i.
-std::vector<NodeId> cells_of_segment(const Box& box, const Path& path, std::size_t i) {
+/// Those of a segment that may touch obstacles, from the cell `in` on.
+std::vector<NodeId> cells_beside(const Box& box, std::span<const std::uint8_t> known, const Point& a,
+                                 const Point& b, NodeId in) {
+  std::vector<NodeId> cells;
+  for (const Cell cell : Squares(box, known).cells_along(half_point(a), half_point(b), box.position(in)))
+    cells.push_back(box.node(cell));
+  return cells;
+}
+
+/// The cells of the path's segment that ends at point i, from the cell `in` on.
+std::vector<NodeId> cells_of_segment(const Box& box, std::span<const std::uint8_t> known, const Path& path,
+                                     std::size_t i, NodeId in) {
+  if (path.touches) return cells_beside(box, known, path.point(i - 1), path.point(i), in);
   if (!path.nodes().empty()) return cells_between(box, path.nodes()[i - 1], path.nodes()[i], path.sight());
   std::vector<NodeId> cells;
   walk_segment(box, path.point(i - 1), path.point(i), [&](NodeId node) {
@@ -49,13 +61,14 @@ double projection(const Point& a, const Point& b, double length, const Point& c)
 
 }  // namespace
 
-Route lay_out(const Box& box, const Path& path) {
+Route lay_out(const Box& box, std::span<const std::uint8_t> known, const Path& path) {
   Route route;
   double walked = 0;
+  NodeId in = path.empty() ? kNoNode : box.node(cell_of(path.point(0)));
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Point a = path.point(i - 1), b = path.point(i);
     const double length = distance(a, b);
-    for (const NodeId node : cells_of_segment(box, path, i)) {
+    for (const NodeId node : cells_of_segment(box, known, path, i, in)) {
       const double way = projection(a, b, length, centre_of(box.position(node)));
       const double share = way / length;
       route.cells.push_back(node);
@@ -64,6 +77,7 @@ Route lay_out(const Box& box, const Path& path) {
           {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)});
     }
     walked += length;
+    if (!route.cells.empty()) in = route.cells.back();
     if (!path.nodes().empty() || route.cells.empty()) continue;
     route.along.back() = walked;
     route.points.back() = b;

@@ -1,7 +1,9 @@
 // A path as the robot drives it: cell by cell along its segments.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/plan/path.hpp"
@@ -28,6 +30,7 @@ struct Route {
 /// that the segment touches, else those of its Bresenham line: the cells that the line of sight has looked at.
 /// Between other points they are all that the segment passes through, and in a cell with several of them the robot is at
 /// the last: so the straight way to it from the cell before leaves out no square that the path goes round in.
-Route lay_out(const Box& box, const Path& path);
+/// Where a path touches obstacles, which are those of `known` (nonzero), they are the free cells beside it.
+Route lay_out(const Box& box, std::span<const std::uint8_t> known, const Path& path);
 
 }  // namespace replan

@@ -47,6 +47,7 @@ class ScenarioReader {
       for (const JsonNode& item : node->items(1, kMaxPlanners, "a list of 1 to 16 planners"))
         read_planner(item);
     if (const auto node = root_.find("robot")) read_robot(*node);
+    check_radius();
     if (const auto node = root_.find("surprises"))
       for (const JsonNode& item : node->items(0, kMaxSurprises, "a list")) read_surprise(item);
     if (const auto node = root_.find("movers"))
@@ -73,13 +74,20 @@ class ScenarioReader {
     PlannerChoice choice{id->text(), {}};
     const Result<const PlannerInfo*> info = require_choice(choice.id);
     if (!info) return id->fail(info.error());
-    if (const auto fit = fits(**info, scenario_.map.box()); !fit) return id->fail(fit.error());
+    if (const auto fit = fits(**info, scenario_.map.box(), 0); !fit) return id->fail(fit.error());
     if (const auto settings = node.find("settings"))
       read_settings(*settings, (*info)->parameters, choice.settings);
     if (const auto stages = node.find("stages"))
       for (const JsonNode& item : stages->items(0, kMaxStages, "a list of at most 8 stages"))
         read_stage(item, choice.stages);
     scenario_.planners.push_back(std::move(choice));
+  }
+
+  /// Some planners are for a robot without a size alone.
+  void check_radius() const {
+    for (const PlannerChoice& choice : scenario_.planners)
+      if (const auto fit = fits(info_of(choice), scenario_.map.box(), scenario_.robot.radius); !fit)
+        return root_.fail(fit.error());
   }
 
   static void read_stage(const JsonNode& node, std::vector<StageChoice>& stages) {

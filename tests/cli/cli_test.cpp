@@ -96,6 +96,20 @@ TEST_F(CommandLine, runWithoutAPathHasNoPathZerosAndExitCodeOne) {
   }
 }
 
+TEST_F(CommandLine, whoTouchesObstaclesIsRefusedForARobotWithASizeAndIsNotAmongAll) {
+  const std::string why = "'visibility-graph' plans for a robot without a size alone, since its paths touch";
+  const auto sized = [this](const char* planner) {
+    return plan("0,2", "7,2", {"--planner", planner, "--radius", "0.4", "--json"});
+  };
+  EXPECT_EQ(run_program(plan("0,2", "7,2", {"--planner", "visibility-graph"})).code, 0);
+  for (const char* planner : {"visibility-graph", "all,visibility-graph"}) {
+    const Outcome refused = run_program(sized(planner));
+    EXPECT_NE(refused.code, 0);
+    EXPECT_NE(refused.err.find(why), std::string::npos) << refused.err;
+  }
+  EXPECT_EQ(run_program(sized("all")).json()["runs"].size(), sound_planners().size() - 1);
+}
+
 TEST_F(CommandLine, runSaysInWordsWhyThereIsNoPath) {
   const Outcome blocked = run_program(plan("3,1", "7,2", {"--planner", "astar"}));
   EXPECT_EQ(blocked.code, 1);

@@ -159,8 +159,8 @@ TEST_P(EveryPlanner, answersTheFixturesIn3d) {
 /// Who plans in the plane alone says so by name, and is not made for a world with layers.
 TEST_P(EveryPlanner, fitsTheWorldsThatItIsMadeFor) {
   NoTrace trace;
-  const Result<void> in_space = fits(*GetParam(), Box(4, 3, 2));
-  EXPECT_TRUE(fits(*GetParam(), Box(4, 3)));
+  const Result<void> in_space = fits(*GetParam(), Box(4, 3, 2), 0);
+  EXPECT_TRUE(fits(*GetParam(), Box(4, 3), 0));
   EXPECT_EQ(make_planner(*GetParam(), Grid2({4, 3}), {}, trace) != nullptr, true);
   EXPECT_EQ(make_planner(*GetParam(), Voxel3({4, 3, 2}), {}, trace) != nullptr, in_space.ok());
   if (!GetParam()->planar) return;

@@ -44,9 +44,10 @@ struct Trial {
   NodeId free() { return random_free(random, world); }
 };
 
-/// Over nodes if all its points are such.
-Path path_of(const Replanner& grid, const Box& box) {
+/// Over nodes if all its points are such, unless its segments may touch obstacles.
+Path path_of(const PlannerInfo& info, const Replanner& grid, const Box& box) {
   const std::vector<Point> points = grid.points();
+  if (!info.point_only.empty()) return Path(points);
   std::vector<NodeId> nodes;
   for (const Point& point : points)
     if (point == centre_of(cell_of(point))) nodes.push_back(box.node(cell_of(point)));
@@ -61,13 +62,14 @@ void expect_right(const PlannerInfo& info, const Settings& settings, const oracl
                                    ? oracle::kNever
                                    : oracle::costs_to(world, move_rules(settings), {}, goal)[start];
   ASSERT_EQ(grid.status(), right_status(world, start, goal, shortest));
-  const Path path = path_of(grid, box);
+  const Path path = path_of(info, grid, box);
   if (grid.status() != PlanStatus::found) {
     ASSERT_TRUE(path.empty());
     ASSERT_EQ(grid.cost(), HUGE_VAL);
     return;
   }
   ASSERT_EQ(fault_of_segments(info, settings, world, start, goal, path), "");
+  for (const Cell cell : grid.path()) ASSERT_FALSE(grid.blocked(cell));
 }
 
 template <int D>

@@ -98,8 +98,11 @@ inline void furnish(Random& random, const PlannerInfo& info, Scenario& scenario)
   scenario.robot.robot_cell_blocks = random.chance(0.2);
 }
 
-/// Gives the robot a size; half of the radii are such that squares are exactly so far away, or nearly.
+/// Gives the robot a size; half of the radii are such that squares are exactly so far away, or nearly. Not where a planner
+/// is for a robot without one.
 inline void give_size(Random& random, Scenario& scenario) {
+  for (const PlannerChoice& choice : scenario.planners)
+    if (!find_planner(choice.id)->point_only.empty()) return;
   const double exact = std::sqrt(random.between(1, 18)) / 2;
   constexpr double kBeside[] = {0, 1, 2};
   scenario.robot.radius = random.chance(0.5) ? 0.1 + 2.4 * random.unit()

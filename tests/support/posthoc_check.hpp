@@ -232,8 +232,9 @@ class PosthocCheck {
     require(event["points"] && event["points"].IsSequence(), "a plan without points");
     for (const YAML::Node& point : event["points"]) {
       const double x = number(point, "x"), y = number(point, "y");
-      require(x - std::floor(x) == 0.5 || y - std::floor(y) == 0.5,
-              "the points are centres of cells, or lie between two");
+      const bool corner = x == std::floor(x) && y == std::floor(y);
+      require(corner || x - std::floor(x) == 0.5 || y - std::floor(y) == 0.5,
+              "the points are centres or corners of cells, or lie between two centres");
     }
     ++plans_;
   }

@@ -233,7 +233,7 @@ TEST(Mission, KeepsThePathOnceForAllPlansThatHaveIt) {
 TEST(Route, IsRightInAWorldThatIsVeryWide) {
   const Grid2 lattice({60'000, 40});
   const NodeId from = lattice.node(Cell{0, 0}), to = lattice.node(Cell{59'999, 39});
-  const Route route = lay_out(lattice.box(), Path(lattice.box(), {from, to}));
+  const Route route = lay_out(lattice.box(), lattice.cells(), Path(lattice.box(), {from, to}));
   EXPECT_TRUE(std::is_sorted(route.along.begin(), route.along.end()));
   EXPECT_NEAR(route.along.back(), distance(Cell{0, 0}, Cell{59'999, 39}), 1e-6);
   for (const Point& point : route.points) ASSERT_TRUE(point.x > 0 && point.x < 60'000) << point.x;

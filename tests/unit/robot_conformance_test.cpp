@@ -147,7 +147,7 @@ TEST(Robots, OfPilotsDriveTheSameWayEachTimeTouchNothingAndGoOnFromAnyMoment) {
     for (const Pilot& pilot : pilots()) {
       const PlannerChoice choice{std::string(pilot.info.id), {}};
       // Their steps are many and small: the smaller worlds will do.
-      if (!fits(pilot.info, world.map.box()) || world.map.box().node_count() > 1'000) continue;
+      if (!fits(pilot.info, world.map.box(), 0) || world.map.box().node_count() > 1'000) continue;
       const Drive drive = driven(world, choice);
       EXPECT_TRUE(drive.log == driven(world, choice).log) << world.name << ", " << pilot.info.id;
       EXPECT_EQ(drive.figures.collisions, 0) << world.name << ", " << pilot.info.id;

@@ -196,6 +196,10 @@ TEST(RobotSize, IsOneSentenceToWhoPlansByHimself) {
     ASSERT_FALSE(made);
     EXPECT_EQ(made.error(), "a robot cannot have such a radius: give a number of cells from 0 to 32");
   }
+  const auto touching =
+      Replanner::make(Box(4, 4), std::vector<std::uint8_t>(16), "visibility-graph", {}, 0.5);
+  ASSERT_FALSE(touching);
+  EXPECT_EQ(touching.error().find("'visibility-graph' plans for a robot without a size alone"), 0u);
   std::vector<std::uint8_t> cells(25);
   cells[12] = 1;
   auto made = Replanner::make(Box(5, 5), cells, "astar", {}, 1);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/session/session.hpp"
+#include "core/world/choices.hpp"
 #include "tests/support/panes.hpp"
 
 namespace replan::session_panes_test {
@@ -68,6 +69,37 @@ TEST(SessionPanes, HaveNoPlannerThatCannotPlanInTheirWorld) {
   ASSERT_TRUE(flat.apply(ReplaceMap{layers, Cell{0, 0}, Cell{3, 2, 1}}).ok());
   ASSERT_TRUE(flat.apply(SetPanes{2}).ok());
   EXPECT_NE(planners_of(flat)[1], "jps") << "it was put away";
+}
+
+/// A planner whose paths touch obstacles and a robot with a size do not come together, whichever comes first.
+TEST(SessionPanes, HaveNoPlannerThatCannotPlanForTheirRobot) {
+  const std::string why =
+      "'visibility-graph' plans for a robot without a size alone, since its paths touch obstacles: set the "
+      "radius to 0, or choose a planner that keeps away from them, such as theta-star";
+  Session session(wall_with_gap());
+  RobotSetup sized = session.scenario().robot;
+  sized.radius = 0.5;
+  ASSERT_TRUE(session.apply(ChoosePlanner{0, "visibility-graph"}).ok());
+  EXPECT_EQ(session.apply(SetRobot{sized}).error(), why);
+  EXPECT_EQ(session.scenario().robot.radius, 0);
+  ASSERT_TRUE(session.apply(ChoosePlanner{0, "fusion"}).ok());
+  ASSERT_TRUE(session.apply(SetRobot{sized}).ok());
+  EXPECT_EQ(session.apply(ChoosePlanner{0, "visibility-graph"}).error(), why);
+  const Parameter& global = *find_parameter(find_choice("fusion")->parameters, "global");
+  const auto index = std::find(global.choices.begin(), global.choices.end(), "visibility-graph");
+  const Result<void> flown =
+      session.apply(SetParameter{0, "global", static_cast<double>(index - global.choices.begin())});
+  ASSERT_FALSE(flown.ok()) << "nor does what plans for a pilot";
+  ASSERT_TRUE(session.apply(SetPanes{4}).ok());
+  for (const PlannerChoice& pane : session.scenario().planners) EXPECT_TRUE(info_of(pane).point_only.empty());
+
+  Scenario read = wall_with_gap();
+  read.planners = {{"visibility-graph", {}}};
+  EXPECT_TRUE(parse_scenario(scenario_text(read), "a.json", "").ok());
+  read.robot.radius = 0.5;
+  const auto refused = parse_scenario(scenario_text(read), "a.json", "");
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().find(why), std::string::npos) << refused.error();
 }
 
 TEST(SessionPanes, ComeBackWithThePlannersThatTheyHad) {

@@ -74,7 +74,7 @@ TEST(Collinear, LeavesTheCornersAndTheWayAsItIs) {
     ASSERT_EQ(is.turns, was.turns);
     ASSERT_EQ(is.nodes, path.empty() ? 0 : path.size() == 1 ? 1 : was.turns + 2);
     const Box box = known.box();
-    ASSERT_EQ(lay_out(box, corners).cells, lay_out(box, path).cells);
+    ASSERT_EQ(lay_out(box, known.cells(), corners).cells, lay_out(box, known.cells(), path).cells);
     before += path.size();
     left += corners.size();
   };

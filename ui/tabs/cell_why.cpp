@@ -12,8 +12,17 @@
 namespace replan::ui {
 namespace {
 
+/// Where the values are those of corners, which neighbours have no part in.
+std::string words_of_corners(const CellView& view) {
+  const NodeId parent = view.state.lp(view.node);
+  if (parent == kNoNode)
+    return "Only both ends, and cells at a corner of an obstacle that was seen, have a value here.";
+  return "Neighbours have no part in it: its nearest point is reached straight from that of " +
+         node_text(view.run, parent) + ", its parent.";
+}
+
 /// Why there is nothing to add up; empty if there is.
-const char* special_case(const CellView& view, const std::vector<Offer>& all) {
+std::string special_case(const CellView& view, const std::vector<Offer>& all) {
   if (view.run.timeline().cursor() == 0) return "The search has not begun: no cell has a value yet.";
   if (view.node == view.state.node(view.lookahead ? Scalar::goal : Scalar::start))
     return view.lookahead ? "This is the goal: its rhs is 0, by definition."
@@ -22,6 +31,7 @@ const char* special_case(const CellView& view, const std::vector<Offer>& all) {
     return "On the robot's map this cell is an obstacle, so no move leads in or out.";
   if (too_near(view.run.log_view(), view.state, view.node))
     return "This cell is nearer to an obstacle than the robot's radius: its centre keeps out.";
+  if (!view.run.info().point_only.empty()) return words_of_corners(view);
   if (all.empty()) return "There are obstacles all around: no move leads from here.";
   if (all.front().sum.is_infinite())
     return "No neighbour has a value, so no way through any of them is known.";
@@ -125,7 +135,7 @@ void draw_why(Frame& frame, const CellView& view) {
   const char* name = view.lookahead ? "rhs" : "g";
   section_title(look, std::string("Why is ") + name + " " + cost_text(value) + "?");
   const std::vector<Offer> all = offers_to(view.run.log_view(), view.state, view.node);
-  if (const std::string_view special = special_case(view, all); !special.empty()) {
+  if (const std::string special = special_case(view, all); !special.empty()) {
     paragraph(look.fonts.ui, look.theme.dim, special);
     return written_line(frame, view);
   }
