@@ -14,7 +14,7 @@ LawValues<D>::LawValues(const LogView& view, std::size_t position)
       focused_(view.info.values.declares(fields::kFocused.kind)) {
   const SearchState state = view.log.state_at(position);
   known_ = BoxLattice<D>(view.lattice.template sides<D>(), state.known_map().plain(), view.rules());
-  if (view.info.clearance) clearance_.emplace(known_, parameters::clearance_rules_of(view.settings));
+  if (view.info.clearance) clearance_.emplace(known_, view.info.clearance(view.settings));
   pages_.resize((known_.node_count() + kPage - 1) / kPage);
   load(state);
 }

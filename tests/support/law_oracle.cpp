@@ -87,6 +87,7 @@ class Bench {
   }
 
   [[nodiscard]] bool on_map(NodeId n) const { return n < world_.blocked.size(); }
+  [[nodiscard]] Raw penalty(NodeId n) const { return penalty_.empty() ? 0 : penalty_[n]; }
   [[nodiscard]] Raw sum(Raw a, Raw b) const { return std::min(a + b, kNever); }
   [[nodiscard]] Raw h(NodeId a, NodeId b) const {
     const Parameter* parameter = find_parameter(view_.info.parameters, "heuristic");
@@ -114,7 +115,7 @@ class Bench {
     if (s == root) best = 0, parent = root;
     if (rhs != best || state_.lp(s) != parent) return false;
     if (state_.queued(s) != (g != rhs)) return false;
-    if (state_.dist(s).raw != (penalty_.empty() ? 0 : penalty_[s])) return false;
+    if (state_.dist(s).raw != penalty(s)) return false;
     if (!state_.queued(s) || !on_map(target)) return true;
     const Raw key = sum(sum(std::min(g, rhs), h(target, s)), state_.km().raw);
     return written_.contains(s) ? state_.k1(s).raw == key : state_.k1(s).raw <= key;
@@ -233,13 +234,13 @@ class Bench {
   }
 
   bool best_first_holds(NodeId s) {
-    if (!spread_and_key_hold(s)) return false;
+    if (!spread_and_key_hold(s) || state_.dist(s).raw != penalty(s)) return false;
     const NodeId start = state_.node(Scalar::start), parent = state_.lp(s);
     const Raw g = state_.g(s).raw;
     if (s == start) return g == 0 && parent == kNoNode;
     if (g >= kNever) return parent == kNoNode && !state_.queued(s);
     if (!is_move(s, parent)) return false;
-    const Raw through = sum(state_.g(parent).raw, step_between(world_, s, parent));
+    const Raw through = sum(sum(state_.g(parent).raw, step_between(world_, s, parent)), penalty(s));
     return g == through || (g > through && state_.queued(parent));
   }
 
@@ -250,7 +251,8 @@ class Bench {
     if (state_.queued(s) && on_map(goal) && state_.k1(s) != f_({g}, {h(s, goal)}, weight)) return false;
     if (g < kNever && !state_.queued(s))
       for (const Move& move : successors_[s])
-        if (state_.g(move.to).raw > sum(g, move.cost) && !(view_.info.key.once && taken(move.to)))
+        if (state_.g(move.to).raw > sum(sum(g, move.cost), penalty(move.to)) &&
+            !(view_.info.key.once && taken(move.to)))
           return false;
     return true;
   }

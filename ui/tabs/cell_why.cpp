@@ -73,7 +73,7 @@ std::vector<Column> offer_columns(const CellView& view, const std::vector<Offer>
 /// Each neighbour's sum, the least first; a click goes on to the neighbour.
 void offer_table(Frame& frame, const CellView& view, const std::vector<Offer>& all) {
   const Look& look = frame.look;
-  const bool with_dist = view.run.info().clearance;
+  const bool with_dist = view.run.info().clearance != nullptr;
   const std::vector<Column> columns = offer_columns(view, all);
   table_head(look, columns);
   std::size_t shown = 0;
