@@ -3,8 +3,10 @@
 //
 //   D*          Stentz, "Optimal and efficient path planning for partially-known environments", ICRA 1994
 //   Focused D*  Stentz, "The focussed D* algorithm for real-time replanning", IJCAI 1995
+//   Threat D*   Zhu, Sun & Zhu, "Three-dimensional dynamic path planning of AUV based on improved D* algorithm", Control
+//               Engineering of China 28(4), 2021, doi 10.14107/j.cnki.kzgc.20190179
 //
-// Line numbers are those of assets/planners/dstar.md and focused-dstar.md, which are the same: MOVE_ROBOT has 100 added.
+// Line numbers are those of the pages assets/planners/dstar.md and so on, which have the same: MOVE_ROBOT has 100 added.
 //
 // What is settled here:
 //  * Both are one text: the first is the second with GVAL = 0 and no bias, where f_B = f = k.
@@ -18,6 +20,10 @@
 //  * The bias grows by the heuristic rounded up and one unit of cost, the paper's epsilon: so a key in OPEN is below that
 //    of the same state for the present focus (law 6 in lattice.hpp), and old ones come out first.
 //  * MODIFY_COST is called for each end of a move that has changed, once for all its moves.
+//  * The threat paper adds j(X) to f alone. Here entering X costs j(X), too, or the path would not bend: c(X, Y) is the move
+//    and j(X). States are ordered, and told apart as RAISE and LOWER, by h + j, and k is the least of that. So f = h + g + j
+//    as the paper has it, g + j is consistent with those costs, and a state whose threat has risen comes out as early as
+//    what it used to promise.
 //  * While the start or the goal lies inside an obstacle the search rests: no work could find a path.
 #pragma once
 

@@ -31,7 +31,17 @@ inline PlannerInfo describe(DStarSwitches switches) {
   info.incremental = info.from_goal = true;
   info.values = dstar_values(switches.focused);
   info.length_bound = [](const Settings&) { return 1.0; };
-  if (switches.focused) {
+  if (switches.threat) {
+    using namespace parameters;
+    info.name = "Threat D*";
+    info.summary =
+        "Focused D* for whom it costs more to come near an obstacle: its paths keep off, and are repaired.";
+    info.source = "Zhu, Sun & Zhu 2021, doi 10.14107/j.cnki.kzgc.20190179";
+    info.parameters = {kHeuristic, kThreat, kThreatInner, kThreatOuter, kImpassable, kBorder};
+    info.values.fields.push_back(fields::kDist);
+    info.clearance = threat_rules_of;
+    info.length_bound = threat_bound;
+  } else if (switches.focused) {
     info.name = "Focused D*";
     info.summary = "D* that looks towards the robot alone: the same plans, and less work for each repair.";
     info.source = "Stentz, The focussed D* algorithm for real-time replanning, IJCAI 1995";

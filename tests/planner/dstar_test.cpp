@@ -7,7 +7,7 @@
 namespace replan::test::dstar_test {
 namespace {
 
-constexpr const char* kFamily[] = {"dstar", "focused-dstar"};
+constexpr const char* kFamily[] = {"dstar", "focused-dstar", "threat-dstar"};
 
 TEST(DStar, RepairsCostWhatBruteForceSaysIn2d) {
   for (const char* id : kFamily) check_replans<2>(id, 7, 1500);
@@ -167,7 +167,7 @@ TEST(DStar, TakesLowerStatesUntilSomethingIsShutAndRaiseStatesThen) {
 
 /// A change that concerns no way to the goal is next to no work: the states at it are processed, and that is all.
 TEST(DStar, ChangesThatConcernNobodyEndAtOnce) {
-  for (const char* id : kFamily) {
+  for (const char* id : {"dstar", "focused-dstar"}) {
     DStarRun run(id, kHall);
     const std::int64_t before = run.planner().counters().expansions;
     run.turn({{0, 8}});

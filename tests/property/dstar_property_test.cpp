@@ -7,7 +7,7 @@ namespace replan::test::dstar_property_test {
 namespace {
 
 constexpr int kReplansPerShard = 50'000;  // x 2 shards, of each planner and dimension
-constexpr const char* kFamily[] = {"dstar", "focused-dstar"};
+constexpr const char* kFamily[] = {"dstar", "focused-dstar", "threat-dstar"};
 
 class DStarEqualsFreshPlan : public ::testing::TestWithParam<std::tuple<const char*, int>> {};
 
