@@ -90,7 +90,8 @@ constexpr GlossaryTerm kTerms[] = {
     {"state", "State of a cell",
      "Consistent if g equals rhs, over(consistent) if g is larger, under(consistent) if g is smaller. Only "
      "cells "
-     "that are not consistent wait in the open list."},
+     "that are not consistent wait in the open list. In D* a cell is NEW, CLOSED, or waits in a RAISE or "
+     "LOWER state."},
     {"inconsistent", "Inconsistent",
      "g and rhs differ, so there is work to do at the cell: it waits in U, the open list. With g > rhs it is "
      "overconsistent, with g < rhs underconsistent."},
