@@ -48,7 +48,8 @@ world=fusion-boxes draw fusion-boxes.gif --planner fusion,dwa --canvas-only --pa
 world=bug-trap draw fusion.png --theme light --planner dstar-lite,fusion,dwa,theta-star --overlay path,trail,grid \
   --canvas-only --panes all --size 1200x860 --at-end
 # The reference planners beside D* Lite, each with the cells that it worked at.
-for planner in weighted-astar adaptive-astar jps visibility-graph theta-star lazy-theta-star lpa-star field-dstar; do
+for planner in weighted-astar adaptive-astar jps visibility-graph theta-star lazy-theta-star lpa-star field-dstar dstar \
+  focused-dstar threat-dstar; do
   world=fusion-maze draw "$planner.png" --theme light --planner "dstar-lite,$planner" --overlay g,scanned,path,queue,grid \
     --canvas-only --panes all --size 960x520
 done

@@ -72,7 +72,7 @@ Result<Listing> list_planners() {
                                         {"planar", info.planar},
                                         {"drives", find_pilot(info.id) != nullptr},
                                         {"any_angle", info.any_angle},
-                                        {"clearance", info.clearance},
+                                        {"clearance", info.clearance != nullptr},
                                         {"exercise", info.exercise},
                                         {"settings", settings_json(info.parameters)}});
   }

@@ -13,7 +13,7 @@ namespace replan {
 /// A path cost in fixed point: `raw` units of 2^-30 cells. Sums saturate at infinity.
 ///
 /// Range: the longest loop-free path of the largest world (2^26 cells, each step at most sqrt 3 plus the
-/// largest clearance penalty, 17) stays below infinity (2^31 cells), and two infinities add without overflow.
+/// largest clearance penalty, 20) stays below infinity (2^31 cells), and two infinities add without overflow.
 /// A box of 2^27 voxels has longer ones, but a path of fewest steps takes no short cuts between its cells,
 /// and so passes at most five of the eight in any cube of two: the cheapest cannot cost more than that one.
 struct Cost {

@@ -55,7 +55,7 @@ void try_from(const LogView& view, NodeId u, InHand& hand) {
     if (offer.side != kNoNode) continue;
     const NodeId s = offer.node;
     offer.g = state.g(u);
-    offer.dist = state.dist(u);
+    offer.dist = state.dist(view.info.from_goal ? u : s);
     offer.sum = offer.step + offer.g + offer.dist;
     hand.trials.push_back({offer, offer.sum == (lookahead ? state.rhs(s) : state.g(s))});
   }

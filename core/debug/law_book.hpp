@@ -91,6 +91,8 @@ std::unique_ptr<LawBook<D>> make_any_angle_laws(const LogView& view, LawValues<D
 template <int D>
 std::unique_ptr<LawBook<D>> make_jump_laws(const LogView& view, LawValues<D>& values);
 template <int D>
+std::unique_ptr<LawBook<D>> make_back_pointer_laws(const LogView& view, LawValues<D>& values);
+template <int D>
 std::unique_ptr<LawBook<D>> make_no_laws(const LogView& view, LawValues<D>& values);
 
 }  // namespace replan

@@ -13,7 +13,8 @@ namespace replan {
 /// Reads a log once, forwards, and checks after every finished step what that step touched: before each event
 /// that takes a vertex from the open list, and where a plan stands. In between a planner is at work and its
 /// laws need not hold. The laws are those of ALGORITHMS: of rhs, local parents, U, keys and penalties where
-/// PlannerInfo::values is `lookahead`, of g, parents and keys where it is `best_first`, and those of plans.
+/// PlannerInfo::values is `lookahead`, of g, parents and keys where it is `best_first`, of tags, keys and back-pointers
+/// where its costs rise and fall in waves, and those of plans.
 ///
 /// Memory goes with what the search touched, plus a few bytes for each cell of the map.
 class LawChecker {

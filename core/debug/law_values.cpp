@@ -8,10 +8,13 @@ namespace replan {
 
 template <int D>
 LawValues<D>::LawValues(const LogView& view, std::size_t position)
-    : heuristic_(heuristic_of(view.info, view.settings)), interpolated_(view.info.values.interpolated) {
+    : heuristic_(heuristic_of(view.info, view.settings)),
+      interpolated_(view.info.values.interpolated),
+      waves_(view.info.values.waves),
+      focused_(view.info.values.declares(fields::kFocused.kind)) {
   const SearchState state = view.log.state_at(position);
   known_ = BoxLattice<D>(view.lattice.template sides<D>(), state.known_map().plain(), view.rules());
-  if (view.info.clearance) clearance_.emplace(known_, parameters::clearance_rules_of(view.settings));
+  if (view.info.clearance) clearance_.emplace(known_, view.info.clearance(view.settings));
   pages_.resize((known_.node_count() + kPage - 1) / kPage);
   load(state);
 }
@@ -37,6 +40,10 @@ void LawValues<D>::load(const SearchState& state) {
       vertex.lp = state.lp(node) + 1u;
       vertex.rp = state.rp(node) + 1u;
       if (interpolated_) vertex.side = static_cast<std::uint32_t>(state.value(fields::kSide.kind, node));
+      if (!waves_) continue;
+      vertex.tag = static_cast<fields::StateTag>(state.value(fields::kTag.kind, node));
+      vertex.k = {static_cast<std::int64_t>(state.value(fields::kLowest.kind, node))};
+      if (focused_) vertex.f = {static_cast<std::int64_t>(state.value(fields::kFocused.kind, node))};
     }
   }
 }
@@ -88,25 +95,44 @@ void LawValues<D>::apply(const Event& event) {
       return forget_search();
     case EventKind::known:
       turned_.push_back(event.node);
+      disturbed_ = true;
       return;
     case EventKind::scalar:
       scalars_[event.node] ^= event.delta;
+      disturbed_ |= event.node == static_cast<NodeId>(Scalar::start);
+      return;
+    case EventKind::pop:
+      taken_ = at(event.node);
       return;
     default:
-      if (interpolated_ && event.kind == fields::kSide.kind)
-        changing(event.node, LawVertex::own).side ^= static_cast<std::uint32_t>(event.delta);
-      return;
+      return apply_own(event);
   }
+}
+
+template <int D>
+void LawValues<D>::apply_own(const Event& event) {
+  if (interpolated_ && event.kind == fields::kSide.kind)
+    changing(event.node, LawVertex::own).side ^= static_cast<std::uint32_t>(event.delta);
+  if (!waves_ || !is_own_field(event.kind)) return;
+  LawVertex& vertex = changing(event.node, LawVertex::own);
+  const auto delta = static_cast<std::int64_t>(event.delta);
+  if (event.kind == fields::kTag.kind)
+    vertex.tag = static_cast<fields::StateTag>(static_cast<std::uint8_t>(vertex.tag) ^ (event.delta & 0xFFu));
+  if (event.kind == fields::kLowest.kind) vertex.k.raw ^= delta;
+  if (event.kind == fields::kFocused.kind) vertex.f.raw ^= delta;
 }
 
 template <int D>
 void LawValues<D>::forget_search() {
   for_each_page([this](NodeId node, const LawVertex& vertex) {
     const bool blank = vertex.g.is_infinite() && vertex.rhs.is_infinite() && !vertex.queued() &&
-                       vertex.lp == 0 && vertex.rp == 0 && vertex.side == 0;
+                       vertex.lp == 0 && vertex.rp == 0 && vertex.side == 0 &&
+                       vertex.tag == fields::StateTag::fresh && vertex.k.is_infinite() &&
+                       vertex.f.is_infinite();
     if (blank) return;
     LawVertex& forgotten = changing(node, LawVertex::all);
-    forgotten.g = forgotten.rhs = Cost::infinity();
+    forgotten.g = forgotten.rhs = forgotten.k = forgotten.f = Cost::infinity();
+    forgotten.tag = fields::StateTag::fresh;
     forgotten.queue = 0;
     forgotten.lp = forgotten.rp = forgotten.side = 0;
   });
@@ -135,6 +161,8 @@ template <int D>
 void LawValues<D>::settle() {
   for (const auto& each : touched_) write(each.node).changed = 0;
   touched_.clear();
+  taken_.reset();
+  disturbed_ = false;
 }
 
 template <int D>

@@ -18,16 +18,19 @@ struct LawVertex {
   Cost g = Cost::infinity();
   Cost rhs = Cost::infinity();
   Cost dist;
+  Cost k = Cost::infinity();  ///< the least g since it came into the open list, and f: of a search in waves
+  Cost f = Cost::infinity();
   std::int64_t queue = 0;    ///< first key component + 1 while in the open list
   std::uint32_t lp = 0;      ///< local parent + 1
   std::uint32_t rp = 0;      ///< remote parent + 1
   std::uint32_t side = 0;    ///< the other end of the side between which and lp its way leads + 1
+  fields::StateTag tag{};    ///< of a search in waves
   std::uint8_t broken = 0;   ///< a bit for each law that does not hold here
   std::uint8_t changed = 0;  ///< Change bits since the last finished step
 
   enum Change : std::uint8_t {
     offer = 1,  ///< g or dist, so what it offers to others
-    own = 2,    ///< rhs, lp or side
+    own = 2,    ///< rhs, lp or side; of a search in waves what else it keeps
     key = 4,    ///< a key was written, or it left the open list
     all = 8,    ///< its moves, or whatever else asks for a full look
   };
@@ -64,6 +67,9 @@ class LawValues {
   /// For `broken` and `changed` alone.
   LawVertex& write(NodeId node);
   void touch(NodeId node, LawVertex::Change change);
+  /// The vertex that the step began by taking from the open list, as it was then; nullptr if there is none, or the map
+  /// or the start has changed since.
+  [[nodiscard]] const LawVertex* taken() const { return taken_ && !disturbed_ ? &*taken_ : nullptr; }
   /// In the order of their first change.
   [[nodiscard]] const std::vector<Touched>& touched() const { return touched_; }
   /// All vertices of pages that exist, by index.
@@ -104,6 +110,7 @@ class LawValues {
     return static_cast<NodeId>(scalars_[static_cast<std::size_t>(which)]) - 1u;
   }
   void forget_search();
+  void apply_own(const Event& event);
   LawVertex& changing(NodeId node, std::uint8_t change);
 
   std::vector<std::unique_ptr<LawVertex[]>> pages_;
@@ -113,7 +120,9 @@ class LawValues {
   std::vector<NodeId> turned_;  // cells of the robot's map since the last finished step
   std::array<std::uint64_t, static_cast<std::size_t>(Scalar::count)> scalars_{};
   Heuristic heuristic_;
-  bool interpolated_;
+  bool interpolated_, waves_, focused_;
+  std::optional<LawVertex> taken_;
+  bool disturbed_ = false;  // map or start have changed since the last finished step
 };
 
 extern template class LawValues<2>;

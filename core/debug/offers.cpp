@@ -24,6 +24,11 @@ void add_ways_across(const Grid2& window, NodeId from, NodeOf&& node_of, const S
   });
 }
 
+/// Of a search from the start a way leads to the cell from its neighbour, else from the cell to the neighbour.
+NodeId entered(const PlannerInfo& info, NodeId neighbour, NodeId node) {
+  return info.from_goal ? neighbour : node;
+}
+
 /// The moves are those of a window of the cells around, and of those whose obstacles matter to them, under the same
 /// rules: the map need not be copied.
 template <int D>
@@ -48,7 +53,8 @@ std::vector<Offer> offers_in(const LogView& view, const SearchState& state, Node
   for (auto rest = static_cast<std::uint32_t>(window.moves(from)); rest != 0; rest &= rest - 1) {
     const int d = std::countr_zero(rest);
     const NodeId there = node_of(window.neighbour(from, d));
-    const Cost g = state.g(there), dist = state.dist(there), step = BoxLattice<D>::step_cost(d);
+    const Cost g = state.g(there), step = BoxLattice<D>::step_cost(d);
+    const Cost dist = state.dist(entered(view.info, there, node));
     all.push_back({there, step, g, dist, step + g + dist});
   }
   if constexpr (D == 2)

@@ -8,7 +8,8 @@
 
 namespace replan {
 
-/// One neighbour's offer: the move, its g and dist, and what these come to, sum = step + g + dist. Of a search that
+/// One neighbour's offer: the move, its g, the dist of the cell that the move enters (the neighbour, or in a search from
+/// the start the cell itself), and what these come to, sum = step + g + dist. Of a search that
 /// interpolates it may be that of a way across to a point between the neighbour and another, `side`; step is then what
 /// is left of the sum without g.
 struct Offer {

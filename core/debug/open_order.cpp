@@ -17,7 +17,8 @@ struct RawEntry {
 OpenEntry entry_of(const RawEntry& raw, const ListOrder& order, NodeId node) {
   const auto cost = [](std::uint64_t value) { return Cost{static_cast<std::int64_t>(value)}; };
   const Cost first = cost(raw.queue - 1);
-  return {first, order.of(first, cost(raw.read[0]), cost(raw.read[1])), node};
+  const Cost third = order.third.empty() ? Cost{} : cost(raw.read[1]);
+  return {first, order.of(first, cost(raw.read[0]), cost(raw.read[1])), third, node};
 }
 
 RawEntry raw_entry(const SearchState& state, const ListOrder& order, NodeId node) {

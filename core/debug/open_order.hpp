@@ -15,6 +15,7 @@ namespace replan {
 struct OpenEntry {
   Cost k1;  ///< as its queue value holds it; best-first searches: f
   Cost k2;  ///< as ListOrder makes it: min(g, rhs), or f - g, so that among equal f the larger g comes first
+  Cost k3;  ///< zero unless keys have a third component
   NodeId node = kNoNode;
   friend auto operator<=>(const OpenEntry&, const OpenEntry&) = default;
 };

@@ -57,7 +57,7 @@ PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t positi
   question.box = view.lattice;
   question.rules = view.rules();
   question.known = state.known_map();
-  if (view.info.clearance) question.clearance = parameters::clearance_rules_of(view.settings);
+  if (view.info.clearance) question.clearance = view.info.clearance(view.settings);
   question.start = state.node(Scalar::start);
   question.goal = state.node(Scalar::goal);
   const auto status = static_cast<PlanStatus>(view.log.event(position - 1).delta);

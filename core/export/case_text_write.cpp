@@ -4,6 +4,7 @@
 #include "core/debug/event_words.hpp"
 #include "core/debug/offers.hpp"
 #include "core/debug/open_order.hpp"
+#include "core/debug/wave.hpp"
 #include "core/export/case_text.hpp"
 #include "core/export/json_lines.hpp"
 #include "core/export/trace_text.hpp"
@@ -203,6 +204,7 @@ const char* consistency(const Source& from, NodeId node) {
   const Cost g = from.state.g(node), rhs = from.state.rhs(node);
   if (from.state.known_blocked(node)) return "obstacle";
   if (too_near(from.view, from.state, node)) return "too near";
+  if (from.view.info.values.waves) return wave_name(wave_of(from.state, node));
   if (!from.lookahead) return from.state.queued(node) ? "open" : g.is_infinite() ? "unseen" : "settled";
   if (g == rhs) return g.is_infinite() ? "unseen" : "consistent";
   return g > rhs ? "g > rhs" : "g < rhs";
@@ -212,7 +214,10 @@ const char* consistency(const Source& from, NodeId node) {
 std::string key_text(const Source& from, NodeId node) {
   if (!from.state.queued(node)) return "-";
   const OpenEntry entry = open_entry(from.state, from.view.info.values.order, node);
-  return from.lookahead ? "[" + number(entry.k1) + "; " + number(entry.k2) + "]" : number(entry.k1);
+  const bool third = !from.view.info.values.order.third.empty();
+  if (!from.lookahead && !third) return number(entry.k1);
+  const std::string key = "[" + number(entry.k1) + "; " + number(entry.k2);
+  return third ? key + "; " + number(entry.k3) + "]" : key + "]";
 }
 
 std::string visits_text(const Source& from, NodeId node) {

@@ -6,6 +6,8 @@
 #include <map>
 #include <span>
 
+#include "core/base/trigonometry.hpp"
+#include "core/field/distance.hpp"
 #include "core/field/wide.hpp"
 
 namespace replan {
@@ -26,6 +28,20 @@ std::int64_t measure(const std::array<int, D>& by, Transform transform) {
   for (std::size_t axis = 0; axis < D; ++axis)
     sum += (d[axis] - (axis + 1 < D ? d[axis + 1] : 0)) * kStepCost[axis + 1].raw;
   return sum;
+}
+
+std::int64_t raw_of(double cells) {
+  return std::llround(cells * static_cast<double>(Cost::kScale));
+}
+
+/// What a free cell at that distance costs, which is within the range; all in raw cost.
+Cost penalty_at(const ClearanceRules& rules, std::int64_t distance) {
+  if (!rules.threat) return {raw_of(rules.range) - distance + Cost::kScale};
+  const ThreatCurve& threat = *rules.threat;
+  const std::int64_t beyond = distance - raw_of(threat.r_min);
+  if (beyond <= 0) return threat.impassable ? Cost::infinity() : Cost{raw_of(threat.c)};
+  const double cells = static_cast<double>(beyond) / static_cast<double>(Cost::kScale);
+  return {raw_of(threat.c * exponential(-cells))};
 }
 
 /// Cells that are gathered at a time.
@@ -63,12 +79,17 @@ template <int D>
 ClearanceField<D>::ClearanceField(const BoxLattice<D>& lattice, ClearanceRules rules) : rules_(rules) {
   prepare(lattice);
   ranks_.assign(lattice.node_count(), kFar);
-  // Both give the same ranks: cells are gathered many at a time, obstacles scattered one at a time.
-  constexpr std::size_t kGatheredAtATime = 24, kLookedAt = 13;
+  // All give the same ranks: cells are gathered many at a time, obstacles scattered one at a time; and a transform
+  // takes as long whatever the range.
+  constexpr std::size_t kGatheredAtATime = 24, kLookedAt = 13, kTransformed = 8;
   std::size_t obstacles = 0;
   for (std::size_t n = 0; n < ranks_.size(); n += kLookedAt) obstacles += lattice.cells()[n] != 0;
-  if (obstacles * kLookedAt * kGatheredAtATime > ranks_.size() && stencil_.size() <= kFewOffsets)
+  obstacles *= kLookedAt;
+  if (obstacles * kGatheredAtATime > ranks_.size() && stencil_.size() <= kFewOffsets)
     gather(lattice);
+  else if (rules_.transform == Transform::euclidean &&
+           obstacles * stencil_.size() > kTransformed * ranks_.size())
+    transform(lattice);
   else
     scatter(lattice);
   if (rules_.border_is_obstacle)
@@ -102,6 +123,23 @@ void ClearanceField<D>::gather(const BoxLattice<D>& lattice) {
     std::memcpy(row_of(first), &lattice.cells()[first], width);
   for (NodeId first = 0; first < ranks_.size(); first += width)
     gather_row(&ranks_[first], row_of(first), lattice.width(), shifts);
+}
+
+/// By the distances of all cells at once, however many offsets there are.
+template <int D>
+void ClearanceField<D>::transform(const BoxLattice<D>& lattice) {
+  const auto squared = [](const std::array<int, D>& by) {
+    int sum = 0;
+    for (const int part : by) sum += part * part;
+    return static_cast<std::size_t>(sum);
+  };
+  std::vector<std::uint8_t> rank(stencil_.empty() ? 1 : squared(stencil_.back().by) + 1, kFar);
+  rank[0] = 0;
+  for (const Offset& offset : stencil_) rank[squared(offset.by)] = offset.rank;
+  const std::vector<std::int32_t> distances = squared_distances(
+      lattice.width(), lattice.height(), D == 3 ? lattice.size()[D - 1] : 1, lattice.cells());
+  for (std::size_t n = 0; n < ranks_.size(); ++n)
+    if (const auto at = static_cast<std::size_t>(distances[n]); at < rank.size()) ranks_[n] = rank[at];
 }
 
 /// Obstacle by obstacle: the cells around it take their ranks if they had none that is nearer.
@@ -141,8 +179,7 @@ bool ClearanceField<D>::is_inner(const BoxLattice<D>& lattice, NodeId node) cons
 
 template <int D>
 void ClearanceField<D>::prepare(const BoxLattice<D>& lattice) {
-  const auto limit =
-      static_cast<std::int64_t>(std::llround(rules_.range * static_cast<double>(Cost::kScale)));
+  const std::int64_t limit = raw_of(rules_.range);
   reach_ = static_cast<int>(limit / Cost::kScale);
   std::map<std::int64_t, std::vector<std::array<int, D>>> by_distance;
   const int side = 2 * reach_ + 1;
@@ -155,10 +192,10 @@ void ClearanceField<D>::prepare(const BoxLattice<D>& lattice) {
     if (distance > 0 && distance <= limit) by_distance[distance].push_back(by);
   }
   penalties_.assign(256, Cost::zero());
-  penalties_[0] = {limit + Cost::kScale};
+  penalties_[0] = penalty_at(rules_, 0);
   std::uint8_t rank = 0;
   for (const auto& [distance, offsets] : by_distance) {
-    penalties_[++rank] = {limit - distance + Cost::kScale};
+    penalties_[++rank] = penalty_at(rules_, distance);
     for (const auto& by : offsets) {
       std::int32_t stride = 1, delta = 0;
       for (std::size_t axis = 0; axis < D; stride *= lattice.size()[axis], ++axis) delta += by[axis] * stride;
@@ -208,7 +245,6 @@ void ClearanceField<D>::note(NodeId node) {
   if (noted_[node] != 0) return;
   noted_[node] = 1;
   changes_.push_back({node, penalty(node)});
-  before_.push_back(ranks_[node]);
 }
 
 template <int D>
@@ -222,7 +258,6 @@ template <int D>
 std::span<const ClearanceChange> ClearanceField<D>::update(const BoxLattice<D>& lattice,
                                                            std::span<const CellEdit> edits) {
   changes_.clear();
-  before_.clear();
   noted_.resize(ranks_.size());
   // Removals first: they look at the finished map, so additions are in what they find already.
   for (const CellEdit& edit : edits) {
@@ -243,7 +278,7 @@ std::span<const ClearanceChange> ClearanceField<D>::update(const BoxLattice<D>& 
   std::size_t kept = 0;
   for (std::size_t i = 0; i < changes_.size(); ++i) {
     noted_[changes_[i].node] = 0;
-    if (ranks_[changes_[i].node] != before_[i]) changes_[kept++] = changes_[i];
+    if (penalty(changes_[i].node) != changes_[i].before) changes_[kept++] = changes_[i];
   }
   changes_.resize(kept);
   return changes_;

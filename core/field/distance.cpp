@@ -11,8 +11,14 @@ namespace {
 
 /// Obstacles up to this far are found by scanning; a row with a cell farther from all gets the envelope.
 constexpr int kScan = 48;
-/// How many steps are scanned between two looks at whether they suffice.
-constexpr int kLook = 4;
+/// How many steps are scanned between two looks at whether they suffice, and after how many one is seen to be of no
+/// use: where some cell still has nothing near, it seldom comes before kScan.
+constexpr int kLook = 4, kHopeless = 8;
+
+/// Whether scanning goes on after so many steps, if the largest value is still that.
+bool worth_scanning(int done, std::int32_t largest) {
+  return done < kScan && !(done >= kHopeless && largest > kScan * kScan);
+}
 
 // Down: cells above. A column distance is capped, so that its square stays below kNoObstacle.
 REPLAN_WIDE void sweep_down(const std::uint8_t* blocked, const std::int32_t* above, std::int32_t* row,
@@ -40,6 +46,11 @@ REPLAN_WIDE std::int32_t largest(const std::int32_t* row, int width) {
   std::int32_t most = 0;
   for (int x = 0; x < width; ++x) most = std::max(most, row[x]);
   return most;
+}
+REPLAN_WIDE std::int32_t smallest(const std::int32_t* row, int width) {
+  std::int32_t least = kNoObstacle;
+  for (int x = 0; x < width; ++x) least = std::min(least, row[x]);
+  return least;
 }
 
 /// The envelope of the parabolas over one row.
@@ -82,23 +93,23 @@ class Envelope {
 
 void row_pass(const std::int32_t* parabola, std::int32_t* row, int width, Envelope& envelope) {
   std::copy(parabola, parabola + width, row);
-  for (int done = 0; done < kScan; done += kLook) {
-    if (largest(row, width) <= (done + 1) * (done + 1)) return;
+  if (smallest(row, width) == kNoObstacle) return;
+  for (int done = 0;; done += kLook) {
+    const std::int32_t most = largest(row, width);
+    if (most <= (done + 1) * (done + 1)) return;
+    if (!worth_scanning(done, most)) return envelope.run(parabola, row, width);
     scan(parabola, row, width, done + 1, done + kLook);
   }
-  if (largest(row, width) > (kScan + 1) * (kScan + 1)) envelope.run(parabola, row, width);
 }
 
-}  // namespace
-
-std::vector<std::int32_t> squared_distances(int width, int height, std::span<const std::uint8_t> blocked) {
+/// Squared distances within one layer.
+void layer_pass(int width, int height, const std::uint8_t* blocked, std::int32_t* distances) {
   const auto w = static_cast<std::size_t>(width), h = static_cast<std::size_t>(height);
   const std::int32_t cap = (1 << 14) + 1;
-  std::vector<std::int32_t> distances(w * h);
   const std::vector<std::int32_t> outside(w, cap);
   for (std::size_t y = 0; y < h; ++y)
-    sweep_down(blocked.data() + y * w, y == 0 ? outside.data() : &distances[(y - 1) * w], &distances[y * w],
-               width, cap);
+    sweep_down(blocked + y * w, y == 0 ? outside.data() : &distances[(y - 1) * w], &distances[y * w], width,
+               cap);
   for (std::size_t y = h - 1; y-- > 0;) sweep_up(&distances[(y + 1) * w], &distances[y * w], width);
   std::vector<std::int32_t> padded(w + 2 * kScan, kNoObstacle);
   Envelope envelope(width);
@@ -107,6 +118,83 @@ std::vector<std::int32_t> squared_distances(int width, int height, std::span<con
     square(row, padded.data() + kScan, width, cap);
     row_pass(padded.data() + kScan, row, width, envelope);
   }
+}
+
+REPLAN_WIDE void lower_to(const std::int32_t* parabola, std::int32_t* row, int width, std::int32_t squared) {
+  for (int x = 0; x < width; ++x) row[x] = std::min(row[x], parabola[x] + squared);
+}
+
+/// The last axis: across the layers, for one y at a time, all x beside each other.
+class DepthPass {
+ public:
+  DepthPass(int width, int height, int depth)
+      : width_(width),
+        height_(height),
+        depth_(depth),
+        parabolas_(static_cast<std::size_t>(width) * static_cast<std::size_t>(depth)),
+        envelope_(depth),
+        line_(static_cast<std::size_t>(depth)),
+        result_(line_) {}
+
+  void run(std::int32_t* distances, int y) {
+    for (int z = 0; z < depth_; ++z) std::copy_n(row(distances, y, z), width_, parabola(z));
+    for (int z = 0; z < depth_; ++z)
+      if (!scan_rows(row(distances, y, z), z)) return envelop(distances, y);
+  }
+
+ private:
+  [[nodiscard]] std::int32_t* row(std::int32_t* distances, int y, int z) const {
+    return distances + (std::ptrdiff_t{z} * height_ + y) * width_;
+  }
+  [[nodiscard]] std::int32_t* parabola(int z) { return parabolas_.data() + std::ptrdiff_t{z} * width_; }
+
+  /// False if some obstacle may be farther than is scanned.
+  bool scan_rows(std::int32_t* row, int z) {
+    for (int done = 0; z - done > 0 || z + done + 1 < depth_; ++done) {
+      if (done % kLook == 0) {
+        const std::int32_t most = largest(row, width_);
+        if (most <= (done + 1) * (done + 1)) return true;
+        if (!worth_scanning(done, most)) return false;
+      }
+      const int d = done + 1;
+      if (z - d >= 0) lower_to(parabola(z - d), row, width_, d * d);
+      if (z + d < depth_) lower_to(parabola(z + d), row, width_, d * d);
+    }
+    return true;
+  }
+
+  void envelop(std::int32_t* distances, int y) {
+    for (int x = 0; x < width_; ++x) {
+      for (int z = 0; z < depth_; ++z) line_[static_cast<std::size_t>(z)] = parabola(z)[x];
+      result_ = line_;
+      envelope_.run(line_.data(), result_.data(), depth_);
+      for (int z = 0; z < depth_; ++z) row(distances, y, z)[x] = result_[static_cast<std::size_t>(z)];
+    }
+  }
+
+  int width_, height_, depth_;
+  std::vector<std::int32_t> parabolas_;
+  Envelope envelope_;
+  std::vector<std::int32_t> line_, result_;
+};
+
+}  // namespace
+
+std::vector<std::int32_t> squared_distances(int width, int height, std::span<const std::uint8_t> blocked) {
+  std::vector<std::int32_t> distances(blocked.size());
+  layer_pass(width, height, blocked.data(), distances.data());
+  return distances;
+}
+
+std::vector<std::int32_t> squared_distances(int width, int height, int depth,
+                                            std::span<const std::uint8_t> blocked) {
+  const auto layer = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  std::vector<std::int32_t> distances(blocked.size());
+  for (std::size_t z = 0; z < static_cast<std::size_t>(depth); ++z)
+    layer_pass(width, height, blocked.data() + z * layer, &distances[z * layer]);
+  if (depth == 1) return distances;
+  DepthPass across(width, height, depth);
+  for (int y = 0; y < height; ++y) across.run(distances.data(), y);
   return distances;
 }
 

@@ -20,6 +20,9 @@ inline constexpr std::int32_t kNoObstacle = 1 << 30;
 /// 2000, doi 10.1007/0-306-47025-X_36. Rows in which every obstacle is near are scanned instead of enveloped,
 /// many cells at a time: the numbers are the same.
 std::vector<std::int32_t> squared_distances(int width, int height, std::span<const std::uint8_t> blocked);
+/// The same in space, layers behind each other: within each layer, then across the layers in the same way.
+std::vector<std::int32_t> squared_distances(int width, int height, int depth,
+                                            std::span<const std::uint8_t> blocked);
 
 /// Chamfer distances with weights 1 and sqrt 2 by two passes, as the DLD* Lite paper computes them (Huang &
 /// Zhou 2018, doi 10.13195/j.kzyjc.2018.0583, section 2.2.1): 0 for obstacles, infinite everywhere if there

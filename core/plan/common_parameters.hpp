@@ -1,6 +1,9 @@
 // Parameters that several planners share.
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 #include "core/field/clearance.hpp"
 #include "core/lattice/lattice.hpp"
 #include "core/plan/parameters.hpp"
@@ -96,12 +99,71 @@ inline const Parameter kBorder{
     .type = ParameterType::toggle,
     .help = "Whether coming near the edge of the map costs as much as coming near an obstacle."};
 
+inline const Parameter kPenalty{
+    .key = "penalty",
+    .label = "Penalty",
+    .type = ParameterType::choice,
+    .choices = {"linear", "threat"},
+    .help =
+        "How the penalty falls with the distance d to the nearest obstacle: 'linear', range - d + 1 as the "
+        "DLD* Lite "
+        "paper has it, or 'threat', the AUV paper's c e^-(d - r_min) with d measured exactly."};
+inline const Parameter kThreat{.key = "c",
+                               .label = "Threat c",
+                               .type = ParameterType::real,
+                               .initial = ThreatCurve{}.c,
+                               .low = 0.1,
+                               .high = ThreatCurve::kMostThreat,
+                               .unit = "cells",
+                               .help =
+                                   "What entering a cell costs that lies r_min or nearer to an obstacle. "
+                                   "From there on the threat falls."};
+inline const Parameter kThreatInner{
+    .key = "r_min",
+    .label = "Threat r_min",
+    .type = ParameterType::real,
+    .initial = ThreatCurve{}.r_min,
+    .low = 0,
+    .high = ClearanceRules::kMaxRange,
+    .unit = "cells",
+    .help = "Up to this distance from an obstacle the threat is at its most. It wins where r_max is less."};
+inline const Parameter kThreatOuter{.key = "r_max",
+                                    .label = "Threat r_max",
+                                    .type = ParameterType::real,
+                                    .initial = 3,
+                                    .low = 1,
+                                    .high = ClearanceRules::kMaxRange,
+                                    .unit = "cells",
+                                    .help = "Beyond this distance from an obstacle there is no threat."};
+inline const Parameter kImpassable{.key = "impassable",
+                                   .label = "Impassable up to r_min",
+                                   .type = ParameterType::toggle,
+                                   .help =
+                                       "Whether no path may enter a cell that lies r_min or nearer to an "
+                                       "obstacle. A goal in such a place cannot be "
+                                       "reached."};
+
 /// Whether a planner that asks for lines of sight does so along its path and not in its search.
 inline bool checks_along_path(const Settings& settings) {
   return settings.get(kSightChecks) != 0;
 }
-/// The rules of the clearance penalty that these parameters ask for.
+/// The rules of the AUV paper's threat: kThreat, kThreatInner, kThreatOuter, kImpassable and kBorder.
+inline ClearanceRules threat_rules_of(const Settings& settings) {
+  const double r_min = settings.get(kThreatInner);
+  return {.range = std::max(r_min, settings.get(kThreatOuter)),
+          .transform = Transform::euclidean,
+          .border_is_obstacle = settings.get(kBorder) != 0,
+          .threat = ThreatCurve{settings.get(kThreat), r_min, settings.get(kImpassable) != 0}};
+}
+/// So many times as long as a shortest path is one that costs least under the threat, at most: each cell costs at most
+/// 1 + c times its length. Where cells are impassable there is no bound.
+inline double threat_bound(const Settings& settings) {
+  if (settings.get(kImpassable) != 0) return std::numeric_limits<double>::infinity();
+  return 1 + settings.get(kThreat);
+}
+/// The rules of the clearance penalty, of which kPenalty says along which curve.
 inline ClearanceRules clearance_rules_of(const Settings& settings) {
+  if (settings.get(kPenalty) != 0) return threat_rules_of(settings);
   return {.range = settings.get(kRange),
           .transform = static_cast<Transform>(static_cast<int>(settings.get(kTransform))),
           .border_is_obstacle = settings.get(kBorder) != 0};

@@ -37,7 +37,37 @@ constexpr GlossaryTerm kTerms[] = {
      "cells before those that depend on them."},
     {"f", "f",
      "g + h: the cost of a path through this cell, as the heuristic estimates it. A* takes the cell with the "
-     "smallest f next."},
+     "smallest f next. In focused D*: k and the estimate of the way from the robot to the cell."},
+    {"h", "h",
+     "In D* and its like the cost of the way to the goal along back-pointers, as far as is known; infinite "
+     "where none "
+     "is. In A* and D* Lite the heuristic, an estimate of a cost."},
+    {"k", "k, the lowest cost",
+     "The least that h was since the cell came into the open list of D*. With k < h the cell is in a RAISE "
+     "state, with "
+     "k = h in a LOWER state. The list is ordered by k."},
+    {"f_B", "f_B, the biased cost",
+     "f and the bias, which grows when the robot moves: what focused D* orders its open list by. Beside a "
+     "value made now "
+     "an old one may be too low, never too high. Of equal ones the smaller f comes first, then the smaller "
+     "k."},
+    {"d", "d, the bias",
+     "What the robot's moves have added to new keys of focused D*: at least as much as an estimate can have "
+     "fallen since "
+     "the first plan. D* Lite's km is the same idea."},
+    {"b", "b, the back-pointer",
+     "The neighbour that the cell's way to the goal leads to, in D* and its like. The robot follows "
+     "back-pointers."},
+    {"tag", "Tag of a cell",
+     "NEW: D* has never put it in the open list. OPEN: it is there. CLOSED: it was there and was taken."},
+    {"raise", "RAISE state",
+     "k < h: the way from this cell became dearer. When it is taken it first looks for a better way, then "
+     "tells all cells "
+     "whose back-pointers lead to it. So a wave of risen costs runs as far as anybody relied on them."},
+    {"lower", "LOWER state",
+     "k = h: the cost of this cell is as low as it was since it waits. When it is taken it offers that to "
+     "all "
+     "neighbours, which turn their back-pointers to it if it is better than what they have."},
     {"lp", "lp, the local parent",
      "The neighbour that this cell's rhs comes from: the next cell on a cheapest way to the goal, step by "
      "step over "
@@ -60,7 +90,8 @@ constexpr GlossaryTerm kTerms[] = {
     {"state", "State of a cell",
      "Consistent if g equals rhs, over(consistent) if g is larger, under(consistent) if g is smaller. Only "
      "cells "
-     "that are not consistent wait in the open list."},
+     "that are not consistent wait in the open list. In D* a cell is NEW, CLOSED, or waits in a RAISE or "
+     "LOWER state."},
     {"inconsistent", "Inconsistent",
      "g and rhs differ, so there is work to do at the cell: it waits in U, the open list. With g > rhs it is "
      "overconsistent, with g < rhs underconsistent."},
@@ -342,6 +373,9 @@ constexpr Alias kAliases[] = {
     {"g > rhs", "overconsistent"},
     {"under", "underconsistent"},
     {"g < rhs", "underconsistent"},
+    {"RAISE", "raise"},
+    {"LOWER", "lower"},
+    {"back-pointer", "b"},
     {"consistency", "state"},
     {"last expansion", "order"},
     {"last exp.", "order"},

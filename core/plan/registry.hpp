@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/field/clearance.hpp"
 #include "core/lattice/box_lattice.hpp"
 #include "core/plan/key_rule.hpp"
 #include "core/plan/parameters.hpp"
@@ -33,13 +34,15 @@ struct PlannerInfo {
   bool eight_neighbours = false;     ///< has no setting `moves`: there are always diagonals
   bool any_angle = false;            ///< its paths leave the lattice's directions
   bool from_goal = false;            ///< searches from the goal: g is the cost to go
-  bool clearance = false;            ///< pays for coming near obstacles
   bool sight = false;                ///< asks for lines of sight
   /// Why it plans for a robot without a size alone, and what to do about it; empty: it does not.
   std::string_view point_only;
-  bool blind = false;  ///< no planner: its path is the same whatever stands there
+  bool blind = false;                ///< no planner: its path is the same whatever stands there
+  /// The penalty that it pays for coming near obstacles with these settings: entering a cell costs that besides the
+  /// move. Null: it pays none.
+  ClearanceRules (*clearance)(const Settings& settings) = nullptr;
   /// With these settings a path is at most so many times as long as a shortest lattice path: 1 if it is never
-  /// longer, infinite if there is no bound (only where a planner is meant to fail).
+  /// longer, infinite if there is no bound.
   double (*length_bound)(const Settings& settings) = nullptr;
 
   /// The end that its values are distances from.

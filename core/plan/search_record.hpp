@@ -17,8 +17,8 @@ namespace replan {
 
 /// `Table` holds a record for each node (node_table.hpp) with at least `Cost g`, a `slot` of 27 bits in the
 /// open list and the direction of its `parent` in 5. Every write of a value goes through a function that tells
-/// the tracer, so that the log misses none.
-template <Lattice L, Tracer T, class Table>
+/// the tracer, so that the log misses none. `K` is what the open list is ordered by, with `Cost k1` and a `k2`.
+template <Lattice L, Tracer T, class Table, class K = Key>
 class SearchRecord : public Planner<L> {
  public:
   [[nodiscard]] Counters counters() const final { return counters_; }
@@ -88,15 +88,15 @@ class SearchRecord : public Planner<L> {
   }
 
   // The open list. The log holds k1 + 1 while a node is in it.
-  [[gnu::always_inline]] void put_in(NodeId s, const Key& key) {  // see OpenList::push()
+  [[gnu::always_inline]] void put_in(NodeId s, const K& key) {  // see OpenList::push()
     note_queue(s, Cost::zero(), {key.k1.raw + 1});
     open_.push(nodes_, key, s);
   }
-  void re_key(NodeId s, const Key& key) {
+  void re_key(NodeId s, const K& key) {
     note_held(s, {key.k1.raw + 1});
     open_.update(nodes_, key, s);
   }
-  [[gnu::always_inline]] void queue(NodeId s, const Key& key) {
+  [[gnu::always_inline]] void queue(NodeId s, const K& key) {
     if (nodes_.get(s) != 0)
       re_key(s, key);
     else
@@ -139,7 +139,7 @@ class SearchRecord : public Planner<L> {
       Node& node = nodes_.write(n);
       node.g = state.g(n);
       node.parent = direction_to(n, state.lp(n)) & 31u;
-      const Cost k2 = values_of(n, node);
+      const auto k2 = values_of(n, node);
       if (state.queued(n)) open_.push(nodes_, {state.k1(n), k2}, n);
     }
   }
@@ -147,7 +147,7 @@ class SearchRecord : public Planner<L> {
   const L& lattice_;
   T& tr_;
   Table nodes_;
-  OpenList<Key> open_;
+  OpenList<K> open_;
   NodeId start_ = kNoNode, goal_ = kNoNode;
   Counters counters_;
 

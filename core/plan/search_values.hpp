@@ -11,12 +11,13 @@
 
 namespace replan {
 
-/// How an open list is ordered: by the first key component, which the queue values hold, then by a second one, then
-/// by the node; the least comes out first.
+/// How an open list is ordered: by the first key component, which the queue values hold, then by a second one, if it
+/// has a name, and a third one, if it has one, then by the node; the least comes out first.
 struct ListOrder {
   std::string_view second;                   ///< what the second one is called: "k2"
   std::array<EventKind, 2> reads{};          ///< the costs that it is made of, besides the first
   Cost (*of)(Cost first, Cost a, Cost b){};  ///< the second one, of the first and of those
+  std::string_view third = {};               ///< the last of those that it reads, if keys have a third one
 };
 
 /// Where the log holds the cost of a plan that stands: this value of that node.
@@ -39,8 +40,9 @@ struct SearchValues {
   std::vector<PlanNumber> numbers = {};
   ListOrder order;
   CostPlace cost;
-  std::string_view laws;      ///< those that its values keep, by their name in core/debug/laws.def
-  bool least_cost = false;    ///< its cost is that of a cheapest lattice path whatever its paths look like
+  std::string_view laws;    ///< those that its values keep, by their name in core/debug/laws.def
+  bool least_cost = false;  ///< its cost is that of a cheapest lattice path whatever its paths look like
+  bool waves = false;       ///< its costs rise and fall in waves, of RAISE and LOWER states: fields::kLowest
   bool interpolated = false;  ///< its rhs may lead across squares, too: core/lattice/interpolation.hpp
 
   [[nodiscard]] const Field* find(EventKind kind) const {

@@ -66,7 +66,7 @@ class DStarLite final : public LookaheadSearch<L, T, DStarLiteNode, DStarLite<L,
         along_path_(switches.sight && parameters::checks_along_path(settings)),
         in_search_(switches.sight && !along_path_),
         checked_(!in_search_ || settings.get(parameters::kRemoteParents) == 0),
-        ground_(lattice, settings, switches.clearance, in_search_) {
+        ground_(lattice, settings, describe(switches).clearance, in_search_) {
     if (switches_.clearance) marked_.resize(nodes_.size());
   }
 
@@ -200,6 +200,7 @@ class DStarLite final : public LookaheadSearch<L, T, DStarLiteNode, DStarLite<L,
     tr_.line(49);
     set_g(u, nodes_[u].rhs);
     const Cost through_u = nodes_[u].g + dist(u);
+    if (through_u.is_infinite()) return;  // nothing may enter it
     const NodeId remote = nodes_[u].rp;
     const auto remote_at = in_search_ ? lattice_.coordinates(remote) : u_at;
     for (std::uint32_t rest = lattice_.moves(u); rest != 0; rest &= rest - 1) {

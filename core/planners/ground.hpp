@@ -1,5 +1,4 @@
-// What a D* Lite search knows of the whole map besides its moves: how near obstacles are, and what lines of sight
-// pass over.
+// What a search knows of the whole map besides its moves: how near obstacles are, and what lines of sight pass over.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +16,13 @@ namespace replan {
 template <class L>
 class Ground {
  public:
-  Ground(const L& lattice, const Settings& settings, bool clearance, bool many_checks)
+  /// `clearance` makes the penalty's rules of the settings, as PlannerInfo::clearance: null if none is paid.
+  Ground(const L& lattice, const Settings& settings, ClearanceRules (*clearance)(const Settings&),
+         bool many_checks)
       : lattice_(lattice),
-        rules_(parameters::clearance_rules_of(settings)),
+        rules_(clearance != nullptr ? clearance(settings) : ClearanceRules{}),
         sight_rule_(static_cast<SightRule>(settings.get(parameters::kSight))),
-        clearance_on_(clearance),
+        clearance_on_(clearance != nullptr),
         many_checks_(many_checks) {}
 
   [[nodiscard]] Cost dist(NodeId s) const { return clearance_on_ ? clearance_.penalty(s) : Cost::zero(); }

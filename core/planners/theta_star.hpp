@@ -72,7 +72,7 @@ class ThetaStar final : public BestFirst<L, T, GPlusH, ThetaStar<L, T>, ThetaSta
   ThetaStar(const L& lattice, const Settings& settings, T& tracer, ThetaStarSwitches switches)
       : Base(lattice, settings, tracer, switches),
         lazy_(switches.lazy),
-        ground_(lattice, settings, false, true) {}
+        ground_(lattice, settings, nullptr, true) {}
 
   void begin(NodeId start, NodeId goal) override {
     ground_.make([](NodeId, Cost, Cost) {});

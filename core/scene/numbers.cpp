@@ -40,6 +40,8 @@ class CellNumbers final : public CellMark {
       : context_(context),
         layout_(context),
         lookahead_(context.run.info().values.lookahead()),
+        raises_(lookahead_ || context.run.info().values.waves),
+        two_keys_(!context.run.info().values.order.second.empty()),
         side_(context.zoom / context.view.scale) {}
 
   [[nodiscard]] bool wants_cells() const override { return layout_.waiting != NumbersShown::none; }
@@ -67,7 +69,7 @@ class CellNumbers final : public CellMark {
  private:
   /// Whether the search has made a value infinite again that it had settled: ∞ is what is to be seen.
   [[nodiscard]] bool taken_back(NodeId node) const {
-    return lookahead_ && context_.state.order(node) != 0 && context_.state.g(node).is_infinite();
+    return raises_ && context_.state.order(node) != 0 && context_.state.g(node).is_infinite();
   }
   /// The cell's colour in the raster, with what marks lay over it.
   [[nodiscard]] Colour ground_of(Cell cell, bool waiting) const {
@@ -125,7 +127,7 @@ class CellNumbers final : public CellMark {
     if (lookahead_ && known) write(kNumberRhs, {x1, y0}, Anchor::upper_right, rhs_colour_, rhs, room);
     if (state.queued(node)) {
       write(kNumberKey, {x0, y1}, Anchor::lower_left, soft, state.k1(node), room);
-      write(kNumberKey, {x1, y1}, Anchor::lower_right, soft, second_key(context_, node), room);
+      if (two_keys_) write(kNumberKey, {x1, y1}, Anchor::lower_right, soft, second_key(context_, node), room);
     }
     // Below the arrow and the signs, which have the very middle.
     if (state.dist(node) > Cost::zero())
@@ -138,7 +140,9 @@ class CellNumbers final : public CellMark {
   SceneContext& context_;
   NumberLayout layout_;
   bool lookahead_;
-  double side_;  // of a cell, design pixels
+  bool raises_;    // costs that were settled may become dearer, be it without a way
+  bool two_keys_;  // keys have a second component
+  double side_;    // of a cell, design pixels
   Colour ground_ = 0, rhs_colour_ = 0;
 };
 

@@ -14,7 +14,7 @@ constexpr std::size_t kMostPanes = 4;
 int unlikeness(const PlannerInfo& a, const PlannerInfo& b) {
   const bool other_search = a.incremental != b.incremental || a.from_goal != b.from_goal;
   return (other_search ? 1 : 0) + (a.any_angle != b.any_angle ? 1 : 0) +
-         (a.clearance != b.clearance ? 1 : 0) + (a.sight != b.sight ? 1 : 0);
+         ((a.clearance != nullptr) != (b.clearance != nullptr) ? 1 : 0) + (a.sight != b.sight ? 1 : 0);
 }
 
 /// The planner that is least like any of those there: there is most to see. Of equals the later one in the

@@ -85,6 +85,45 @@ inline constexpr Field kSide{
     own_field(0), "side", FieldType::node, "side",
     "Its way leads to a point between lp and this cell. None: it leads to lp itself."};
 
+/// Of a search whose costs rise and fall in waves (SearchValues::waves), its own. Whether a node is in the open list, was
+/// never in it, or was and is no longer:
+enum class StateTag : std::uint8_t { fresh, open, closed };
+inline constexpr std::string_view kTagNames[] = {"NEW", "OPEN", "CLOSED"};
+inline constexpr Field kTag{
+    .kind = own_field(0),
+    .name = "tag",
+    .type = FieldType::name,
+    .label = "tag",
+    .help = "NEW: it was never in the open list. OPEN: it is in it. CLOSED: it was, and is no longer.",
+    .names = kTagNames};
+inline constexpr Field kLowest{
+    own_field(1),
+    "k",
+    FieldType::cost,
+    "k",
+    "The least that h was since it came into the open list. Less than h: its way became dearer (RAISE).",
+    kInfinite};
+inline constexpr Field kFocused{own_field(2),
+                                "f",
+                                FieldType::cost,
+                                "f",
+                                "k and the estimate of the way to it from where the robot stood.",
+                                kInfinite};
+/// As such a search calls the others.
+inline constexpr Field kH{EventKind::g,
+                          "g",
+                          FieldType::cost,
+                          "h",
+                          "The cost of the way to the goal along its back-pointers, as far as is known.",
+                          kInfinite};
+inline constexpr Field kBack{EventKind::lp, "lp", FieldType::node, "b",
+                             "Its back-pointer: the neighbour that its way to the goal leads to."};
+inline constexpr Field kQueueByLowest{EventKind::queue, "queue", FieldType::queue, "k",
+                                      "k while it waits in the open list."};
+inline constexpr Field kQueueByBias{
+    EventKind::queue, "queue", FieldType::queue, "f_B",
+    "f and what moves of the robot had come to, while it waits in the open list."};
+
 /// As a search from the start calls them.
 inline constexpr Field kF{EventKind::queue, "queue", FieldType::queue, "f",
                           "g + h while it waits in the open list."};

@@ -172,6 +172,7 @@ TEST_P(EveryPlanner, fitsTheWorldsThatItIsMadeFor) {
 TEST_P(EveryPlanner, answersTheFixturesUnderEverySetting) {
   for (const Parameter& parameter : GetParam()->parameters) {
     if (parameter.key == "remote_parents" || parameter.key == "corners" || parameter.key == "moves") continue;
+    if (parameter.key == "impassable") continue;  // what a fixture expects to be found it may close
     std::vector<double> values = {parameter.low, parameter.high};
     for (std::size_t i = 0; i < parameter.choices.size(); ++i) values.push_back(static_cast<double>(i));
     for (const double value : values) {

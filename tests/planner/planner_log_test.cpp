@@ -239,7 +239,9 @@ void check_forward_values(const PlannerInfo& info, std::uint64_t seed) {
     player.play(i);
     for (; applied < player.log().size(); ++applied) state.apply(player.log()[applied]);
     const oracle::World world = plain_world(player.lattice());
+    const auto penalty = expected_penalties(info, script.settings, world);
     for (NodeId n = 0; n < world.blocked.size(); ++n) {
+      ASSERT_EQ(state.dist(n).raw, penalty.empty() ? 0 : penalty[n]) << "node " << n;
       if (state.g(n).is_infinite()) {
         ASSERT_TRUE(state.lp(n) == kNoNode && !state.queued(n)) << "node " << n;
       } else if (n != state.node(Scalar::start)) {
@@ -255,7 +257,8 @@ void check_forward_values(const PlannerInfo& info, std::uint64_t seed) {
               << "node " << n;
           continue;
         }
-        const oracle::Raw through = state.g(parent).raw + straight_between(world, parent, n);
+        const oracle::Raw through =
+            state.g(parent).raw + straight_between(world, parent, n) + state.dist(n).raw;
         ASSERT_TRUE(state.g(n).raw == through || (state.g(n).raw > through && state.queued(parent)))
             << "node " << n;
       }

@@ -58,9 +58,7 @@ Path path_of(const PlannerInfo& info, const Replanner& grid, const Box& box) {
 void expect_right(const PlannerInfo& info, const Settings& settings, const oracle::World& world, NodeId start,
                   NodeId goal, const Replanner& grid) {
   const Box box = box_of(world);
-  const oracle::Raw shortest = world.blocked[start] != 0
-                                   ? oracle::kNever
-                                   : oracle::costs_to(world, move_rules(settings), {}, goal)[start];
+  const oracle::Raw shortest = shortest_way(info, settings, world, start, goal);
   ASSERT_EQ(grid.status(), right_status(world, start, goal, shortest));
   const Path path = path_of(info, grid, box);
   if (grid.status() != PlanStatus::found) {

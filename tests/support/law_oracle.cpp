@@ -29,13 +29,18 @@ class Bench {
         if (const auto wrong = step_faults(); !wrong.empty()) return Fault{i, wrong};
         written_.clear();
         g_before_.clear();
+        taken_.reset();
+        disturbed_ = false;
       }
       if (event.kind == EventKind::epoch)
         for (NodeId n = 0; n < world_.blocked.size(); ++n) g_before_.try_emplace(n, state_.g(n).raw);
+      if (event.kind == EventKind::pop) taken_ = state_.value(EventKind::queue, event.node);
       if (event.kind == EventKind::g) g_before_.try_emplace(event.node, state_.g(event.node).raw);
       state_.apply(event);
       if (event.kind == EventKind::queue) written_.insert(event.node);
       if (event.kind == EventKind::known) map_stale_ = true;
+      disturbed_ |= event.kind == EventKind::known ||
+                    (event.kind == EventKind::scalar && event.node == static_cast<NodeId>(Scalar::start));
       if (event.kind == EventKind::sight && event.line == 106 && event.delta >> 32 != 0)
         seen_[event.node] = static_cast<NodeId>(event.delta);
       if (!stands) continue;
@@ -71,6 +76,7 @@ class Bench {
     std::vector<NodeId> wrong;
     for (NodeId n = 0; n < world_.blocked.size(); ++n) {
       const bool holds = any_angle()                         ? any_angle_holds(n)
+                         : view_.info.values.waves           ? wave_holds(n)
                          : view_.info.values.interpolated    ? interpolated_holds(n)
                          : view_.info.values.lookahead()     ? lookahead_holds(n)
                          : view_.info.values.laws == "jumps" ? jump_holds(n)
@@ -81,6 +87,7 @@ class Bench {
   }
 
   [[nodiscard]] bool on_map(NodeId n) const { return n < world_.blocked.size(); }
+  [[nodiscard]] Raw penalty(NodeId n) const { return penalty_.empty() ? 0 : penalty_[n]; }
   [[nodiscard]] Raw sum(Raw a, Raw b) const { return std::min(a + b, kNever); }
   [[nodiscard]] Raw h(NodeId a, NodeId b) const {
     const Parameter* parameter = find_parameter(view_.info.parameters, "heuristic");
@@ -108,7 +115,7 @@ class Bench {
     if (s == root) best = 0, parent = root;
     if (rhs != best || state_.lp(s) != parent) return false;
     if (state_.queued(s) != (g != rhs)) return false;
-    if (state_.dist(s).raw != (penalty_.empty() ? 0 : penalty_[s])) return false;
+    if (state_.dist(s).raw != penalty(s)) return false;
     if (!state_.queued(s) || !on_map(target)) return true;
     const Raw key = sum(sum(std::min(g, rhs), h(target, s)), state_.km().raw);
     return written_.contains(s) ? state_.k1(s).raw == key : state_.k1(s).raw <= key;
@@ -145,6 +152,71 @@ class Bench {
     return written_.contains(s) ? state_.k1(s).raw == key : state_.k1(s).raw <= key;
   }
 
+  // Of searches in waves. NEW, OPEN and CLOSED are 0, 1 and 2.
+  [[nodiscard]] std::uint64_t tag(NodeId s) const { return state_.value(own_field(0), s); }
+  [[nodiscard]] Raw own_cost(int field, NodeId s) const {
+    return static_cast<Raw>(state_.value(own_field(field), s));
+  }
+  [[nodiscard]] Raw penalty_in_key(NodeId s) const {
+    return state_.dist(s).raw >= kNever ? 0 : state_.dist(s).raw;
+  }
+  [[nodiscard]] bool focused() const { return view_.info.values.declares(own_field(2)); }
+
+  bool wave_holds(NodeId s) {
+    const Raw g = state_.g(s).raw;
+    const bool queued = state_.queued(s);
+    if (queued != (tag(s) == 1) || (tag(s) == 0 && g < kNever)) return false;
+    if (state_.dist(s).raw != (penalty_.empty() ? 0 : penalty_[s])) return false;
+    return wave_key_holds(s) && wave_way_holds(s) && wave_spread_holds(s);
+  }
+  bool wave_key_holds(NodeId s) {
+    if (!state_.queued(s)) return true;
+    const Raw k = own_cost(1, s), key = state_.k1(s).raw;
+    if (k > sum(state_.g(s).raw, penalty_in_key(s)) || k >= kNever) return false;
+    const NodeId start = state_.node(Scalar::start);
+    const bool written = written_.contains(s);
+    if (written && taken_ && !disturbed_ && *taken_ > static_cast<std::uint64_t>(key) + 1) return false;
+    if (focused() && !on_map(start)) return true;
+    const Raw f = sum(k, focused() ? h(start, s) : 0), right = sum(f, focused() ? state_.km().raw : 0);
+    if (!written) return key <= right;
+    return key == right && (!focused() || own_cost(2, s) == f);
+  }
+  bool wave_way_holds(NodeId s) {
+    const Raw g = state_.g(s).raw;
+    const NodeId back = state_.lp(s);
+    if (s == state_.node(Scalar::goal)) return g == 0 && back == kNoNode;
+    if (back == kNoNode) return g >= kNever;
+    if (g >= kNever && tag(s) != 1) return false;
+    if (!on_map(back) || back == s || step_squared(s, back) > 2) return false;
+    if (tag(back) == 1) return true;
+    const Raw way = is_move(s, back) ? step_between(world_, s, back) : kNever;
+    return g == sum(way, sum(state_.g(back).raw, state_.dist(back).raw));
+  }
+  bool wave_spread_holds(NodeId s) {
+    const Raw g = state_.g(s).raw;
+    if (tag(s) != 2 || g >= kNever) return true;
+    return std::all_of(successors_[s].begin(), successors_[s].end(), [&](const Move& move) {
+      return tag(move.to) == 1 || state_.g(move.to).raw <= sum(move.cost, sum(g, state_.dist(s).raw));
+    });
+  }
+  std::optional<NodeId> wave_plan_fault(PlanStatus status) {
+    const NodeId goal = state_.node(Scalar::goal), start = state_.node(Scalar::start);
+    if (!on_map(start) || !on_map(goal)) return std::nullopt;
+    const bool free = world_.blocked[start] == 0 && world_.blocked[goal] == 0;
+    const Raw promised = state_.g(start).raw;
+    if (has_path(status) != (free && promised < kNever)) return start;
+    const Raw end = sum(sum(promised, penalty_in_key(start)), focused() ? state_.km().raw : 0);
+    for (NodeId n = 0; free && n < world_.blocked.size(); ++n)
+      if (state_.queued(n) && state_.k1(n).raw < end) return n;
+    for (NodeId s = start; has_path(status) && s != goal; s = state_.lp(s)) {
+      const NodeId back = state_.lp(s);
+      if (!is_move(s, back)) return s;
+      const Raw way = sum(step_between(world_, s, back), state_.dist(back).raw);
+      if (state_.g(s).raw != sum(way, state_.g(back).raw)) return s;
+    }
+    return std::nullopt;
+  }
+
   [[nodiscard]] bool any_angle() const { return view_.info.values.laws == "any-angle"; }
 
   bool any_angle_holds(NodeId s) {
@@ -162,13 +234,13 @@ class Bench {
   }
 
   bool best_first_holds(NodeId s) {
-    if (!spread_and_key_hold(s)) return false;
+    if (!spread_and_key_hold(s) || state_.dist(s).raw != penalty(s)) return false;
     const NodeId start = state_.node(Scalar::start), parent = state_.lp(s);
     const Raw g = state_.g(s).raw;
     if (s == start) return g == 0 && parent == kNoNode;
     if (g >= kNever) return parent == kNoNode && !state_.queued(s);
     if (!is_move(s, parent)) return false;
-    const Raw through = sum(state_.g(parent).raw, step_between(world_, s, parent));
+    const Raw through = sum(sum(state_.g(parent).raw, step_between(world_, s, parent)), penalty(s));
     return g == through || (g > through && state_.queued(parent));
   }
 
@@ -179,7 +251,8 @@ class Bench {
     if (state_.queued(s) && on_map(goal) && state_.k1(s) != f_({g}, {h(s, goal)}, weight)) return false;
     if (g < kNever && !state_.queued(s))
       for (const Move& move : successors_[s])
-        if (state_.g(move.to).raw > sum(g, move.cost) && !(view_.info.key.once && taken(move.to)))
+        if (state_.g(move.to).raw > sum(sum(g, move.cost), penalty(move.to)) &&
+            !(view_.info.key.once && taken(move.to)))
           return false;
     return true;
   }
@@ -221,6 +294,7 @@ class Bench {
   }
 
   std::optional<NodeId> plan_fault(PlanStatus status) {
+    if (view_.info.values.waves) return wave_plan_fault(status);
     const NodeId goal = state_.node(Scalar::goal), start = state_.node(Scalar::start);
     const bool lookahead = view_.info.values.lookahead();
     const NodeId end = view_.info.from_goal ? start : goal;
@@ -290,8 +364,10 @@ class Bench {
   std::vector<Raw> costs_;  // every g, as of the step that is looked at
   bool map_stale_ = false;
   std::set<NodeId> written_;
-  std::map<NodeId, Raw> g_before_;  // the step, of vertices whose g it has written
-  std::map<NodeId, NodeId> seen_;   // remote parents that the planner saw while it read out the path
+  std::optional<std::uint64_t> taken_;  // the queue value of what the step took from the list
+  bool disturbed_ = false;              // the map or the start has changed since the step began
+  std::map<NodeId, Raw> g_before_;      // the step, of vertices whose g it has written
+  std::map<NodeId, NodeId> seen_;       // remote parents that the planner saw while it read out the path
 };
 
 }  // namespace

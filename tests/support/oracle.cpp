@@ -173,12 +173,21 @@ std::vector<Raw> exact_euclidean(const World& world, bool border) {
   return without_ring(world, ring, euclidean_search(ring));
 }
 
+/// j(X) of the AUV paper, within r_max, to the nearest unit.
+static Raw threat_at(Raw distance, const ThreatCurve& curve) {
+  const auto r_min = static_cast<Raw>(curve.r_min * static_cast<double>(kUnit) + 0.5);
+  const long double beyond = static_cast<long double>(distance - r_min) / kUnit;
+  if (beyond <= 0 && curve.impassable) return kNever;
+  return std::llround(curve.c * std::exp(std::min(-beyond, 0.0L)) * kUnit);
+}
+
 std::vector<Raw> penalties(const World& world, const ClearanceRules& rules) {
   std::vector<Raw> result = rules.transform == Transform::chamfer
                                 ? two_pass_chamfer(world, rules.border_is_obstacle)
                                 : exact_euclidean(world, rules.border_is_obstacle);
   const Raw range = static_cast<Raw>(rules.range * static_cast<double>(kUnit) + 0.5);
-  for (Raw& value : result) value = value > range ? 0 : range - value + kUnit;
+  for (Raw& value : result)
+    value = value > range ? 0 : rules.threat ? threat_at(value, *rules.threat) : range - value + kUnit;
   return result;
 }
 

@@ -50,7 +50,7 @@ Raw step_between(const World& world, std::size_t a, std::size_t b);
 std::vector<Raw> two_pass_chamfer(const World& world, bool border);
 /// Distance to the nearest obstacle by looking at all of them.
 std::vector<Raw> exact_euclidean(const World& world, bool border);
-/// dist(s) of the DLD* Lite paper, definitions 1-3.
+/// dist(s) of the DLD* Lite paper, definitions 1-3, or j(X) of the AUV paper; kNever where a cell is impassable.
 std::vector<Raw> penalties(const World& world, const ClearanceRules& rules);
 
 /// Cost from every cell to the goal by Dijkstra's algorithm: steps plus the penalty of each cell stepped

@@ -126,7 +126,7 @@ inline Settings random_settings(Random& random, const PlannerInfo& info) {
     if (parameter.type == ParameterType::choice)
       settings.set(parameter.key, random.below(static_cast<std::uint32_t>(parameter.choices.size())));
     else if (parameter.type == ParameterType::toggle)
-      settings.set(parameter.key, random.below(2));
+      settings.set(parameter.key, random.below(parameter.key == "impassable" ? 8 : 2) == 1 ? 1 : 0);
     else
       settings.set(parameter.key, kRanges[random.below(6)]);
   }
@@ -155,10 +155,19 @@ inline NodeId random_free(Random& random, const oracle::World& world) {
 /// The penalties that a planner with these settings pays, by the oracle; empty if it pays none.
 inline std::vector<oracle::Raw> expected_penalties(const PlannerInfo& info, const Settings& settings,
                                                    const oracle::World& world) {
-  if (!info.clearance) return {};
+  if (info.clearance == nullptr) return {};
+  const bool border = settings.get("border", 0) != 0;
+  if (find_parameter(info.parameters, "range") == nullptr || settings.get("penalty", 0) != 0) {
+    const double r_min = settings.get("r_min", 1), r_max = settings.get("r_max", 3);
+    return oracle::penalties(
+        world, {.range = r_max < r_min ? r_min : r_max,
+                .transform = Transform::euclidean,
+                .border_is_obstacle = border,
+                .threat = ThreatCurve{settings.get("c", 5), r_min, settings.get("impassable", 0) != 0}});
+  }
   return oracle::penalties(world, {.range = settings.get("range", 2),
                                    .transform = static_cast<Transform>(settings.get("transform", 0)),
-                                   .border_is_obstacle = settings.get("border", 0) != 0});
+                                   .border_is_obstacle = border});
 }
 
 /// The planner whose search the given one makes its any-angle paths of.
@@ -240,14 +249,22 @@ inline std::string fault_of_segments(const PlannerInfo& info, const Settings& se
   return "";
 }
 
+/// The length of a shortest lattice path from cell to cell that the planner may enter; kNever if there is none.
+inline oracle::Raw shortest_way(const PlannerInfo& info, const Settings& settings, const oracle::World& world,
+                                NodeId start, NodeId goal) {
+  // Penalties that are infinite are walls, the others no matter of length.
+  std::vector<oracle::Raw> walls = expected_penalties(info, settings, world);
+  for (oracle::Raw& penalty : walls) penalty = penalty == oracle::kNever ? penalty : 0;
+  if (world.blocked[start] != 0) return oracle::kNever;
+  return oracle::costs_to(world, move_rules(settings), walls, goal)[start];
+}
+
 /// Why a planner's answer is none, or empty: whether there is a path, its cost, ends and segments, and its
 /// length against the bound that the planner declares. What every planner owes, be its plans cheapest or not.
 template <int D>
 std::string fault_of_answer(const PlannerInfo& info, const Settings& settings, const oracle::World& world,
                             NodeId start, NodeId goal, Planner<BoxLattice<D>>& planner) {
-  const oracle::Raw shortest = world.blocked[start] != 0
-                                   ? oracle::kNever
-                                   : oracle::costs_to(world, move_rules(settings), {}, goal)[start];
+  const oracle::Raw shortest = shortest_way(info, settings, world, start, goal);
   const PlanStatus status = right_status(world, start, goal, shortest);
   if (planner.status() != status)
     return std::string("status ") + status_name(planner.status()) + ", not " + status_name(status);
@@ -258,7 +275,7 @@ std::string fault_of_answer(const PlannerInfo& info, const Settings& settings, c
     return fault;
   const double length = static_cast<double>(length_of(world, path)),
                bound = info.length_bound(settings) * static_cast<double>(shortest);
-  if (length <= bound) return "";
+  if (length <= bound || length == 0) return "";
   return "a length of " + std::to_string(length) + ", more than " + std::to_string(bound);
 }
 

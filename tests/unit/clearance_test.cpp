@@ -2,6 +2,8 @@
 // local updates.
 #include "core/field/clearance.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds.hpp"
@@ -17,13 +19,25 @@ std::vector<ClearanceRules> all_rules() {
     for (const Transform transform : {Transform::chamfer, Transform::euclidean})
       for (const bool border : {false, true})
         rules.push_back({.range = range, .transform = transform, .border_is_obstacle = border});
+  for (const double r_max : {1.0, 2.0, 3.0, 4.5, 12.0})
+    for (const double r_min : {0.0, 0.5, 1.0, 1.4142135623730951, 2.0, 3.7})
+      for (const bool impassable : {false, true})
+        if (r_min <= r_max)
+          rules.push_back({.range = r_max,
+                           .transform = Transform::euclidean,
+                           .border_is_obstacle = r_max == 2,
+                           .threat = ThreatCurve{r_min == 0.5 ? 0.1 : 5, r_min, impassable}});
   return rules;
 }
 
 std::string describe(const ClearanceRules& rules) {
   return "range " + std::to_string(rules.range) +
          (rules.transform == Transform::chamfer ? " chamfer" : " euclidean") +
-         (rules.border_is_obstacle ? " border" : "");
+         (rules.border_is_obstacle ? " border" : "") +
+         (rules.threat
+              ? " threat " + std::to_string(rules.threat->c) + " up to " +
+                    std::to_string(rules.threat->r_min) + (rules.threat->impassable ? " impassable" : "")
+              : "");
 }
 
 template <int D>
@@ -85,6 +99,26 @@ TEST(ClearanceField, hasThePapersValues) {
   EXPECT_EQ(at(0, 3), 0);
   EXPECT_EQ(at(1, 2), 0);  // octile distance 2.414
   EXPECT_EQ(at(1, 1), 0);
+}
+
+TEST(ClearanceField, hasTheThreatsThreeZones) {
+  Grid2 lattice({11, 11});
+  const CellEdit edit{lattice.node(Cell{5, 5}), true};
+  lattice.apply({&edit, 1});
+  ClearanceRules rules{.range = 3, .transform = Transform::euclidean, .threat = ThreatCurve{}};
+  const ClearanceField<2> field(lattice, rules);
+  const auto at = [&](int x, int y) { return field.penalty(lattice.node(Cell{x, y})).to_double(); };
+  EXPECT_EQ(at(5, 5), 5);
+  EXPECT_EQ(at(4, 5), 5);                                       // d = r_min
+  EXPECT_NEAR(at(4, 4), 5 * std::exp(1 - std::sqrt(2)), 1e-9);  // 3.305
+  EXPECT_NEAR(at(3, 5), 5 * std::exp(-1), 1e-9);                // 1.839
+  EXPECT_NEAR(at(3, 3), 5 * std::exp(1 - std::sqrt(8)), 1e-9);  // 0.803
+  EXPECT_NEAR(at(5, 8), 5 * std::exp(-2), 1e-9);                // d = r_max: 0.677
+  EXPECT_EQ(at(4, 8), 0);                                       // d = 3.162
+  rules.threat->impassable = true;
+  const ClearanceField<2> walls(lattice, rules);
+  EXPECT_TRUE(walls.penalty(lattice.node(Cell{4, 5})).is_infinite());
+  EXPECT_EQ(walls.penalty(lattice.node(Cell{4, 4})), field.penalty(lattice.node(Cell{4, 4})));
 }
 
 /// The reported changes are exactly the nodes whose penalty changed, each once, with what it was.

@@ -102,8 +102,9 @@ TEST(OpenOrder, ManyEntriesAreSortedAsByComparison) {
   for (NodeId n = 0; n < 30000; ++n)
     entries.push_back({{static_cast<std::int64_t>(random.below(500)) * (n % 7 == 0 ? 1000003 : 1)},
                        {static_cast<std::int64_t>(random.below(20))},
+                       {static_cast<std::int64_t>(random.below(3))},
                        n});
-  entries.push_back({Cost::infinity(), Cost::infinity(), 30000});
+  entries.push_back({Cost::infinity(), Cost::infinity(), Cost{}, 30000});
   std::vector<OpenEntry> expected = entries;
   std::sort(expected.begin(), expected.end());
   sort_entries(entries);

@@ -35,7 +35,7 @@ class KeyCell {
       case NumbersShown::none:
         break;
       case NumbersShown::one:
-        centred("g", middle, look_.theme.text);
+        centred(cost_name(), middle, look_.theme.text);
         break;
       case NumbersShown::two:
         centred("g", middle - line() * 0.6f, look_.theme.text);
@@ -48,6 +48,7 @@ class KeyCell {
   }
 
  private:
+  [[nodiscard]] std::string_view cost_name() const { return planner_.values.field(EventKind::g).label; }
   [[nodiscard]] bool has(NumberMask what) const { return (written_ & what) != 0; }
   [[nodiscard]] float line() const { return look_.fonts.mono->FontSize; }
   [[nodiscard]] float width(std::string_view name) const { return text_width(look_.fonts.mono, name); }
@@ -62,7 +63,7 @@ class KeyCell {
     const float inset = look_.px.xs, low = side_ - line() - inset;
     const auto right = [&](std::string_view name) { return side_ - width(name) - inset; };
     const Field* first = values.find(EventKind::queue);
-    if (has(kNumberG)) write("g", inset, inset, look_.theme.text);
+    if (has(kNumberG)) write(cost_name(), inset, inset, look_.theme.text);
     if (has(kNumberRhs)) write("rhs", right("rhs"), inset, look_.theme.rhs);
     if (has(kNumberKey) && first != nullptr) write(first->label, inset, low, look_.theme.dim);
     if (has(kNumberKey)) write(values.order.second, right(values.order.second), low, look_.theme.dim);
@@ -83,10 +84,13 @@ std::string meaning(const PlannerInfo& planner, NumberMask written) {
   std::string text = planner.values.lookahead()
                          ? planner.from_goal ? "g is the cost to the goal, as it was settled last."
                                              : "g is the cost from the start, as it was settled last."
-                     : planner.from_goal ? "g is the least cost to the goal that was found so far."
-                                         : "g is the least cost from the start that was found so far.";
+                     : planner.values.waves ? "h is the cost of the way to the goal, as far as is known."
+                     : planner.from_goal    ? "g is the least cost to the goal that was found so far."
+                                            : "g is the least cost from the start that was found so far.";
   if (has(kNumberRhs)) text += " rhs is what the neighbours say now: where the two differ, the cell waits.";
-  if (has(kNumberKey))
+  if (has(kNumberKey) && planner.values.order.second.empty())
+    text += " Below stands the key of a cell in the open list: the smallest is taken next.";
+  else if (has(kNumberKey))
     text +=
         " Below stands the key of a cell in the open list: the smallest is taken next, and of equal ones "
         "that with the smaller second number.";

@@ -327,7 +327,10 @@ void draw_status_bar(Frame& frame) {
     line.pair("to go", length(std::max(decision->plan->length - decision->along_plan, 0.0)),
               term_hint("to-go"));
   line.pair("|U|", grouped(run.timeline().state().queue_size()), term_hint("open-list"));
-  if (run.info().from_goal) line.pair("km", cost_text(run.timeline().state().km(), 2), term_hint("km"));
+  const std::string bias = cost_text(run.timeline().state().km(), 2);
+  if (run.info().from_goal && run.info().values.lookahead()) line.pair("km", bias, term_hint("km"));
+  if (run.info().values.waves && run.info().values.declares(fields::kFocused.kind))
+    line.pair("d", bias, term_hint("d"));
   for (const PlanNumber& number : run.info().values.numbers) {
     const std::string label(number.label), help(number.help);
     const Cost value{static_cast<std::int64_t>(run.timeline().state().scalar(number.which))};

@@ -6,6 +6,7 @@
 
 #include "core/debug/offers.hpp"
 #include "core/debug/open_order.hpp"
+#include "core/debug/wave.hpp"
 #include "core/trace/search_state.hpp"
 #include "ui/icons.hpp"
 #include "ui/parts.hpp"
@@ -18,10 +19,21 @@
 namespace replan::ui {
 namespace {
 
+/// Of a search whose costs rise and fall in waves.
+std::pair<const char*, ImU32> wave_state(const Theme& theme, const CellView& view) {
+  const Wave wave = wave_of(view.state, view.node);
+  const ImU32 colour = wave == Wave::raise   ? theme.warning
+                       : wave == Wave::lower ? theme.accent
+                       : wave == Wave::fresh ? theme.dim
+                                             : theme.text;
+  return {wave_name(wave), colour};
+}
+
 std::pair<const char*, ImU32> consistency(const Theme& theme, const CellView& view) {
   const Cost g = view.state.g(view.node), rhs = view.state.rhs(view.node);
   if (view.state.known_blocked(view.node)) return {"obstacle", theme.dim};
   if (too_near(view.run.log_view(), view.state, view.node)) return {"too near", theme.dim};
+  if (view.run.info().values.waves) return wave_state(theme, view);
   if (!view.lookahead)
     return g.is_infinite()                ? std::pair{"not seen", theme.dim}
            : view.state.queued(view.node) ? std::pair{"open", theme.accent}
@@ -61,8 +73,12 @@ struct ValueRow {
 
 std::string key_text(const CellView& view) {
   if (!view.state.queued(view.node)) return "—";
-  const std::string k1 = cost_text(view.state.k1(view.node), 1);
-  return view.lookahead ? k1 + " ; " + cost_text(view.state.k2(view.node), 1) : k1;
+  const ListOrder& order = view.run.info().values.order;
+  const OpenEntry entry = open_entry(view.state, order, view.node);
+  std::string text = cost_text(entry.k1, 1);
+  if (view.lookahead || !order.third.empty()) text += " ; " + cost_text(entry.k2, 1);
+  if (!order.third.empty()) text += " ; " + cost_text(entry.k3, 1);
+  return text;
 }
 
 /// The rows of the declared values of one type.
@@ -80,8 +96,10 @@ std::vector<ValueRow> rows_of(const Theme& theme, const CellView& view) {
   const bool marked = state_colour != theme.text && state_colour != theme.dim;
   std::vector<ValueRow> rows;
   add_rows(rows, view, FieldType::cost);
+  const SearchValues& declared = view.run.info().values;
+  const bool of_parts = view.lookahead || declared.waves;
   rows.push_back({"state", state_word, view.lookahead ? EventKind::rhs : EventKind::g, state_colour, marked});
-  rows.push_back({view.lookahead ? "key" : "f", key_text(view), EventKind::queue});
+  rows.push_back({of_parts ? "key" : "f", key_text(view), EventKind::queue});
   rows.push_back({"in U", rank_text(view), EventKind::queue});
   for (const FieldType type : {FieldType::node, FieldType::name, FieldType::count})
     add_rows(rows, view, type);
@@ -141,7 +159,7 @@ void values(Frame& frame, const CellView& view, int& chosen) {
 }
 
 /// What the last replan made of the cell's values.
-std::string touched_text(const Touched* mine) {
+std::string touched_text(const CellView& view, const Touched* mine) {
   if (mine == nullptr) return "did not touch it";
   const auto part = [](const char* name, Cost before, Cost after) {
     return std::string(name) + " " + cost_text(before) + " → " + cost_text(after);
@@ -149,7 +167,8 @@ std::string touched_text(const Touched* mine) {
   const bool g = mine->g_before != mine->g_after, rhs = mine->rhs_before != mine->rhs_after;
   if (!g && !rhs) return "touched it, and its values came out the same";
   std::string words = "touched it\n";
-  if (g) words += part("g", mine->g_before, mine->g_after);
+  const std::string g_name(view.run.info().values.field(EventKind::g).label);
+  if (g) words += part(g_name.c_str(), mine->g_before, mine->g_after);
   if (rhs) words += (g ? "  " : "") + part("rhs", mine->rhs_before, mine->rhs_after);
   return words;
 }
@@ -168,7 +187,7 @@ void touched_line(Frame& frame, const CellView& view) {
                           (touched->behind() ? " so far" : "") + ". Click for all of them.";
   hint(look, {name.c_str(), "", all.c_str()});
   ImGui::SameLine(0, look.px.xs);
-  const std::string words = touched_text(mine);
+  const std::string words = touched_text(view, mine);
   const ImU32 colour = mine == nullptr ? look.theme.faint : look.theme.warning;
   const std::size_t line = words.find('\n');
   text(look.fonts.ui, colour, words.substr(0, line));

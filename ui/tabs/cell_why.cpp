@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/debug/offers.hpp"
+#include "core/debug/wave.hpp"
 #include "core/plan/common_parameters.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
@@ -24,9 +25,12 @@ std::string words_of_corners(const CellView& view) {
 /// Why there is nothing to add up; empty if there is.
 std::string special_case(const CellView& view, const std::vector<Offer>& all) {
   if (view.run.timeline().cursor() == 0) return "The search has not begun: no cell has a value yet.";
-  if (view.node == view.state.node(view.lookahead ? Scalar::goal : Scalar::start))
-    return view.lookahead ? "This is the goal: its rhs is 0, by definition."
-                          : "This is the start: its g is 0.";
+  const PlannerInfo& planner = view.run.info();
+  if (view.node == view.state.node(planner.root()))
+    return planner.values.waves ? "This is the goal: its h is 0."
+           : !view.lookahead    ? "This is the start: its g is 0."
+           : planner.from_goal  ? "This is the goal: its rhs is 0, by definition."
+                                : "This is the start: its rhs is 0, by definition.";
   if (view.state.known_blocked(view.node))
     return "On the robot's map this cell is an obstacle, so no move leads in or out.";
   if (too_near(view.run.log_view(), view.state, view.node))
@@ -52,6 +56,11 @@ bool is_taken(const CellView& view, const Offer& offer) {
   return offer.node == view.state.lp(view.node) && offer.side == side;
 }
 
+/// What its costs are called: "g".
+const char* cost_name(const CellView& view) {
+  return view.run.info().values.field(EventKind::g).label.data();
+}
+
 /// Each as wide as the widest that stands in it.
 std::vector<Column> offer_columns(const CellView& view, const std::vector<Offer>& all) {
   std::size_t at = 9, c = 3, g = 3, dist = 4, sum = 3;
@@ -64,7 +73,8 @@ std::vector<Column> offer_columns(const CellView& view, const std::vector<Offer>
     sum = std::max(sum, cost_text(offer.sum).size());
   }
   const auto wide = [](std::size_t letters) { return static_cast<float>(letters + 1); };
-  std::vector<Column> columns = {{"neighbour", wide(at), Align::left}, {"c", wide(c)}, {"g", wide(g)}};
+  std::vector<Column> columns = {
+      {"neighbour", wide(at), Align::left}, {"c", wide(c)}, {cost_name(view), wide(g)}};
   if (view.run.info().clearance) columns.push_back({"dist", wide(dist)});
   columns.push_back({"sum", wide(sum)});
   return columns;
@@ -73,7 +83,7 @@ std::vector<Column> offer_columns(const CellView& view, const std::vector<Offer>
 /// Each neighbour's sum, the least first; a click goes on to the neighbour.
 void offer_table(Frame& frame, const CellView& view, const std::vector<Offer>& all) {
   const Look& look = frame.look;
-  const bool with_dist = view.run.info().clearance;
+  const bool with_dist = view.run.info().clearance != nullptr;
   const std::vector<Column> columns = offer_columns(view, all);
   table_head(look, columns);
   std::size_t shown = 0;
@@ -127,12 +137,33 @@ void written_line(Frame& frame, const CellView& view) {
   paragraph(look.fonts.ui, look.theme.dim, as_sentence(origin_text(frame, *written)) + ".");
 }
 
+/// What the cell waits for, in a search whose costs rise and fall in waves.
+void wave_words(const Look& look, const CellView& view, Cost least) {
+  const Wave wave = wave_of(view.state, view.node);
+  const Cost h = view.state.g(view.node);
+  ImGui::Dummy({0, look.px.xs});
+  if (wave == Wave::raise)
+    paragraph(
+        look.fonts.ui, look.theme.warning,
+        "RAISE: its way became dearer. When it is taken it looks for a better one, then tells all cells "
+        "whose back-pointers lead to it.");
+  if (wave == Wave::lower)
+    paragraph(look.fonts.ui, look.theme.accent,
+              "LOWER: when it is taken it offers its cost to its neighbours.");
+  if (least < h)
+    paragraph(look.fonts.ui, look.theme.dim,
+              "A neighbour offers less, " + cost_text(least) + ": the search has not come to that one yet.");
+  else if (least > h)
+    paragraph(look.fonts.ui, look.theme.dim,
+              "No neighbour offers so little any more: the wave that raises this cell is yet to come.");
+}
+
 }  // namespace
 
 void draw_why(Frame& frame, const CellView& view) {
   const Look& look = frame.look;
   const Cost value = view.lookahead ? view.state.rhs(view.node) : view.state.g(view.node);
-  const char* name = view.lookahead ? "rhs" : "g";
+  const char* name = view.lookahead ? "rhs" : cost_name(view);
   section_title(look, std::string("Why is ") + name + " " + cost_text(value) + "?");
   const std::vector<Offer> all = offers_to(view.run.log_view(), view.state, view.node);
   if (const std::string special = special_case(view, all); !special.empty()) {
@@ -143,6 +174,7 @@ void draw_why(Frame& frame, const CellView& view) {
   written_line(frame, view);
   if (const std::string_view words = remote_words(view); !words.empty())
     paragraph(look.fonts.ui, look.theme.dim, words);
+  if (view.run.info().values.waves) return wave_words(look, view, all.front().sum);
   if (all.front().sum == value) return;
   ImGui::Dummy({0, look.px.xs});
   paragraph(look.fonts.ui, look.theme.warning,

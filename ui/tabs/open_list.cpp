@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/debug/wave.hpp"
 #include "ui/icons.hpp"
 #include "ui/parts.hpp"
 #include "ui/shell/format.hpp"
@@ -24,6 +25,10 @@ struct StateWord {
 StateWord state_word(const Theme& theme, const Run& run, NodeId node) {
   const SearchState& state = run.timeline().state();
   const Cost g = state.g(node), rhs = state.rhs(node);
+  if (run.info().values.waves) {
+    const Wave wave = wave_of(state, node);
+    return {wave_name(wave), wave == Wave::raise ? theme.warning : theme.accent};
+  }
   if (!run.info().values.lookahead()) return {"open", theme.accent};
   if (g == rhs) return {"even", theme.dim};  // in the middle of a step
   return g > rhs ? StateWord{"g > rhs", theme.accent} : StateWord{"g < rhs", theme.warning};
@@ -33,7 +38,6 @@ StateWord state_word(const Theme& theme, const Run& run, NodeId node) {
 struct OpenListLayout {
   std::vector<Column> columns = {};
   int decimals = 2;
-  bool lookahead = true;
   bool state = true;  ///< which of both is less, in words; g and rhs side by side tell it too
 };
 
@@ -48,10 +52,24 @@ RowsInSight rows_ahead(const Look& look, const RowScroll& scroll, std::size_t co
   return {first, std::min(first + rows, count)};
 }
 
+/// What those columns are called.
+std::vector<const char*> cost_names(const SearchValues& values) {
+  std::vector<const char*> names = {values.field(EventKind::queue).label.data()};
+  for (const std::string_view part : {values.order.second, values.order.third})
+    if (!part.empty()) names.push_back(part.data());
+  names.push_back(values.field(EventKind::g).label.data());
+  if (values.lookahead()) names.push_back("rhs");
+  return names;
+}
+
 /// The costs of a row, in the order of their columns.
 std::vector<Cost> costs_of(const Run& run, const OpenEntry& entry) {
   const SearchState& state = run.timeline().state();
-  std::vector<Cost> costs = {entry.k1, entry.k2, state.g(entry.node)};
+  const ListOrder& order = run.info().values.order;
+  std::vector<Cost> costs = {entry.k1};
+  if (!order.second.empty()) costs.push_back(entry.k2);
+  if (!order.third.empty()) costs.push_back(entry.k3);
+  costs.push_back(state.g(entry.node));
   if (run.info().values.lookahead()) costs.push_back(state.rhs(entry.node));
   return costs;
 }
@@ -59,7 +77,7 @@ std::vector<Cost> costs_of(const Run& run, const OpenEntry& entry) {
 /// The most letters that each column of costs shows in these rows.
 std::vector<std::size_t> widest_costs(const Run& run, const OpenOrder& order, RowsInSight rows,
                                       int decimals) {
-  std::vector<std::size_t> widest(run.info().values.lookahead() ? 4 : 3, 3);
+  std::vector<std::size_t> widest(cost_names(run.info().values).size(), 3);
   for (std::size_t rank = rows.first; rank < rows.last; ++rank) {
     const std::vector<Cost> costs = costs_of(run, order[rank]);
     for (std::size_t i = 0; i < costs.size(); ++i)
@@ -78,7 +96,7 @@ OpenListLayout open_list_layout(const Look& look, const Run& run, const OpenOrde
     return digit * static_cast<float>(count) + padding;
   };
   OpenListLayout layout;
-  layout.lookahead = layout.state = lookahead;
+  layout.state = lookahead || run.info().values.waves;
   const float rank = chars(grouped(order.size()).size()), cell = chars(widest_cell(run).size()),
               state = chars(std::string_view("g > rhs").size());
   std::vector<std::size_t> costs = widest_costs(run, order, rows, layout.decimals);
@@ -90,9 +108,8 @@ OpenListLayout open_list_layout(const Look& look, const Run& run, const OpenOrde
   if (whole() > room) layout.state = false;
   while (whole() > room && layout.decimals > 0) costs = widest_costs(run, order, rows, --layout.decimals);
   layout.columns = {{"#", rank}, {"cell", cell}};
-  constexpr std::array kLookahead = {"k1", "k2", "g", "rhs"}, kOther = {"f", "h", "g", ""};
-  for (std::size_t i = 0; i < costs.size(); ++i)
-    layout.columns.push_back({(lookahead ? kLookahead : kOther)[i], chars(costs[i])});
+  const std::vector<const char*> names = cost_names(run.info().values);
+  for (std::size_t i = 0; i < costs.size(); ++i) layout.columns.push_back({names[i], chars(costs[i])});
   if (layout.state) layout.columns.push_back({"state", state});
   return layout;
 }
@@ -100,14 +117,13 @@ OpenListLayout open_list_layout(const Look& look, const Run& run, const OpenOrde
 void open_row(Frame& frame, std::size_t rank, const OpenEntry& entry, const OpenListLayout& layout) {
   const Look& look = frame.look;
   const Run& run = frame.run();
-  const SearchState& state = run.timeline().state();
   const Cell cell = run.lattice().position(entry.node);
-  const auto cost = [&layout](Cost value) { return cost_text(value, layout.decimals); };
-  const std::string number = grouped(rank + 1), at = cell_text(cell), k1 = cost(entry.k1),
-                    k2 = cost(entry.k2), g = cost(state.g(entry.node)), rhs = cost(state.rhs(entry.node));
+  const std::string number = grouped(rank + 1), at = cell_text(cell);
+  std::vector<std::string> costs;
+  for (const Cost value : costs_of(run, entry)) costs.push_back(cost_text(value, layout.decimals));
   const auto [word, colour] = state_word(look.theme, run, entry.node);
-  std::vector<TableCell> cells = {{number, look.theme.faint}, {at}, {k1}, {k2}, {g}};
-  if (layout.lookahead) cells.push_back({rhs});
+  std::vector<TableCell> cells = {{number, look.theme.faint}, {at}};
+  for (const std::string& cost : costs) cells.push_back({cost});
   if (layout.state) cells.push_back({word, colour});
   const bool pinned = frame.view.view.pinned == cell;
   if (table_row(look, static_cast<int>(rank % kMostIds), layout.columns, cells, pinned))
@@ -123,10 +139,11 @@ struct TouchedLayout {
 
 /// The cells whole, and the costs in what is left, where decimals give way.
 TouchedLayout touched_layout(const Look& look, const Run& run, std::span<const Touched> in_sight) {
-  const bool lookahead = run.info().values.lookahead();
+  const bool lookahead = run.info().values.lookahead(), waves = run.info().values.waves;
   const float gap = look.px(12), cell = text_width(look.fonts.mono, widest_cell(run)) + gap;
   const float cost = (ImGui::GetContentRegionAvail().x - cell) / (lookahead ? 4 : 2);
-  TouchedLayout layout{.columns = {{"cell", cell, Align::left}, {"g", cost}, {"→g", cost}}};
+  TouchedLayout layout{
+      .columns = {{"cell", cell, Align::left}, {waves ? "h" : "g", cost}, {waves ? "→h" : "→g", cost}}};
   if (lookahead) layout.columns.insert(layout.columns.end(), {Column{"rhs", cost}, Column{"→rhs", cost}});
   const auto fits = [&](Cost value) {
     return text_width(look.fonts.mono, cost_text(value, layout.decimals)) + gap <= cost;
