@@ -15,6 +15,7 @@ namespace replan {
 namespace {
 
 constexpr double kSampleStep = 0.1;  // cells between two samples of the clearance
+constexpr double kCurveArm = 0.5;    // cells to either side over which a heading's change is taken
 constexpr double kStraight = 1e-9;   // radians: a smaller change of heading is no turn
 constexpr double kDegrees = 57.295779513082320876798;
 
@@ -191,6 +192,45 @@ void measure_turns(const Path& path, PathFigures& figures) {
   }
 }
 
+/// A path by how far along it one is.
+class PathWalk {
+ public:
+  explicit PathWalk(const Path& path) : path_(path), along_(path.size()) {
+    for (std::size_t i = 1; i < path.size(); ++i)
+      along_[i] = along_[i - 1] + distance(path.point(i - 1), path.point(i));
+  }
+  [[nodiscard]] const std::vector<double>& along() const { return along_; }
+  [[nodiscard]] double length() const { return along_.back(); }
+  [[nodiscard]] Point at(double way) const {
+    const auto next = std::upper_bound(along_.begin(), along_.end(), way);
+    if (next == along_.end()) return path_.point(path_.size() - 1);
+    const auto i = static_cast<std::size_t>(next - along_.begin());
+    const Point from = path_.point(i - 1), to = path_.point(i);
+    const double part = (way - along_[i - 1]) / (along_[i] - along_[i - 1]);
+    return {from.x + part * (to.x - from.x), from.y + part * (to.y - from.y),
+            from.z + part * (to.z - from.z)};
+  }
+
+ private:
+  const Path& path_;
+  std::vector<double> along_;  // of each point
+};
+
+void measure_curvature(const Path& path, PathFigures& figures) {
+  const PathWalk walk(path);
+  const auto look = [&](double way) {
+    const Point before = walk.at(std::max(way - kCurveArm, 0.0)), here = walk.at(way),
+                behind = walk.at(std::min(way + kCurveArm, walk.length()));
+    if (before == here || here == behind) return;
+    const double change = angle({here.x - before.x, here.y - before.y, here.z - before.z},
+                                {behind.x - here.x, behind.y - here.y, behind.z - here.z});
+    figures.greatest_curvature = std::max(figures.greatest_curvature, change / kCurveArm);
+  };
+  for (const double corner : walk.along()) look(corner);
+  const auto samples = static_cast<std::int64_t>(walk.length() / kSampleStep);
+  for (std::int64_t i = 1; i <= samples; ++i) look(static_cast<double>(i) * kSampleStep);
+}
+
 /// True if `to` is a neighbour of `from` and the move between them is allowed.
 template <int D>
 bool is_move(const BoxLattice<D>& lattice, NodeId from, NodeId to) {
@@ -231,6 +271,7 @@ PathFigures path_figures(const Box& box, std::span<const std::uint8_t> cells, co
   figures.nodes = static_cast<std::int64_t>(path.size());
   figures.length = path_length(path);
   measure_turns(path, figures);
+  measure_curvature(path, figures);
   with_dimensions(box, [&](auto d) { measure_clearance<d()>(box, cells, path, figures); });
   return figures;
 }

@@ -15,6 +15,11 @@ struct PathFigures {
   double length = 0;
   std::int64_t turns = 0;        ///< inner vertices where the heading changes by more than 1e-9 rad
   double turning_angle_deg = 0;  ///< sum of all heading changes
+  /// The most that the heading changes along the path, in radians for each cell of way: at every corner, and every 0.1
+  /// cell, the angle between the way there from the point 0.5 cells before and the way on to that 0.5 cells behind,
+  /// over 0.5 cells. Of a curve that bends no sharper than that its greatest curvature, 1 / radius; a corner of a
+  /// right angle comes to pi, and turning back to 2 pi, the most there is.
+  double greatest_curvature = 0;
   /// Distance from the polyline, sampled every 0.1 cell, to the square (cube) of the nearest obstacle cell;
   /// 0 if it enters one; the lattice's diagonal if there is no obstacle at all.
   double min_clearance = 0;

@@ -22,7 +22,7 @@ constexpr GlossaryTerm kTerms[] = {
      "way."},
     {"dist", "dist, the clearance penalty",
      "What entering the cell costs on top of the move because it lies near an obstacle: range − distance + 1 "
-     "within the range, and 0 beyond. It makes paths keep their distance."},
+     "within the range, or the threat, and 0 beyond. It makes paths keep their distance."},
     {"key", "Key",
      "A cell's priority in the open list: two numbers [k1; k2], compared one after the other. The smallest "
      "key is "
@@ -182,6 +182,15 @@ constexpr GlossaryTerm kTerms[] = {
     {"clearance", "Clearance",
      "The distance to the nearest obstacle. Planners with clearance pay for cells that have little of it."},
     {"clearance-range", "Clearance range", "How far from obstacles the penalty reaches, in cells."},
+    {"threat", "Threat",
+     "A penalty near obstacles that falls as a power of e: c up to the distance r_min, from there on c e^-(distance − "
+     "r_min), and 0 beyond r_max. Up to r_min cells may be impassable instead."},
+    {"spline", "B-spline",
+     "A smooth curve that follows a row of control points without touching most of them: each piece is drawn from four "
+     "of them. The straight lines between the points are its control polygon."},
+    {"curvature", "Curvature",
+     "How sharply a way bends: one over the radius of the circle that fits it best. 0 is a straight line. Of a path it is "
+     "the change of heading over half a cell to either side, so that corners have one too."},
     {"distance-transform", "Distance transform",
      "The distance of every cell to its nearest obstacle, for all cells at once. After a change only the "
      "cells around it are computed again."},
@@ -368,6 +377,7 @@ constexpr Alias kAliases[] = {
     {"#", "rank"},
     {"key (k1)", "key"},
     {"dist (penalty)", "dist"},
+    {"greatest curvature", "curvature"},
     {"sight lines", "sight"},
     {"over", "overconsistent"},
     {"g > rhs", "overconsistent"},

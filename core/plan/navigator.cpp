@@ -72,7 +72,7 @@ class LatticeNavigator final : public Navigator {
   [[nodiscard]] bool blind() const override { return find_planner(choice_.id)->blind; }
   [[nodiscard]] NodeId nearest_reachable(NodeId robot, NodeId goal) const override {
     const std::vector<NodeId> way = way_out(known_, robot, goal);
-    return replan::nearest_reachable(known_, way.empty() ? robot : way.back(), goal);
+    return replan::nearest_reachable(known_, way.empty() ? robot : way.back(), goal, impassable());
   }
 
   void restore(const SearchState& state, const Counters& counters) override {
@@ -90,6 +90,16 @@ class LatticeNavigator final : public Navigator {
     return make_planner(*find_planner(choice_.id), known_, choice_.settings, tracer_);
   }
   [[nodiscard]] NodeId node(const Point& point) const { return known_.node(cell_of(point)); }
+  /// Cells that the planner enters at no price; empty if there are none.
+  [[nodiscard]] std::vector<bool> impassable() const {
+    const auto clearance = find_planner(choice_.id)->clearance;
+    const ClearanceRules rules = clearance == nullptr ? ClearanceRules{} : clearance(choice_.settings);
+    if (!rules.threat || !rules.threat->impassable) return {};
+    const ClearanceField<D> field(known_, rules);
+    std::vector<bool> closed(known_.node_count());
+    for (NodeId n = 0; n < closed.size(); ++n) closed[n] = field.penalty(n).is_infinite();
+    return closed;
+  }
   /// Where the planner plans from when the robot is there.
   NodeId leave(NodeId robot) {
     way_out_ = way_out(known_, robot, goal_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -11,6 +12,20 @@
 #include "core/lattice/lattice.hpp"
 
 namespace replan {
+
+/// Where a curve was pulled in to its control polygon.
+struct PullIn {
+  Point at;   ///< on the curve as it would have been: where it came too near
+  Cell cell;  ///< the obstacle that it would have hit
+  friend bool operator==(const PullIn&, const PullIn&) = default;
+};
+
+/// What a path was drawn from that is a curve, sampled.
+struct Spline {
+  std::vector<Point> control;     ///< the corners of its control polygon, those of pull-ins among them
+  std::vector<PullIn> pulled_in;  ///< in the order in which they were found
+  friend bool operator==(const Spline&, const Spline&) = default;
+};
 
 /// A polyline from the start to the end, both included; empty if there is none. Its points are the centres of
 /// lattice nodes where the planner searches among such, and else anywhere. A run keeps every path that it has had,
@@ -45,6 +60,7 @@ class Path {
     };
     thin(nodes_);
     thin(points_);
+    spline.reset();  // what is left is no curve
   }
   /// Which cells its segments were laid over: all that they touch, or those of a drawn line.
   [[nodiscard]] SightRule sight() const { return sight_; }
@@ -56,6 +72,8 @@ class Path {
   bool unchecked = false;
   /// Its points are centres and corners of cells, and it may touch obstacles as core/lattice/squares.hpp allows.
   bool touches = false;
+  /// Of a path that a stage has made a curve of.
+  std::optional<Spline> spline;
 
   friend bool operator==(const Path&, const Path&) = default;
 

@@ -103,7 +103,9 @@ void add_path(SceneContext& context) {
   context.scene.show(Sign::path);
   add_through_layers(context, std::move(line));
   const double dots = context.grown(10, 14);  // in smaller cells they would hide the path
-  if (!context.has(Overlay::rp) || !context.run.info().any_angle || dots <= 0) return;
+  // A curve's points are no corners: those of its control polygon have an overlay of their own.
+  const bool curve = decision != nullptr && decision->plan->path->spline;
+  if (!context.has(Overlay::rp) || !context.run.info().any_angle || dots <= 0 || curve) return;
   context.scene.show(Sign::rp);
   const Colour colour = faded(context.palette.accent, searching ? dots / 2 : dots);
   for (std::size_t i = 1; i + 1 < points.size(); ++i)

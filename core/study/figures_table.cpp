@@ -18,6 +18,10 @@ constexpr FigureInfo kFigures[] = {
     {"length", first_plan, "length", "cells", lower, 3, false, "Along the straight segments."},
     {"turns", first_plan, "turns", "", lower, 0, false, "Inner corners where the heading changes."},
     {"turning_angle_deg", first_plan, "turning", "°", lower, 1, false, "The sum of all changes of heading."},
+    {"greatest_curvature", first_plan, "greatest curvature", "1/cells", lower, 3, false,
+     "How sharply the path bends at most: 1 is a circle with a radius of one cell, pi a corner of a right "
+     "angle. At every "
+     "place of the path the heading's change over half a cell to either side is taken."},
     {"min_clearance", first_plan, "least clearance", "cells", higher, 3, false,
      "From the path to the nearest obstacle's edge, at the narrowest place."},
     {"mean_clearance", first_plan, "mean clearance", "cells", higher, 3, false,
@@ -67,7 +71,7 @@ constexpr FigureInfo kFigures[] = {
 };
 
 constexpr const char* kNone = "–";
-constexpr std::string_view kCells = "cells";  // of lengths
+constexpr std::string_view kCells = "cells", kPerCell = "1/cells";  // of lengths, and of curvatures
 
 /// All figures of a run under the keys of kFigures.
 std::vector<NamedFigure> all_figures(const RunReport& report) {
@@ -183,14 +187,15 @@ FiguresTable figures_table(std::span<const RunReport> reports) {
   const bool metric =
       std::all_of(reports.begin(), reports.end(), [](const auto& each) { return each.frame.has_value(); });
   for (const FigureInfo& info : kFigures) {
-    const bool in_metres = metric && info.unit == kCells;
-    FigureRow row{&info, in_metres ? "m" : info.unit, {}, {}};
+    const bool in_metres = metric && info.unit == kCells, per_metre = metric && info.unit == kPerCell;
+    FigureRow row{&info, in_metres ? "m" : per_metre ? "1/m" : info.unit, {}, {}};
     for (const RunReport& report : reports)
       row.competes.push_back(can_be_compared(report, info.group, progress) && (info.group != robot || alike));
     bool any = false;
     for (std::size_t i = 0; i < reports.size(); ++i) {
       row.values.push_back(value_of(figures[i], info.key));
       if (auto& value = row.values.back(); value && in_metres) value = reports[i].frame->metres(*value);
+      if (auto& value = row.values.back(); value && per_metre) value = *value / reports[i].frame->metres(1);
       // A figure that a run could have stays in the table, so that its rows do not come and go.
       any |= row.values.back().has_value() ||
              ((info.group == first_plan || info.group == FigureGroup::run) && !of_size(info));

@@ -183,6 +183,7 @@ std::vector<NamedFigure> named_figures(const RunReport& report) {
                                       of_path(real("length", report.figures.length)),
                                       of_path(whole("turns", report.figures.turns)),
                                       of_path(real("turning_angle_deg", report.figures.turning_angle_deg)),
+                                      of_path(real("greatest_curvature", report.figures.greatest_curvature)),
                                       of_path(real("min_clearance", report.figures.min_clearance)),
                                       of_path(real("mean_clearance", report.figures.mean_clearance)),
                                       real("plan_ms", report.plan_ms),
@@ -193,7 +194,7 @@ std::vector<NamedFigure> named_figures(const RunReport& report) {
                                       whole("sight_checks", report.counters.sight_checks),
                                       whole("memory_bytes", report.memory_bytes)};
   if (report.radius > 0) {
-    const auto after = figures.begin() + 6;
+    const auto after = figures.begin() + 7;
     figures.insert(after,
                    {of_path(real("min_edge_clearance", report.figures.min_clearance - report.radius)),
                     of_path(real("mean_edge_clearance", report.figures.mean_clearance - report.radius))});
@@ -234,6 +235,10 @@ std::vector<NamedFigure> in_metres(std::span<const NamedFigure> figures, const M
     for (const auto& [in_cells, key] : kLengths)
       if (figure.key == in_cells)
         lengths.push_back({key, figure.value ? std::optional(frame.metres(*figure.value)) : std::nullopt});
+  for (const NamedFigure& figure : figures)
+    if (figure.key == "greatest_curvature")
+      lengths.push_back({"greatest_curvature_per_m",
+                         figure.value ? std::optional(*figure.value / frame.metres(1)) : std::nullopt});
   return lengths;
 }
 

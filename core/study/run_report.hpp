@@ -81,7 +81,7 @@ struct NamedFigure {
   std::optional<double> value;  ///< always finite; nothing for the shape of a path that there is not
   bool whole = false;           ///< counts; times and lengths are not
 };
-/// The 13 figures of a run: nodes, length, ... memory_bytes; and of a robot with a size the clearance of its edge
+/// The 14 figures of a run: nodes, length, ... memory_bytes; and of a robot with a size the clearance of its edge
 /// besides, behind that of its centre. Lengths are in cells.
 std::vector<NamedFigure> named_figures(const RunReport& report);
 /// moves, travelled, collisions, replans, seconds.

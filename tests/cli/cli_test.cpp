@@ -36,8 +36,9 @@ constexpr const char* kScenario = R"({
 })";
 
 const std::set<std::string> kFigures = {
-    "nodes",     "length",  "turns",      "turning_angle_deg", "min_clearance", "mean_clearance", "plan_ms",
-    "replan_ms", "replans", "expansions", "queue_operations",  "sight_checks",  "memory_bytes"};
+    "nodes",         "length",           "turns",        "turning_angle_deg", "greatest_curvature",
+    "min_clearance", "mean_clearance",   "plan_ms",      "replan_ms",         "replans",
+    "expansions",    "queue_operations", "sight_checks", "memory_bytes"};
 
 void expect_all_numbers(const json& object) {
   for (const auto& [key, value] : object.items()) EXPECT_TRUE(value.is_number()) << key << ": " << value;
@@ -89,8 +90,8 @@ TEST_F(CommandLine, runWithoutAPathHasNoPathZerosAndExitCodeOne) {
       EXPECT_EQ(run["status"], status);
       EXPECT_EQ(run["path"], json::array());
       expect_all_numbers(run["figures"]);
-      for (const char* key :
-           {"nodes", "length", "turns", "turning_angle_deg", "min_clearance", "mean_clearance"})
+      for (const char* key : {"nodes", "length", "turns", "turning_angle_deg", "greatest_curvature",
+                              "min_clearance", "mean_clearance"})
         EXPECT_EQ(run["figures"][key], 0) << key;
     }
   }

@@ -30,6 +30,7 @@ const std::vector<Variant>& variants() {
       {"wide", {{"range", "3.5"}, {"transform", "euclidean"}, {"border", "true"}, {"corners", "one"}}},
       {"plain", {{"heuristic", "zero"}, {"moves", "4"}, {"corners", "any"}}},
       {"along", {{"sight_checks", "path"}}, "sight_checks"},
+      {"threat", {{"penalty", "threat"}, {"r_max", "4"}}, "penalty"},
   };
   return all;
 }

@@ -46,6 +46,7 @@ Scenario random_hall(Random& random) {
   scenario.robot.sensor_radius = 5;
   if (random.chance(0.5)) scenario.robot.settings.set("w_max", 0.25 + random.unit());
   scenario.planners = {{.id = random.chance(0.5) ? "dstar-lite" : "astar", .settings = {}}};
+  if (random.chance(0.3)) scenario.planners[0].stages = {{"bspline", {}}};
   return scenario;
 }
 

@@ -49,10 +49,11 @@ class MissionWitness {
  public:
   MissionWitness(const Scenario& scenario, const PlannerInfo& info)
       : scenario_(scenario),
+        info_(info),
         rules_(oracle_rules(scenario)),
         mission_(make_mission(scenario, scenario.planners[0], &recorder_)),
         state_(initial_state(scenario, scenario.planners[0])) {
-    if (info.any_angle) rules_.diagonals = true;
+    if (info.any_angle || !scenario.planners[0].stages.empty()) rules_.diagonals = true;
     world_.dimensions = scenario.map.depth > 1 ? 3 : 2;
     world_.size = {scenario.map.width, scenario.map.height, scenario.map.depth};
     for (const std::uint8_t cell : scenario.map.blocked) walls_.push_back(cell == kFree ? 0 : 1);
@@ -203,13 +204,16 @@ class MissionWitness {
   /// Where brute force makes for: the nearest to the goal of the cells that the robot can reach on its map.
   [[nodiscard]] NodeId brute_force_aim() {
     look_at_known();
-    const auto costs = oracle::costs_to(world_, oracle_rules(scenario_), {}, robot_);
+    std::vector<oracle::Raw> barred = closed();
+    if (!barred.empty()) barred[robot_] = 0;  // where it stands it need not come
+    const auto costs = oracle::costs_to(world_, oracle_rules(scenario_), barred, robot_);
     const auto goal = world_.place(state_.wanted_goal());
     std::tuple<std::int64_t, oracle::Raw, NodeId> best{INT64_MAX, 0, kNoNode};
     for (NodeId n = 0; n < walls_.size(); ++n) {
       const auto at = world_.place(n);
       const std::int64_t dx = at[0] - goal[0], dy = at[1] - goal[1], dz = at[2] - goal[2];
-      if (n == robot_ || (world_.blocked[robot_] == 0 && costs[n] < oracle::kNever))
+      if (n == robot_ ||
+          (world_.blocked[robot_] == 0 && costs[n] < oracle::kNever && (barred.empty() || barred[n] == 0)))
         best = std::min(best, {dx * dx + dy * dy + dz * dz, costs[n], n});
     }
     return std::get<2>(best);
@@ -272,10 +276,15 @@ class MissionWitness {
       return "it did not look for the nearest cell";
     if (world_.blocked[goal] != 0) return "";
     const MoveRules rules = oracle_rules(scenario_);
-    return oracle::costs_to(world_, rules, {}, goal)[robot_] == oracle::kNever ? "" : "there is a path";
+    return oracle::costs_to(world_, rules, closed(), goal)[robot_] == oracle::kNever ? "" : "there is a path";
+  }
+
+  [[nodiscard]] std::vector<oracle::Raw> closed() const {
+    return closed_cells(info_, scenario_.planners[0].settings, world_);
   }
 
   const Scenario& scenario_;
+  const PlannerInfo& info_;
   MoveRules rules_;
   Recorder recorder_;
   std::unique_ptr<Mission> mission_;

@@ -249,14 +249,19 @@ inline std::string fault_of_segments(const PlannerInfo& info, const Settings& se
   return "";
 }
 
+/// kNever for each cell that the planner may not enter though it is free, 0 for the others; empty if it pays no penalty.
+inline std::vector<oracle::Raw> closed_cells(const PlannerInfo& info, const Settings& settings,
+                                             const oracle::World& world) {
+  std::vector<oracle::Raw> closed = expected_penalties(info, settings, world);
+  for (oracle::Raw& penalty : closed) penalty = penalty == oracle::kNever ? penalty : 0;
+  return closed;
+}
+
 /// The length of a shortest lattice path from cell to cell that the planner may enter; kNever if there is none.
 inline oracle::Raw shortest_way(const PlannerInfo& info, const Settings& settings, const oracle::World& world,
                                 NodeId start, NodeId goal) {
-  // Penalties that are infinite are walls, the others no matter of length.
-  std::vector<oracle::Raw> walls = expected_penalties(info, settings, world);
-  for (oracle::Raw& penalty : walls) penalty = penalty == oracle::kNever ? penalty : 0;
   if (world.blocked[start] != 0) return oracle::kNever;
-  return oracle::costs_to(world, move_rules(settings), walls, goal)[start];
+  return oracle::costs_to(world, move_rules(settings), closed_cells(info, settings, world), goal)[start];
 }
 
 /// Why a planner's answer is none, or empty: whether there is a path, its cost, ends and segments, and its

@@ -54,6 +54,54 @@ TEST(DistanceTransform, EqualsBruteForceWhereObstaclesAreFarApart) {
   }
 }
 
+/// In space, every obstacle looked at for every cell.
+void expect_brute_force_in_space(int width, int height, int depth, const std::vector<std::uint8_t>& cells) {
+  const auto squared = squared_distances(width, height, depth, cells);
+  const Box box(width, height, depth);
+  std::vector<Cell> obstacles;
+  for (NodeId n = 0; n < cells.size(); ++n)
+    if (cells[n] != 0) obstacles.push_back(box.position(n));
+  for (NodeId n = 0; n < cells.size(); ++n) {
+    std::int64_t best = kNoObstacle;
+    for (const Cell& obstacle : obstacles) best = std::min(best, squared_distance(obstacle, box.position(n)));
+    ASSERT_EQ(squared[n], best) << "node " << n << " of " << width << " x " << height << " x " << depth;
+  }
+}
+
+TEST(DistanceTransform, EqualsBruteForceInRandomVolumes) {
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+    Random random(seed);
+    int width = random.between(1, 14), height = random.between(1, 14), depth = random.between(1, 14);
+    if (seed % 6 == 0)
+      width = random.between(1, 3), height = random.between(1, 3), depth = random.between(60, 150);
+    if (seed % 6 == 1)
+      width = random.between(60, 150), height = random.between(1, 3), depth = random.between(1, 3);
+    const double share = seed % 4 == 0 ? 0.003 : seed % 4 == 1 ? 0.05 : 0.3;
+    expect_brute_force_in_space(width, height, depth, random_cells(width, height * depth, share, seed));
+  }
+}
+
+TEST(DistanceTransform, InSpaceOfOneLayerIsThatInThePlane) {
+  const auto cells = random_cells(37, 29, 0.05, 3);
+  EXPECT_EQ(squared_distances(37, 29, 1, cells), squared_distances(37, 29, cells));
+  for (const auto squared : squared_distances(5, 4, 6, std::vector<std::uint8_t>(120)))
+    EXPECT_EQ(squared, kNoObstacle);
+}
+
+/// Many obstacles and a wide range: made of the transform, few of single obstacles.
+TEST(DistanceTransform, GivesThePenaltiesOfAWideFieldInSpace) {
+  for (const double share : {0.3, 0.01}) {
+    const auto cells = random_cells(20, 18 * 16, share, 9);
+    const Voxel3 lattice({20, 18, 16}, cells);
+    const ClearanceField<3> field(lattice, {.range = 6, .transform = Transform::euclidean});
+    const auto squared = squared_distances(20, 18, 16, cells);
+    for (NodeId n = 0; n < cells.size(); ++n) {
+      const std::int64_t distance = euclidean_floor(squared[n]).raw, range = 6 * Cost::kScale;
+      ASSERT_EQ(field.penalty(n).raw, squared[n] > 36 ? 0 : range - distance + Cost::kScale);
+    }
+  }
+}
+
 TEST(DistanceTransform, OfNothingIsInfinite) {
   const std::vector<std::uint8_t> empty(12 * 7);
   for (const auto squared : squared_distances(12, 7, empty)) EXPECT_EQ(squared, kNoObstacle);

@@ -15,6 +15,7 @@ RunReport report_of(const char* planner, double length, std::int64_t expansions)
                     .length = length,
                     .turns = 12,
                     .turning_angle_deg = 540,
+                    .greatest_curvature = 0.75,
                     .min_clearance = 0.5,
                     .mean_clearance = 2.25};
   report.plan_ms = 1.5;
@@ -126,7 +127,7 @@ TEST(FiguresTable, HasTheLatestPlanAndTheRobotOnlyWhereThereIsOne) {
   driven.last_plan = Counters{5, 6, 7};
   driven.robot = RobotReport{.ending = MissionState::arrived, .moves = 9, .travelled = 10.5};
   const RunReport plain[] = {report_of("astar", 50, 1)}, whole[] = {driven};
-  EXPECT_EQ(figures_table(plain).rows.size(), 13u);
+  EXPECT_EQ(figures_table(plain).rows.size(), 14u);
   EXPECT_EQ(figures_table(whole).rows.size(), 20u);
   EXPECT_EQ(row_of(figures_table(whole), "last_queue_operations").values.front(), 6);
   EXPECT_EQ(row_of(figures_table(whole), "travelled").values.front(), 10.5);
@@ -197,12 +198,12 @@ TEST(FiguresText, NamesCannotBreakATable) {
 
 TEST(FiguresText, Csv) {
   const RunReport reports[] = {report_of("dstar-lite", 50, 100), without_path()};
-  EXPECT_EQ(
-      figures_text(FiguresFormat::csv, reports),
-      "planner,status,nodes,length,turns,turning_angle_deg,min_clearance,mean_clearance,plan_ms,replan_ms,"
-      "replans,expansions,queue_operations,sight_checks,memory_bytes\n"
-      "dstar-lite,found,61,50,12,540,0.5,2.25,1.5,0,0,100,200,0,2048000\n"
-      "dld-star-lite,no-path,0,0,0,0,0,0,1.5,0,0,50,100,0,2048000\n");
+  EXPECT_EQ(figures_text(FiguresFormat::csv, reports),
+            "planner,status,nodes,length,turns,turning_angle_deg,greatest_curvature,min_clearance,mean_"
+            "clearance,plan_ms,replan_ms,"
+            "replans,expansions,queue_operations,sight_checks,memory_bytes\n"
+            "dstar-lite,found,61,50,12,540,0.75,0.5,2.25,1.5,0,0,100,200,0,2048000\n"
+            "dld-star-lite,no-path,0,0,0,0,0,0,0,1.5,0,0,50,100,0,2048000\n");
 }
 
 TEST(FiguresText, Json) {

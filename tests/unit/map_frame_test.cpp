@@ -69,7 +69,9 @@ TEST(MapFrame, GivesTheFiguresOfItsRunsMetres) {
   const std::string json = runs_json(std::span(&report, 1)), csv = runs_csv(std::span(&report, 1));
   EXPECT_NE(json.find("\"length_m\": 3.5"), std::string::npos) << json;
   EXPECT_NE(json.find("\"path_m\""), std::string::npos);
-  EXPECT_NE(csv.find(",length_m,min_clearance_m,mean_clearance_m\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",length_m,min_clearance_m,mean_clearance_m,greatest_curvature_per_m\n"),
+            std::string::npos)
+      << csv;
   report.frame.reset();
   const FigureRow cells = row(figures_table(std::span(&report, 1)), "length");
   EXPECT_EQ(cells.unit, "cells");

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/debug/offers.hpp"
+#include "core/scene/spline_marks.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
@@ -314,6 +315,14 @@ void draw_status_bar(Frame& frame) {
   line.word(inside ? cell_state(frame, *cell) : "", text_width(look.fonts.ui, "obstacle · known"),
             {"What stands there", "",
              "In the true world, and whether the robot knows of it. It plans on what it believes alone."});
+  if (const PullIn* pull = inside ? pull_in_at(run, view, *cell) : nullptr) {
+    const std::string words =
+        "The curve is pulled in: it would have hit " + node_text(run, map.box().node(pull->cell));
+    line.word(
+        words, text_width(look.fonts.ui, words),
+        {"Pulled in", "",
+         "Where the curve would have hit an obstacle, it is drawn nearer to the path that it smooths."});
+  }
   const StrokeKind stroke = frame.view.editing.stroke;
   if (stroke == StrokeKind::erases_wall) line.word("erasing, since the first cell was an obstacle");
   if (stroke == StrokeKind::erases) line.word("erasing");
