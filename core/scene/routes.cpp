@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/scene/numbers.hpp"
+#include "core/scene/spline_marks.hpp"
 
 namespace replan {
 namespace {
@@ -104,7 +105,7 @@ void add_path(SceneContext& context) {
   add_through_layers(context, std::move(line));
   const double dots = context.grown(10, 14);  // in smaller cells they would hide the path
   // A curve's points are no corners: those of its control polygon have an overlay of their own.
-  const bool curve = decision != nullptr && decision->plan->path->spline;
+  const bool curve = spline_at_cursor(context.run) != nullptr;
   if (!context.has(Overlay::rp) || !context.run.info().any_angle || dots <= 0 || curve) return;
   context.scene.show(Sign::rp);
   const Colour colour = faded(context.palette.accent, searching ? dots / 2 : dots);

@@ -103,6 +103,10 @@ enum class Sign : std::uint8_t {
   count
 };
 
+/// Signs, as a set.
+using SignMask = std::uint64_t;
+static_assert(static_cast<unsigned>(Sign::count) <= 64);
+
 /// How numbers stand in the cells.
 enum class NumbersShown : std::uint8_t {
   none,
@@ -128,10 +132,10 @@ struct Scene {
   std::optional<double> pointed;    ///< the field's value at the cell under the mouse
   NumbersShown numbers = NumbersShown::none;
   NumberMask written = 0;  ///< the values that stand in some cell
-  std::uint32_t signs = 0;
+  SignMask signs = 0;
 
   [[nodiscard]] bool shows(Sign sign) const { return (signs >> static_cast<unsigned>(sign) & 1u) != 0; }
-  void show(Sign sign) { signs |= 1u << static_cast<unsigned>(sign); }
+  void show(Sign sign) { signs |= SignMask{1} << static_cast<unsigned>(sign); }
 };
 
 /// The view's size in device pixels, and how much of it at the top and at the bottom something else lies on: a world is

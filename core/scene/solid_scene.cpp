@@ -7,6 +7,7 @@
 
 #include "core/scene/routes.hpp"
 #include "core/scene/script.hpp"
+#include "core/scene/spline_marks.hpp"
 
 namespace replan {
 namespace {
@@ -40,6 +41,7 @@ class SolidBuilder {
       const PathLine path = path_line(context_);
       add_way(path.points, faded(context_.palette.path, path.searching ? 0.4 : 1), 3.5f, Sign::path);
     }
+    if (context_.has(Overlay::spline)) add_spline();
     add_marks();
     show(Sign::obstacle);
     scene_.signs = context_.scene.signs;
@@ -172,6 +174,17 @@ class SolidBuilder {
     add_ring(at, robot.sensor_radius, kX, kY, colour);
     add_ring(at, robot.sensor_radius, kX, kZ, colour);
     add_ring(at, robot.sensor_radius, kY, kZ, colour);
+  }
+
+  /// The control polygon of a path that is a curve, and where it was pulled in, with the obstacle that it would have hit.
+  void add_spline() {
+    const Spline* spline = spline_at_cursor(context_.run);
+    if (spline == nullptr) return;
+    add_way(spline->control, faded(context_.palette.dim, 0.8), 1.2f, Sign::control);
+    for (const PullIn& pull : spline->pulled_in) {
+      show(Sign::pulled_in);
+      add_line(pull.at, centre_of(pull.cell), context_.palette.warning, 2);
+    }
   }
 
   void add_ways() {

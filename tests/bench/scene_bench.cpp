@@ -51,7 +51,7 @@ Palette some_palette() {
 void BM_coverage(benchmark::State& state) {
   const Run& run = huge().run();
   for (auto _ : state) {
-    const Coverage coverage(run.lattice(), 0, run.timeline().state(), EventKind::truth);
+    const Coverage coverage(SeenBox(run.lattice(), Axis::z), 0, run.timeline().state(), EventKind::truth);
     benchmark::DoNotOptimize(coverage.levels());
   }
 }

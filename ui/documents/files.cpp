@@ -18,7 +18,7 @@ Scenario world_of(GridMap map, const Scenario& current) {
   scenario.robot = current.robot;
   if (!require_robot(scenario.robot.kind, scenario.map.box())) scenario.robot = RobotSetup{};
   for (const PlannerChoice& choice : current.planners)
-    if (fits(*find_choice(choice.id), scenario.map.box())) scenario.planners.push_back(choice);
+    if (fits(*find_choice(choice.id), scenario.map.box(), scenario.robot.radius)) scenario.planners.push_back(choice);
   if (scenario.planners.empty()) scenario.planners.push_back({"dstar-lite", {}, {}});
   scenario.goal = {scenario.map.width - 1, scenario.map.height - 1, scenario.map.depth - 1};
   return scenario;

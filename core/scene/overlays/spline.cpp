@@ -9,13 +9,14 @@ void draw_spline(SceneContext& context) {
   if (spline == nullptr) return;
   const Palette& palette = context.palette;
   context.scene.show(Sign::control);
-  add_through_layers(context, {spline->control, palette.dim, context.pixels(1.2), 0, context.pixels(3)});
+  Polyline control{{}, palette.dim, context.pixels(1.2), 0, context.pixels(3)};
+  for (const Point& corner : spline->control) control.points.push_back(context.seen(corner));
+  add_through_layers(context, std::move(control));
   for (const PullIn& pull : spline->pulled_in) {
     context.scene.show(Sign::pulled_in);
-    const Point obstacle = context.centre(pull.cell);
-    add_through_layers(context, {{pull.at, obstacle}, palette.warning, context.pixels(1.2), 0});
-    context.add(
-        Ring{pull.at, context.world(5), context.seen_at(pull.at, palette.warning), context.pixels(2)});
+    const Point at = context.seen(pull.at), obstacle = context.centre(context.seen(pull.cell));
+    add_through_layers(context, {{at, obstacle}, palette.warning, context.pixels(1.2), 0});
+    context.add(Ring{at, context.world(5), context.seen_at(at, palette.warning), context.pixels(2)});
   }
 }
 
