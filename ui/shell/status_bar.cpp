@@ -324,6 +324,7 @@ void draw_status_bar(Frame& frame) {
   line.pair("|U|", grouped(run.timeline().state().queue_size()), term_hint("open-list"));
   if (run.info().from_goal) line.pair("km", cost_text(run.timeline().state().km(), 2), term_hint("km"));
   for (const PlanNumber& number : run.info().values.numbers) {
+    if (run.timeline().state().scalar(number.which) == 0) continue;  // there has been no plan yet
     const std::string label(number.label), help(number.help);
     const Cost value{static_cast<std::int64_t>(run.timeline().state().scalar(number.which))};
     line.pair(label.c_str(), cost_text(value, 3), {label.c_str(), "", help.c_str()});
