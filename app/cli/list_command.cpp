@@ -12,6 +12,7 @@
 #include "core/lattice/box_words.hpp"
 #include "core/lesson/lesson.hpp"
 #include "core/plan/glossary.hpp"
+#include "core/plan/pages.hpp"
 #include "core/plan/stage.hpp"
 #include "core/scene/view.hpp"
 #include "core/world/choices.hpp"
@@ -77,6 +78,9 @@ Result<Listing> list_planners() {
                                         {"settings", settings_json(info.parameters)}});
   }
   listing.text = table.text();
+  if (const std::string folder = assets_folder(); !folder.empty())
+    listing.text +=
+        "\nThe page of each, with its idea, pseudo-code and limits, is " + folder + "/planners/ID.md.\n";
   return listing;
 }
 

@@ -33,7 +33,7 @@ std::vector<Kind> kinds() {
   std::vector<Kind> all;
   for (const PlannerInfo& info : sound_planners()) {
     all.push_back({&info});
-    if (info.sight) all.push_back({&info, true});
+    if (find_parameter(info.parameters, "sight_checks") != nullptr) all.push_back({&info, true});
   }
   return all;
 }

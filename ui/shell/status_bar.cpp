@@ -341,6 +341,7 @@ void draw_status_bar(Frame& frame) {
   if (run.info().values.waves && run.info().values.declares(fields::kFocused.kind))
     line.pair("d", bias, term_hint("d"));
   for (const PlanNumber& number : run.info().values.numbers) {
+    if (run.timeline().state().scalar(number.which) == 0) continue;  // there has been no plan yet
     const std::string label(number.label), help(number.help);
     const Cost value{static_cast<std::int64_t>(run.timeline().state().scalar(number.which))};
     line.pair(label.c_str(), cost_text(value, 3), {label.c_str(), "", help.c_str()});
