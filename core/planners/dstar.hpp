@@ -1,5 +1,6 @@
-// D*: a search from the goal that is repaired by two kinds of waves. Where a way became dearer RAISE states tell all that
-// relied on it; where one became cheaper, or a raised state finds another, LOWER states do.
+// The D* family: one machine for three planners, and therefore longer than other files here. A search from the goal is
+// repaired by two kinds of waves. Where a way became dearer RAISE states tell all that relied on it; where one became
+// cheaper, or a raised state finds another, LOWER states do.
 //
 //   D*          Stentz, "Optimal and efficient path planning for partially-known environments", ICRA 1994
 //   Focused D*  Stentz, "The focussed D* algorithm for real-time replanning", IJCAI 1995
@@ -16,7 +17,7 @@
 //  * PROCESS_STATE looks at neighbours by moves that are gone, too, if their back-pointer still leads along it.
 //  * The search stops as soon as val >= COST(R), at the first plan too, where the papers wait until R is CLOSED.
 //  * A state is of an older focus if its bias f_B - f is not the present one. The paper compares where the robot stood
-//    then; that is not enough if the robot comes by the same place twice, for the bias has grown in between.
+//    then, by which a key would pass for a new one that is older than a way there and back, though its bias is less.
 //  * The bias grows by the heuristic rounded up and one unit of cost, the paper's epsilon: so a key in OPEN is below that
 //    of the same state for the present focus (law 6 in lattice.hpp), and old ones come out first.
 //  * MODIFY_COST is called for each end of a move that has changed, once for all its moves.
@@ -27,8 +28,8 @@
 //  * While the start or the goal lies inside an obstacle the search rests: no work could find a path.
 #pragma once
 
+#include <algorithm>
 #include <bit>
-#include <utility>
 #include <vector>
 
 #include "core/plan/node_table.hpp"
@@ -152,7 +153,7 @@ class DStar final : public SearchRecord<L, T, NodeTable<DStarNode>, FocusedKey> 
   }
   [[nodiscard]] FocusedKey key_by(const FocusedCost& cost) const { return {cost.f + d_curr_, cost}; }
 
-  /// MOVE_ROBOT, lines 4 and 11: whether val < COST(R), so that the plan is not yet known to be right. An old key is a
+  /// MOVE_ROBOT, lines 4 and 10: whether val < COST(R), so that the plan is not yet known to be right. An old key is a
   /// lower bound.
   [[nodiscard]] bool search_needed() const {
     if (this->ends_blocked() || open_.empty()) return false;

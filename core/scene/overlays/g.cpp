@@ -4,6 +4,7 @@ namespace replan {
 namespace {
 
 std::string g_words(const PlannerInfo& planner) {
+  if (planner.values.waves) return "h: cost to the goal";
   return planner.from_goal ? "g: cost to the goal" : "g: cost from the start";
 }
 
