@@ -54,9 +54,12 @@ for planner in weighted-astar adaptive-astar jps visibility-graph theta-star laz
     --canvas-only --panes all --size 960x520
 done
 
+# What coming near obstacles costs, and the path that pays it beside one that does not.
+world=office draw threat-astar.png --theme light --planner astar,threat-astar --overlay dist,path,grid --canvas-only \
+  --panes all --at plan --size 1280x520
 # A path rounded to a curve: its control polygon, and where the curve was pulled in.
 world=office draw spline.png --theme light --planner astar --stage bspline --set bspline.corners_only=true \
-  --overlay path,spline,grid --canvas-only --at plan --size 960x600
+  --overlay path,spline,grid --canvas-only --at plan --camera 50,27,28 --size 960x600
 
 # The whole story as a film, small enough for a page: two planners, the surprise and the repairs.
 draw demo.gif --canvas-only --panes all --size 840x560 --fps 20 --speed 10/s --hold 0.8 --theme dark

@@ -183,13 +183,16 @@ constexpr GlossaryTerm kTerms[] = {
      "The distance to the nearest obstacle. Planners with clearance pay for cells that have little of it."},
     {"clearance-range", "Clearance range", "How far from obstacles the penalty reaches, in cells."},
     {"threat", "Threat",
-     "A penalty near obstacles that falls as a power of e: c up to the distance r_min, from there on c e^-(distance − "
+     "A penalty near obstacles that falls as a power of e: c up to the distance r_min, from there on c "
+     "e^-(distance − "
      "r_min), and 0 beyond r_max. Up to r_min cells may be impassable instead."},
     {"spline", "B-spline",
-     "A smooth curve that follows a row of control points without touching most of them: each piece is drawn from four "
+     "A smooth curve that follows a row of control points without touching most of them: each piece is drawn "
+     "from four "
      "of them. The straight lines between the points are its control polygon."},
     {"curvature", "Curvature",
-     "How sharply a way bends: one over the radius of the circle that fits it best. 0 is a straight line. Of a path it is "
+     "How sharply a way bends: one over the radius of the circle that fits it best. 0 is a straight line. Of "
+     "a path it is "
      "the change of heading over half a cell to either side, so that corners have one too."},
     {"distance-transform", "Distance transform",
      "The distance of every cell to its nearest obstacle, for all cells at once. After a change only the "
@@ -377,7 +380,7 @@ constexpr Alias kAliases[] = {
     {"#", "rank"},
     {"key (k1)", "key"},
     {"dist (penalty)", "dist"},
-    {"greatest curvature", "curvature"},
+    {"top curvature", "curvature"},
     {"sight lines", "sight"},
     {"over", "overconsistent"},
     {"g > rhs", "overconsistent"},

@@ -18,7 +18,7 @@ constexpr FigureInfo kFigures[] = {
     {"length", first_plan, "length", "cells", lower, 3, false, "Along the straight segments."},
     {"turns", first_plan, "turns", "", lower, 0, false, "Inner corners where the heading changes."},
     {"turning_angle_deg", first_plan, "turning", "°", lower, 1, false, "The sum of all changes of heading."},
-    {"greatest_curvature", first_plan, "greatest curvature", "1/cells", lower, 3, false,
+    {"greatest_curvature", first_plan, "top curvature", "1/cells", lower, 3, false,
      "How sharply the path bends at most: 1 is a circle with a radius of one cell, pi a corner of a right "
      "angle. At every "
      "place of the path the heading's change over half a cell to either side is taken."},

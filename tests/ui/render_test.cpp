@@ -109,6 +109,23 @@ TEST_P(RenderGolden, WhyAnArc) {
   compare_with_golden(request, std::string("drive_why_") + GetParam());
 }
 
+/// A curve, its control polygon, and where it was pulled in beside a door.
+TEST_P(RenderGolden, SplineWithAPullIn) {
+  RenderRequest request = demo(GetParam());
+  auto office = read_scenario(std::string(REPLAN_SOURCE_DIR) + "/maps/office.json");
+  ASSERT_TRUE(office.ok()) << office.error();
+  request.scenario = *office;
+  Settings corners_only;
+  corners_only.set("corners_only", 1);
+  request.scenario.planners = {{.id = "astar", .settings = {}, .stages = {{"bspline", corners_only}}}};
+  request.at = plan_end(request, 0);
+  request.camera = ViewSetup::Camera{54, 29, 40};
+  OverlaySet overlays;
+  for (const Overlay overlay : {Overlay::path, Overlay::spline, Overlay::grid}) overlays.set(overlay, true);
+  request.overlays = overlays;
+  compare_with_golden(request, std::string("spline_") + GetParam());
+}
+
 INSTANTIATE_TEST_SUITE_P(Themes, RenderGolden, testing::Values("dark", "light"),
                          [](const auto& theme) { return std::string(theme.param); });
 

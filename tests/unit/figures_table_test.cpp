@@ -128,7 +128,7 @@ TEST(FiguresTable, HasTheLatestPlanAndTheRobotOnlyWhereThereIsOne) {
   driven.robot = RobotReport{.ending = MissionState::arrived, .moves = 9, .travelled = 10.5};
   const RunReport plain[] = {report_of("astar", 50, 1)}, whole[] = {driven};
   EXPECT_EQ(figures_table(plain).rows.size(), 14u);
-  EXPECT_EQ(figures_table(whole).rows.size(), 20u);
+  EXPECT_EQ(figures_table(whole).rows.size(), 21u);
   EXPECT_EQ(row_of(figures_table(whole), "last_queue_operations").values.front(), 6);
   EXPECT_EQ(row_of(figures_table(whole), "travelled").values.front(), 10.5);
 }
@@ -143,6 +143,7 @@ TEST(FiguresText, Markdown) {
 | length (cells)          |   50.000 | **48.500** (×0.97) |             – |
 | turns                   |       12 |         12 (×1.00) |             – |
 | turning (°)             |    540.0 |      540.0 (×1.00) |             – |
+| top curvature (1/cells) |    0.750 |      0.750 (×1.00) |             – |
 | least clearance (cells) |    0.500 |      0.500 (×1.00) |             – |
 | mean clearance (cells)  |    2.250 |      2.250 (×1.00) |             – |
 | first plan (ms)         |    1.500 |      1.500 (×1.00) | 1.500 (×1.00) |
@@ -167,6 +168,7 @@ nodes & 61 & 61 {\footnotesize($\times$1.00)} & -- \\
 length (cells) & 50.000 & \textbf{48.500} {\footnotesize($\times$0.97)} & -- \\
 turns & 12 & 12 {\footnotesize($\times$1.00)} & -- \\
 turning ($^\circ$) & 540.0 & 540.0 {\footnotesize($\times$1.00)} & -- \\
+top curvature (1/cells) & 0.750 & 0.750 {\footnotesize($\times$1.00)} & -- \\
 least clearance (cells) & 0.500 & 0.500 {\footnotesize($\times$1.00)} & -- \\
 mean clearance (cells) & 2.250 & 2.250 {\footnotesize($\times$1.00)} & -- \\
 \midrule
@@ -214,7 +216,7 @@ TEST(FiguresText, Json) {
   EXPECT_EQ(runs[1]["status"], "no-path");
   EXPECT_EQ(runs[1]["figures"]["length"], 0) << "a program is promised numbers";
   EXPECT_EQ(runs[1]["figures"]["expansions"], 50);
-  EXPECT_EQ(runs[1]["figures"].size(), 13u);
+  EXPECT_EQ(runs[1]["figures"].size(), 14u);
 }
 
 }  // namespace

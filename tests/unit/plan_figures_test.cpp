@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -83,6 +84,21 @@ TEST(PathFigures, CountsLengthTurnsAndAngles) {
   EXPECT_NEAR(path_length(path), figures.length, 1e-12);
   // Collinear in any direction is no turn, and standing still neither.
   EXPECT_EQ(path_figures(grid, path_over(grid, {{0, 0}, {3, 7}, {3, 7}, {6, 14}})).turns, 0);
+}
+
+/// The top curvature: pi at a corner of a right angle, 2 pi where the way turns back, one over the radius of a circle.
+TEST(PathFigures, TellHowSharplyAPathBends) {
+  const Grid2 grid({30, 30});
+  const auto top = [&](const Path& path) { return path_figures(grid, path).greatest_curvature; };
+  EXPECT_EQ(top(path_over(grid, {{1, 1}, {9, 1}})), 0);
+  EXPECT_NEAR(top(path_over(grid, {{1, 1}, {9, 1}, {9, 9}})), std::numbers::pi, 1e-9);
+  EXPECT_NEAR(top(path_over(grid, {{1, 1}, {9, 1}, {4, 1}})), 2 * std::numbers::pi, 1e-9);
+  for (const double radius : {1.0, 4.0, 10.0}) {
+    std::vector<Point> circle;
+    for (int i = 0; i <= 400; ++i)
+      circle.push_back({15 + radius * std::cos(i * 0.01), 15 + radius * std::sin(i * 0.01), 0.5});
+    EXPECT_NEAR(top(Path(circle)), 1 / radius, 0.03 / radius) << radius;
+  }
 }
 
 TEST(PathFigures, MeasuresTheSquareNotItsCentre) {
