@@ -24,7 +24,7 @@
 //  * The threat paper adds j(X) to f alone. Here entering X costs j(X), too, or the path would not bend: c(X, Y) is the move
 //    and j(X). States are ordered, and told apart as RAISE and LOWER, by h + j, and k is the least of that. So f = h + g + j
 //    as the paper has it, g + j is consistent with those costs, and a state whose threat has risen comes out as early as
-//    what it used to promise.
+//    what it used to promise. Where j of a state in OPEN falls, so does its k: it may come to cost less than it ever did.
 //  * While the start or the goal lies inside an obstacle the search rests: no work could find a path.
 #pragma once
 
