@@ -24,7 +24,7 @@
 //  * The threat paper adds j(X) to f alone. Here entering X costs j(X), too, or the path would not bend: c(X, Y) is the move
 //    and j(X). States are ordered, and told apart as RAISE and LOWER, by h + j, and k is the least of that. So f = h + g + j
 //    as the paper has it, g + j is consistent with those costs, and a state whose threat has risen comes out as early as
-//    what it used to promise.
+//    what it used to promise. Where j of a state in OPEN falls, so does its k: it may come to cost less than it ever did.
 //  * While the start or the goal lies inside an obstacle the search rests: no work could find a path.
 #pragma once
 
@@ -256,7 +256,7 @@ class DStar final : public SearchRecord<L, T, NodeTable<DStarNode>, FocusedKey> 
 
   // The same where j(X), and with it the cost of all moves to X, has changed from `before`.
   void modify_threat(NodeId X, Cost before) {
-    if (h(X).is_infinite()) return;
+    if (t(X) == Tag::fresh || (t(X) == Tag::closed && h(X).is_infinite())) return;
     tr_.line(42);
     insert(X, lattice_.coordinates(X), h(X), counted(before));
   }
@@ -267,7 +267,7 @@ class DStar final : public SearchRecord<L, T, NodeTable<DStarNode>, FocusedKey> 
     Node& node = nodes_.write(X);
     const Cost now = h_new + counted(j(X));
     const Cost k = node.tag == Tag::fresh  ? now
-                   : node.tag == Tag::open ? std::min(node.k, now)
+                   : node.tag == Tag::open ? std::min(lowest_in_open(X, j_before), now)
                                            : std::min(node.g + j_before, now);
     tr_.change(fields::kLowest.kind, X, node.k, k);
     node.k = k;
@@ -275,6 +275,11 @@ class DStar final : public SearchRecord<L, T, NodeTable<DStarNode>, FocusedKey> 
     node.g = h_new;
     put_in_open(X, at);
     set_tag(X, Tag::open);
+  }
+  /// k(X), which stays below all that X may come to cost: by as much as j(X) has fallen that may be less, too.
+  [[nodiscard]] Cost lowest_in_open(NodeId X, Cost j_before) const {
+    const Cost k = nodes_[X].k, j_now = counted(j(X));
+    return j_before <= j_now ? k : std::min(k, std::max(Cost{k.raw - (j_before.raw - j_now.raw)}, j_now));
   }
 
   // Line 26 (33 of MIN_STATE): into OPEN for the present focus, or to where it belongs there.

@@ -188,6 +188,11 @@ class Rebuilt {
       return value["moving"].get<std::uint64_t>() << 1 | std::uint64_t{value["wall"].get<bool>()};
     if (is_own_field(event.kind) && values_.field(event.kind).type == FieldType::count)
       return value.get<std::uint64_t>();
+    if (is_own_field(event.kind) && values_.field(event.kind).type == FieldType::name) {
+      const auto names = values_.field(event.kind).names;
+      return static_cast<std::uint64_t>(std::find(names.begin(), names.end(), value.get<std::string>()) -
+                                        names.begin());
+    }
     const auto which = static_cast<Scalar>(event.node);
     const bool cost = which == Scalar::km || which == Scalar::weight || which == Scalar::share;
     if (event.kind == EventKind::scalar && is_real(which))
