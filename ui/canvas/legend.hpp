@@ -29,7 +29,7 @@ class Legend {
   /// the signs that any pane shows. `of` says whose field it is, where another pane's means something else. What has no
   /// room in its row unfolds above its end while the mouse is there.
   void draw(const Look& look, const Scene& scene, std::string_view of, FieldColours colours,
-            std::uint32_t signs, ImVec2 min, ImVec2 max);
+            const SignSet& signs, ImVec2 min, ImVec2 max);
 
  private:
   void row(const Look& look, const LegendField& field, const std::vector<LegendEntry>& entries,
