@@ -2,6 +2,7 @@
 // tests.
 #pragma once
 
+#include <bitset>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -102,10 +103,8 @@ enum class Sign : std::uint8_t {
 #undef REPLAN_SIGN
   count
 };
-
-/// Signs, as a set.
-using SignMask = std::uint64_t;
-static_assert(static_cast<unsigned>(Sign::count) <= 64);
+/// Some of them.
+using SignSet = std::bitset<static_cast<std::size_t>(Sign::count)>;
 
 /// How numbers stand in the cells.
 enum class NumbersShown : std::uint8_t {
@@ -132,10 +131,10 @@ struct Scene {
   std::optional<double> pointed;    ///< the field's value at the cell under the mouse
   NumbersShown numbers = NumbersShown::none;
   NumberMask written = 0;  ///< the values that stand in some cell
-  SignMask signs = 0;
+  SignSet signs;
 
-  [[nodiscard]] bool shows(Sign sign) const { return (signs >> static_cast<unsigned>(sign) & 1u) != 0; }
-  void show(Sign sign) { signs |= SignMask{1} << static_cast<unsigned>(sign); }
+  [[nodiscard]] bool shows(Sign sign) const { return signs[static_cast<std::size_t>(sign)]; }
+  void show(Sign sign) { signs.set(static_cast<std::size_t>(sign)); }
 };
 
 /// The view's size in device pixels, and how much of it at the top and at the bottom something else lies on: a world is

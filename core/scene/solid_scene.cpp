@@ -232,7 +232,7 @@ SolidScene build_solid_scene(const Run& run, const View& view, const SolidOption
 std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const Ray& ray) {
   const SearchState& state = run.timeline().state();
   const Box& world = run.lattice();
-  const bool waiting_show = (scene.signs >> static_cast<unsigned>(Sign::queue) & 1u) != 0;
+  const bool waiting_show = scene.signs[static_cast<std::size_t>(Sign::queue)];
   // Faces at the world's border that look at the eye are not drawn.
   const auto is_border = [&](Cell cell) {
     const auto before = [](int at, double way) { return way > 0 ? at - 1 : at + 1; };

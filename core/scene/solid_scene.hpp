@@ -56,7 +56,7 @@ struct SolidScene {
   std::optional<SolidCut> cut;
   float opacity = 1;      ///< of the obstacles
   bool left_out = false;  ///< some of the open list: it is too long
-  SignMask signs = 0;     ///< of a legend, as in Scene
+  SignSet signs;          ///< of a legend, as in Scene
 };
 
 /// What `view` shows of the run at its cursor in an orbit view; `eye` is where it is seen from. The slice is drawn as a

@@ -74,7 +74,7 @@ LegendField field_in_sight(const Scene& scene, const Colormap& colours, std::str
 }
 
 /// All that is in sight, what is rarest and needs telling most first.
-std::vector<LegendEntry> entries_in_sight(const Look& look, SignMask signs) {
+std::vector<LegendEntry> entries_in_sight(const Look& look, const SignSet& signs) {
   Scene all;
   all.signs = signs;
   std::vector<LegendEntry> entries;
@@ -126,8 +126,8 @@ float Legend::height(const Look& look) {
   return legend_size(look, {}, {}).y + 2 * look.px.s;
 }
 
-void Legend::draw(const Look& look, const Scene& scene, std::string_view of, FieldColours map, SignMask signs,
-                  ImVec2 min, ImVec2 max) {
+void Legend::draw(const Look& look, const Scene& scene, std::string_view of, FieldColours map,
+                  const SignSet& signs, ImVec2 min, ImVec2 max) {
   const float margin = look.px.m, room = max.x - min.x - 2 * margin;
   LegendField field;
   std::string words = scene.field_words, low, high;

@@ -44,7 +44,7 @@ void Panes::draw(const Look& look, const Session& session, std::size_t most, Vie
   if (count > 1) max.y -= legend;
   const PaneGrid grid(look, count, min, max);
   shown_ = std::clamp(session.lead(), first, first + count - 1);
-  SignMask signs = 0;
+  SignSet signs;
   bool alike = true;  // the colours mean the same in all panes
   // Where a picture takes long, others may be a frame late, and then come first; else the leading pane does.
   std::vector<std::size_t> order;
