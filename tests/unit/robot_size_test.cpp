@@ -142,7 +142,7 @@ TEST(RobotSize, FiguresTellTheClearanceOfItsEdge) {
   EXPECT_EQ(*value(report, "mean_edge_clearance"), *value(report, "mean_clearance") - 1.25);
   EXPECT_GE(*value(report, "min_edge_clearance"), 0);
   EXPECT_FALSE(value(plain, "min_edge_clearance"));
-  EXPECT_EQ(named_figures(plain).size(), 13u);
+  EXPECT_EQ(named_figures(plain).size(), 14u);
   const RunReport reports[] = {report};
   EXPECT_NE(runs_csv(reports).find("mean_clearance,min_edge_clearance,mean_edge_clearance,plan_ms"),
             std::string::npos);
