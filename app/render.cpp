@@ -7,6 +7,7 @@
 #include "ui/canvas/draw.hpp"
 #include "ui/shell/actions.hpp"
 #include "ui/shell/gallery.hpp"
+#include "ui/tools/cells.hpp"
 
 namespace replan::app {
 namespace {
@@ -125,7 +126,11 @@ FrameSize written_size(const RenderRequest& request) {
 Result<void> write_drawing(const std::string& path, const Run& run, const ui::ViewState& state,
                            Viewport size) {
   const Palette palette = ui::scene_palette(state.dark ? ui::dark() : ui::light(), state.colours);
-  return write_file_atomically(path, scene_svg(build_scene(run, state.view, size, palette), palette));
+  View view = state.view;
+  view.slice = state.slices.of(0);
+  if (state.slices.follows_robot) view.slice.layer = ui::along(view.slice.along, ui::robot_cell(run));
+  view.camera = state.shown_camera(view.slice.along);
+  return write_file_atomically(path, scene_svg(build_scene(run, view, size, palette), palette));
 }
 
 Result<ui::ViewState> requested_view(const RenderRequest& request) {

@@ -194,6 +194,8 @@ Result<void> read_orbit(const RenderArguments& arguments, app::RenderRequest& re
     return Error{"--orbit is for a world of more than one layer, and " + arguments.world.source() +
                  " is a plane: leave it out"};
   request.cut = arguments.cut;
+  if (file_extension(request.output) == ".svg")
+    return Error{"--orbit is not for .svg, which draws planes; take .png"};
   const auto numbers = numbers_in(arguments.orbit, 2);
   if (!numbers || std::abs((*numbers)[1]) > 89)
     return Error{

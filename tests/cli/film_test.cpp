@@ -213,7 +213,7 @@ TEST_F(Film, anInterruptedFilmLeavesTheOldFile) {
   for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
     const TemporaryFolder marks;
     const Path path(
-        fake("head -c 1000 >/dev/null; touch " + marks.file("begun") + "; sleep 1; cat >/dev/null"));
+        fake("head -c 1000 >/dev/null; touch " + marks.file("begun") + "; sleep 5; cat >/dev/null"));
     interrupt(arguments("x.gif"), marks.file("begun"), signal);
     EXPECT_EQ(whole_file(file), "old");
     EXPECT_EQ(out_.entries(), 1) << "signal " << signal;

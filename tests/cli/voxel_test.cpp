@@ -162,6 +162,13 @@ TEST_F(Voxels, renderShowsOneLayer) {
   }
   EXPECT_TRUE(pictures[0] == pictures[1]) << "without --slice it is the layer of the start";
   EXPECT_FALSE(pictures[1] == pictures[2] || pictures[2] == pictures[3] || pictures[1] == pictures[3]);
+  const auto drawing = [&](const char* slice) {
+    const std::string file = folder_.file("drawn.svg");
+    EXPECT_EQ(run_program({"render", scenario_, "-o", file, "--slice", slice}).code, 0);
+    return whole_file(file);
+  };
+  EXPECT_FALSE(drawing("1") == drawing("2"));
+  EXPECT_FALSE(drawing("1") == drawing("y=1"));
   for (const std::string name : {"slice.svg", "frames/"}) {
     const Outcome outcome = run_program(
         {"render", scenario_, "-o", folder_.file(name), "--size", "64x48", "--canvas-only", "--slice", "2"});
@@ -169,12 +176,46 @@ TEST_F(Voxels, renderShowsOneLayer) {
   }
 }
 
+/// Across another axis, and from outside.
+TEST_F(Voxels, renderShowsTheWorldFromEverySide) {
+  std::vector<std::string> pictures;
+  for (const std::vector<std::string>& view : {std::vector<std::string>{"--slice", "z=1"},
+                                               {"--slice", "x=1"},
+                                               {"--slice", "y=1"},
+                                               {"--orbit", "30,35"},
+                                               {"--orbit", "30,35", "--slice", "x=1", "--cut"},
+                                               {"--orbit", "-120,80"}}) {
+    const std::string file = folder_.file("view.png");
+    std::vector<std::string> arguments = {"render", scenario_, "-o",           file,
+                                          "--size", "320x240", "--canvas-only"};
+    arguments.insert(arguments.end(), view.begin(), view.end());
+    const Outcome outcome = run_program(arguments);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const std::string& other : pictures) EXPECT_FALSE(other == whole_file(file)) << view[1];
+    pictures.push_back(whole_file(file));
+  }
+  EXPECT_EQ(run_program({"render", scenario_, "-o", folder_.file("frames/"), "--size", "64x48",
+                         "--canvas-only", "--slice", "robot", "--orbit", "10,20"})
+                .code,
+            0);
+  const std::string out = folder_.file("x.png");
+  expect_complaint({"render", scenario_, "-o", out, "--orbit", "30"},
+                   {"--orbit cannot be '30': give YAW,PITCH"});
+  expect_complaint({"render", scenario_, "-o", out, "--orbit", "30,95"}, {"at most 89"});
+  expect_complaint({"render", scenario_, "-o", out, "--cut"},
+                   {"--cut is for a world from outside: add --orbit"});
+  expect_complaint({"render", scenario_, "-o", folder_.file("x.svg"), "--orbit", "30,35"},
+                   {"--orbit is not for .svg"});
+  expect_complaint({"render", REPLAN_SOURCE_DIR "/maps/demo.json", "-o", out, "--orbit", "30,35"},
+                   {"--orbit is for a world of more than one layer", "is a plane: leave it out"});
+}
+
 TEST_F(Voxels, renderSaysWhatASliceCanBe) {
   const std::string out = folder_.file("x.png");
   for (const char* slice : {"3", "-1", "one", "99999999999"})
-    expect_complaint(
-        {"render", scenario_, "-o", out, "--slice", slice},
-        {"--slice cannot be '" + std::string(slice) + "': give a layer of the world, from 0 to 2"});
+    expect_complaint({"render", scenario_, "-o", out, "--slice", slice},
+                     {"--slice cannot be '" + std::string(slice) +
+                      "': give a layer from 0 to 2, with x= or y= before it"});
   expect_complaint({"render", REPLAN_SOURCE_DIR "/maps/demo.json", "-o", out, "--slice", "0"},
                    {"--slice is for a world of more than one layer", "is a plane: leave it out"});
   expect_complaint({"render", scenario_, "-o", out, "--pin", "1,2,3"},

@@ -19,9 +19,12 @@ namespace replan::ui {
 
 /// No part of the document.
 struct ViewState {
-  View view;  ///< what all panes share; its slice is that of the pane that was drawn last
+  View view;  ///< what all panes share: not the slice and, but along z, the camera
   Slices slices;
   /// Panes that are seen along the same axis share a camera.
+  [[nodiscard]] const Camera& shown_camera(Axis axis) const {
+    return axis == Axis::z ? view.camera : upright[axis == Axis::y];
+  }
   [[nodiscard]] Camera& camera(Axis axis) { return axis == Axis::z ? view.camera : upright[axis == Axis::y]; }
   void fit_cameras() {
     view.camera = upright[0] = upright[1] = {};
