@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/base/words.hpp"
 #include "core/lattice/box.hpp"
 
 namespace replan {
@@ -11,6 +12,11 @@ namespace replan {
 inline std::string sides_text(const Box& box) {
   return std::to_string(box.width()) + " x " + std::to_string(box.height()) +
          (box.solid() ? " x " + std::to_string(box.depth()) : "");
+}
+
+/// "(3, 4)", or "(3, 4, 5)" in a box of more than one layer.
+inline std::string cell_text(Cell cell, const Box& world) {
+  return cell_text(cell, world.solid());
 }
 
 /// "40 × 30 cells", or "40 × 30 × 8 cells" of several layers: a part of a world.

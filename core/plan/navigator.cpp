@@ -24,6 +24,9 @@ Path out_along(const Box& box, const std::vector<NodeId>& way, Path path) {
   if (path.nodes().empty()) {
     Path whole(points_along(box, way, path));
     whole.touches = path.touches;
+    whole.loops = path.loops;
+    whole.unchecked = path.unchecked;
+    whole.spline = std::move(path.spline);
     return whole;
   }
   std::vector<NodeId> nodes(way.begin(), way.end() - 1);

@@ -67,7 +67,7 @@ PixelBox OrbitLens::bounds(const Box& world) const {
     box = {std::min(box.left, at->x), std::min(box.top, at->y), std::max(box.right, at->x),
            std::max(box.bottom, at->y)};
   });
-  return box;
+  return box.left <= box.right ? box : PixelBox{};
 }
 
 std::array<float, 16> OrbitLens::matrix() const {

@@ -81,7 +81,8 @@ inline bool meets_cube(const Ray& ray, const Point& middle, double half) {
   return enter < leave;
 }
 
-/// The first cell that a ray meets for which `solid(cell)` holds; nothing if there is none in the world. Cell by cell
+/// The first cell that a ray meets for which `solid(cell, before)` holds, where it came from the cell `before`, which may
+/// lie beside the world; nothing if there is none in the world. Cell by cell
 /// along the ray: Amanatides & Woo, "A fast voxel traversal algorithm for ray tracing", Eurographics 1987.
 template <class Solid>
 std::optional<Cell> first_on_ray(const Box& world, const Ray& ray, Solid&& solid) {
@@ -89,12 +90,14 @@ std::optional<Cell> first_on_ray(const Box& world, const Ray& ray, Solid&& solid
                               way = {ray.direction.x, ray.direction.y, ray.direction.z};
   const std::array<int, 3> size = {world.width(), world.height(), world.depth()};
   double enter = 0, leave = HUGE_VAL;
+  std::size_t entered = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (way[axis] == 0) {
       if (from[axis] < 0 || from[axis] >= size[axis]) return std::nullopt;
       continue;
     }
     const double a = -from[axis] / way[axis], b = (size[axis] - from[axis]) / way[axis];
+    if (std::min(a, b) > enter) entered = axis;
     enter = std::max(enter, std::min(a, b));
     leave = std::min(leave, std::max(a, b));
   }
@@ -109,11 +112,13 @@ std::optional<Cell> first_on_ray(const Box& world, const Ray& ray, Solid&& solid
     const double border = at[axis] + (way[axis] > 0 ? 1 : 0);
     next[axis] = way[axis] == 0 ? HUGE_VAL : (border - from[axis]) / way[axis];
   }
+  std::array<int, 3> before = at;
+  before[entered] -= step[entered];
   for (;;) {
     const Cell cell{at[0], at[1], at[2]};
-    if (solid(cell)) return cell;
-    const std::size_t axis =
-        static_cast<std::size_t>(std::min_element(next.begin(), next.end()) - next.begin());
+    if (solid(cell, Cell{before[0], before[1], before[2]})) return cell;
+    const auto axis = static_cast<std::size_t>(std::min_element(next.begin(), next.end()) - next.begin());
+    before = at;
     at[axis] += step[axis];
     if (at[axis] < 0 || at[axis] >= size[axis]) return std::nullopt;
     next[axis] += each[axis];

@@ -25,13 +25,14 @@ class SolidBuilder {
                SolidScene& scene)
       : context_(context), scene_(scene), slice_(sheet_of(context.run.lattice(), slice)) {
     if (options.see_through) scene_.opacity = 0.3f;
-    if (options.cut) cut(eye);
+    if (options.cut || options.slice_alone) cut(eye);
+    alone_ = options.slice_alone;
   }
 
   void build() {
     add_world();
     add_slice();
-    if (context_.has(Overlay::queue)) add_open_list();
+    if (context_.has(Overlay::queue) && !alone_) add_open_list();
     if (context_.has(Overlay::lp)) add_parents();
     if (context_.has(Overlay::sensor)) add_sensor();
     if (context_.has(Overlay::script)) add_ways();
@@ -190,7 +191,9 @@ class SolidBuilder {
   void add_ways() {
     for (const MovingObstacle& mover : context_.run.scenario().movers) {
       show(Sign::mover);
-      add_line(way_points(mover), faded(context_.palette.mover, 0.7), 1.4f);
+      std::vector<Point> way = way_points(mover);
+      if (mover.at_end == WayEnd::loop && way.size() > 2) way.push_back(way.front());
+      add_line(way, faded(context_.palette.mover, 0.7), 1.4f);
     }
   }
 
@@ -206,12 +209,15 @@ class SolidBuilder {
                       static_cast<double>(context_.view.pinned->z)};
       add_edges(low, {low.x + 1, low.y + 1, low.z + 1}, palette.accent, 2);
     }
-    if (robot_has_set_out(context_)) scene_.marks.push_back({robot, robot_point(context_), palette.robot});
+    if (!robot_has_set_out(context_)) return;
+    show(Sign::robot);
+    scene_.marks.push_back({robot, robot_point(context_), palette.robot});
   }
 
   SceneContext& context_;
   SolidScene& scene_;
   Sheet slice_;
+  bool alone_ = false;  // of all obstacles those of the slice are drawn
 };
 
 }  // namespace
@@ -233,18 +239,15 @@ std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const R
   const SearchState& state = run.timeline().state();
   const Box& world = run.lattice();
   const bool waiting_show = scene.signs[static_cast<std::size_t>(Sign::queue)];
-  // Faces at the world's border that look at the eye are not drawn.
-  const auto is_border = [&](Cell cell) {
-    const auto before = [](int at, double way) { return way > 0 ? at - 1 : at + 1; };
-    return !world.contains(
-        {before(cell.x, ray.direction.x), before(cell.y, ray.direction.y), before(cell.z, ray.direction.z)});
-  };
-  return first_on_ray(world, ray, [&](Cell cell) {
-    if (scene.cut && !scene.cut->shows(centre_of(cell))) return false;
+  const auto shown = [&](Cell cell) { return !scene.cut || scene.cut->shows(centre_of(cell)); };
+  const auto solid = [&](NodeId node) { return state.truly_blocked(node) || state.known_blocked(node); };
+  return first_on_ray(world, ray, [&](Cell cell, Cell before) {
+    if (!shown(cell)) return false;
     const NodeId node = world.node(cell);
     if (waiting_show && state.queued(node) && meets_cube(ray, centre_of(cell), kWaitingHalf)) return true;
-    const bool solid = state.truly_blocked(node) || state.known_blocked(node);
-    return solid && scene.opacity >= 1 && (scene.cut || !is_border(cell));
+    if (scene.opacity < 1 || !solid(node) || !world.contains(before)) return false;
+    // A face is drawn between an obstacle and what is none, or what is cut away.
+    return !solid(world.node(before)) || !shown(before);
   });
 }
 

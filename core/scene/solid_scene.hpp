@@ -25,7 +25,7 @@ struct SolidLine {
 
 /// A thing that stands in the world, drawn over it.
 struct SolidMark {
-  enum class Shape : std::uint8_t { star, diamond, robot, pin } shape;
+  enum class Shape : std::uint8_t { star, diamond, robot } shape;
   Point at;
   Colour fill;
 };
@@ -34,6 +34,7 @@ struct SolidMark {
 struct SolidOptions {
   bool cut = false;          ///< what lies beyond the slice, towards the viewer, is left out
   bool see_through = false;  ///< obstacles hide nothing
+  bool slice_alone = false;  ///< the world is too large for more than what a cut lays open
   friend bool operator==(const SolidOptions&, const SolidOptions&) = default;
 };
 

@@ -167,8 +167,8 @@ class Session {
   void rebase_runs(std::size_t common);
   void replace_panes();
   void follow_lead();
-  /// A planner with those of the settings that it declares too.
-  [[nodiscard]] static PlannerChoice choice_of(const PlannerInfo& info, const Settings& settings);
+  /// A planner with those settings of the one before that it has too, with the same meaning.
+  [[nodiscard]] static PlannerChoice choice_of(const PlannerInfo& info, const PlannerChoice& before);
   void commit_movers(std::string label, std::uint64_t stroke, std::vector<MovingObstacle> movers);
   [[nodiscard]] bool under_way() const;
   Result<void> edit_script(std::string label, std::uint64_t stroke, Surprise surprise);

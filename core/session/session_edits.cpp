@@ -168,12 +168,16 @@ Result<void> Session::edit_cells(const std::vector<CellChange>& cells, bool anno
   return {};
 }
 
-PlannerChoice Session::choice_of(const PlannerInfo& info, const Settings& settings) {
-  PlannerChoice choice{std::string(info.id), {}};
-  for (const auto& [key, value] : settings.values())
-    if (const Parameter* parameter = find_parameter(info.parameters, key);
-        parameter != nullptr && parse_value(*parameter, format_value(*parameter, value)).ok())
-      choice.settings.set(key, value);
+PlannerChoice Session::choice_of(const PlannerInfo& info, const PlannerChoice& before) {
+  PlannerChoice choice{std::string(info.id), {}, {}};
+  const std::vector<Parameter>& parameters = find_choice(before.id)->parameters;
+  for (const auto& [key, value] : before.settings.values()) {
+    const Parameter *old = find_parameter(parameters, key), *next = find_parameter(info.parameters, key);
+    if (old == nullptr || next == nullptr) continue;
+    // By its word: of a choice the same number may be another one there.
+    if (const auto same = parse_value(*next, format_value(*old, value)); same)
+      choice.settings.set(key, *same);
+  }
   return choice;
 }
 
@@ -181,7 +185,7 @@ Result<void> Session::run_command(const ChoosePlanner& command) {
   const auto info = require_choice(command.id);
   if (!info) return Error{info.error()};
   if (command.pane >= scenario_->planners.size()) return Error{"there is no such pane"};
-  PlannerChoice choice = choice_of(**info, scenario_->planners[command.pane].settings);
+  PlannerChoice choice = choice_of(**info, scenario_->planners[command.pane]);
   choice.stages = scenario_->planners[command.pane].stages;
   if (const auto fit = fits(info_of(choice), box(), scenario_->robot.radius); !fit) return fit;
   if (choice == scenario_->planners[command.pane]) return {};

@@ -53,7 +53,7 @@ Result<void> Session::run_command(const SetPanes& command) {
   while (panes.size() < command.count) {
     const PlannerInfo* info = planner_beside(panes, box(), changed.robot.radius);
     if (info == nullptr) return Error{"there is no further planner to compare with"};
-    panes.push_back(choice_of(*info, run().choice().settings));
+    panes.push_back(choice_of(*info, run().choice()));
   }
   commit("show " + counted(command.count, "pane"), 0, std::move(changed));
   history_.excuse_last();

@@ -124,7 +124,6 @@ std::string map_extensions(MapUse use) {
   std::string list, last;
   for (const MapFormat& format : kFormats) {
     if (use == MapUse::write && format.write == nullptr) continue;
-    if (use == MapUse::read_as_plane && format.solid) continue;
     if (!last.empty()) list += (list.empty() ? "" : ", ") + last;
     last = format.extension;
   }

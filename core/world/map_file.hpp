@@ -34,8 +34,8 @@ struct MapFormat {
 std::span<const MapFormat> map_formats();
 /// The format of a file by its name, or nullptr.
 const MapFormat* find_map_format(std::string_view path);
-/// What is done with a map's file; planes are what the window takes.
-enum class MapUse : std::uint8_t { read, read_as_plane, write };
+/// What is done with a map's file.
+enum class MapUse : std::uint8_t { read, write };
 /// The extensions of the formats for that, as a text: ".map, .png or .yaml".
 std::string map_extensions(MapUse use);
 

@@ -38,9 +38,10 @@ class ReplanTrial {
         start_(random_free(random_, world_.plain)),
         goal_(random_free(random_, world_.plain)),
         planner_(make_planner(info, world_.lattice, settings_, trace_)),
-        twin_(make_planner(lattice_twin(info), world_.lattice, settings_, trace_)) {
+        twin_(info.any_angle ? make_planner(lattice_twin(info), world_.lattice, settings_, trace_)
+                             : nullptr) {
     planner_->begin(start_, goal_);
-    twin_->begin(start_, goal_);
+    if (twin_) twin_->begin(start_, goal_);
   }
 
   /// What is wrong with the first plan, or empty.
@@ -58,7 +59,7 @@ class ReplanTrial {
     while (random_.chance(0.1)) {
       const int iterations = random_.between(1, 20);
       planner_->advance(iterations);
-      twin_->advance(iterations);
+      if (twin_) twin_->advance(iterations);
       change();
     }
     change();
@@ -88,7 +89,7 @@ class ReplanTrial {
     const auto moves = world_.apply(edits);
     if (random_.chance(0.6)) start_ = next_start();
     planner_->update({.cells = edits, .moves = moves}, start_);
-    twin_->update({.cells = edits, .moves = moves}, start_);
+    if (twin_) twin_->update({.cells = edits, .moves = moves}, start_);
   }
 
   /// Start and goal are covered now and then, and most often uncovered by the next change.

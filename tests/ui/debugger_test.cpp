@@ -221,13 +221,14 @@ TEST_F(PanelTest, AConditionIsTypedAndAddedIfItIsSound) {
 
 TEST_F(PanelTest, ConditionsThatMenusWriteAreSound) {
   open(scenario_with_surprise("dld-star-lite"), [](Frame&) {});
+  const Box world = session_->run().lattice();
   for (const EventKind kind : {EventKind::g, EventKind::rhs, EventKind::dist, EventKind::queue, EventKind::lp,
                                EventKind::rp, EventKind::visit, EventKind::known})
-    EXPECT_EQ(language_error(*session_, when_changed(kind, {3, 4}), false), "");
+    EXPECT_EQ(language_error(*session_, when_changed(kind, {3, 4}, world), false), "");
   for (const EventKind kind :
        {EventKind::g, EventKind::rhs, EventKind::dist, EventKind::queue, EventKind::visit})
-    EXPECT_EQ(language_error(*session_, value_expression(kind, {3, 4}), true), "");
-  EXPECT_EQ(language_error(*session_, when_taken({3, 4}), false), "");
+    EXPECT_EQ(language_error(*session_, value_expression(kind, {3, 4}, world), true), "");
+  EXPECT_EQ(language_error(*session_, when_taken({3, 4}, world), false), "");
   EXPECT_EQ(language_error(*session_, when_line(48), false), "");
   for (const char* each : {"event(replan)", "event(invariant)", "event(oracle)", "km > 5 && size(U) >= 100"})
     EXPECT_EQ(language_error(*session_, each, false), "") << each;

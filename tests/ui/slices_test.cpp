@@ -234,6 +234,31 @@ TEST_F(OrbitTest, AClickPinsWhatIsUnderTheCursor) {
   EXPECT_FALSE(state_.view.pinned);
 }
 
+TEST_F(OrbitTest, KeysZoomAndMoveAndTheMouseLeavesNothingBehind) {
+  state_.zoom_steps = 1;
+  frame();
+  EXPECT_EQ(state_.zoom_steps, 0);
+  const double near = state_.orbit.distance;
+  EXPECT_GT(near, 0);
+  state_.zoom_steps = -1;
+  state_.pan_x = 1;
+  const Point focus = state_.orbit.focus;
+  frame();
+  EXPECT_GT(state_.orbit.distance, near);
+  EXPECT_NE(state_.orbit.focus, focus);
+  ASSERT_TRUE(session_->apply(PaintCells{{{{10, 5, 3}, true}}, 0}).ok());
+  session_->settle();
+  canvas_->fit();
+  frame();
+  const auto pixel = lens().pixel(centre_of(Cell{10, 5, 3}));
+  input().mouse_move(static_cast<float>(pixel->x), static_cast<float>(pixel->y));
+  frame();
+  ASSERT_TRUE(state_.view.hovered);
+  input().mouse_leave();
+  frame();
+  EXPECT_FALSE(state_.view.hovered);
+}
+
 TEST_F(OrbitTest, TheLegendTellsWhatShows) {
   EXPECT_TRUE(canvas_->scene().shows(Sign::path));
   EXPECT_TRUE(canvas_->scene().shows(Sign::queue));

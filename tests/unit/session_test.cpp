@@ -496,6 +496,30 @@ TEST(Session, EditsBeforeTheRobotMovedArePartOfTheSavedMap) {
   EXPECT_FALSE(session.modified());
 }
 
+/// A setting that both have is kept by its word; of a choice the same number may be another one there, or none.
+TEST(Session, AnotherPlannerTakesOverWhatItHasByItsWord) {
+  for (const PlannerInfo& from : planners())
+    for (const Parameter& parameter : from.parameters) {
+      if (parameter.type != ParameterType::choice) continue;
+      for (std::size_t value = 0; value < parameter.choices.size(); ++value)
+        for (const PlannerInfo& to : planners()) {
+          Scenario scenario;
+          scenario.map = GridMap(6, 6);
+          scenario.goal = {5, 5};
+          scenario.planners = {{std::string(from.id), {}, {}}};
+          scenario.planners[0].settings.set(parameter.key, static_cast<double>(value));
+          Session session(scenario);
+          ASSERT_TRUE(session.apply(ChoosePlanner{0, std::string(to.id)}).ok()) << from.id << ' ' << to.id;
+          const Parameter* same = find_parameter(to.parameters, parameter.key);
+          if (same == nullptr) continue;
+          const auto word = parse_value(*same, parameter.choices[value]);
+          const double expected = word ? *word : same->initial;
+          EXPECT_EQ(session.scenario().planners[0].settings.get(*same), expected)
+              << from.id << " to " << to.id << ": " << parameter.key << '=' << parameter.choices[value];
+        }
+    }
+}
+
 TEST(Session, RefusesWhatLiesOutsideAndSaysSo) {
   Session session(wall_with_gap("dstar-lite"));
   const auto refused = session.apply(PaintCells{{{{24, 0}, true}}, 1});

@@ -105,7 +105,7 @@ TEST(FirstOnRay, IsTheFirstCellThatTheRayMeets) {
     const Orbit orbit{random.below(628) / 100.0, random.below(300) / 100.0 - 1.5, 0, {}};
     const OrbitLens lens(orbit, kWorld, kView);
     const Ray ray = lens.ray(random.below(800) + 0.137, random.below(600) + 0.291);
-    const auto found = first_on_ray(kWorld, ray, [&](Cell cell) { return solid[kWorld.node(cell)]; });
+    const auto found = first_on_ray(kWorld, ray, [&](Cell cell, Cell) { return solid[kWorld.node(cell)]; });
     EXPECT_EQ(found, first_by_brute_force(ray, solid));
     met += found ? 1 : 0;
   }

@@ -235,7 +235,7 @@ void Canvas::Parts::turn_to(const Run& run, std::size_t pane, ViewState& state) 
   if (!state.slices.chosen()) state.slices.set_all({Axis::z, run.scenario().start.z});
   world = run.lattice();
   orbits = world.solid() && state.slices.orbits(pane);
-  if (state.slices.follows_robot) state.slices.show(pane, robot_cell(run));
+  if (state.slices.follows_robot) state.slices.show(pane, robot_cell(run), SlicePanes::alone);
   sheet = sheet_of(world, state.slices.of(pane));
 }
 
@@ -337,6 +337,8 @@ void Canvas::Parts::take_hands(const Look& look, const Session& session, std::si
   if (is_hovered && state.tools.kind().leads && pressed && pane != session.lead())
     commands.emplace_back(Lead{pane});
   if (orbits) {
+    hand.let_go();
+    if (hovered && state.view.hovered == hovered) state.view.hovered.reset();
     hovered.reset();
     return orbit_pane().take_hands(look, *session.runs()[pane], {min, viewport}, state, is_hovered, pane);
   }
@@ -393,7 +395,9 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
   const Run& run = *session.runs()[pane];
   // A picture of the canvas alone has no controls: its title tells the layer.
   const bool bar = interactive && run.lattice().solid() && !state.captured;
-  const float above = pane_title_height(look) + (bar ? slice_bar_height(look) : 0);
+  // A dialog over the window does not move the world.
+  const bool room = bar || (state.live && run.lattice().solid() && !state.captured);
+  const float above = pane_title_height(look) + (room ? slice_bar_height(look) : 0);
   const Viewport viewport{static_cast<int>(max.x - min.x), static_cast<int>(max.y - min.y),
                           static_cast<int>(above), static_cast<int>(below)};
   if (viewport.width <= 0 || viewport.height <= 0) return;

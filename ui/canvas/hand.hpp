@@ -16,6 +16,12 @@ class Hand {
   void update(const Session& session, const Run& run, ViewState& state, const Pointer& pointer,
               std::vector<Command>& commands);
 
+  /// What was begun is given up.
+  void let_go() {
+    drag_.reset();
+    busy_ = false;
+  }
+
   /// A button is down that went down on the canvas.
   [[nodiscard]] bool busy() const { return busy_; }
   /// Start, goal, robot or the corner of a way are held.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/scene/context.hpp"
 #include "ui/canvas/draw.hpp"
@@ -13,10 +14,16 @@ namespace {
 
 /// How far a pixel of the design turns, in radians.
 constexpr double kTurn = 0.008;
-constexpr double kStep = 1.15;
+constexpr double kStep = 1.15, kPan = 80;
 
 OrbitLens lens_of(const Run& run, const Orbit& orbit, const PaneArea& area) {
   return {orbit, run.lattice(), area.view};
+}
+
+/// Whether all of its obstacles are drawn: making their faces takes a second for some 30 million cells.
+bool may_be_whole(const Box& world) {
+  constexpr std::size_t kMost = std::size_t{1} << 25;
+  return world.node_count() <= kMost && std::max({world.width(), world.height(), world.depth()}) < 65536;
 }
 
 /// Points of a star, or of a square on its tip, around a middle.
@@ -40,50 +47,81 @@ void add_star(ImDrawList& list, ImVec2 at, float radius, int tips, float inner, 
 
 void OrbitPane::take_hands(const Look& look, const Run& run, const PaneArea& area, ViewState& state,
                            bool hovered, std::size_t pane) {
+  take_wishes(run, area, state);
+  drag(look, run, area, state, hovered);
+  if (hovered && ImGui::GetIO().MouseWheel != 0) turn_wheel(run, area, state, pane);
+  point(run, area, state, hovered, pane);
+}
+
+void OrbitPane::come_nearer(const Run& run, const PaneArea& area, ViewState& state, double steps) const {
+  const double whole = lens_of(run, {state.orbit.yaw, state.orbit.pitch, 0, {}}, area).orbit().distance;
+  state.orbit = lens_of(run, state.orbit, area).orbit();
+  state.orbit.distance = std::clamp(state.orbit.distance * std::pow(kStep, -steps), 2.0, 3 * whole);
+}
+
+void OrbitPane::move(const Run& run, const PaneArea& area, ViewState& state, double right,
+                     double down) const {
+  const OrbitLens lens = lens_of(run, state.orbit, area);
+  state.orbit = lens.orbit();
+  const Point to = lens.panned(right, down);
+  const Box& world = run.lattice();
+  const auto kept = [](double at, int side) { return std::clamp(at, -0.5 * side, 1.5 * side); };
+  state.orbit.focus = {kept(to.x, world.width()), kept(to.y, world.height()), kept(to.z, world.depth())};
+}
+
+/// What keys and buttons asked for.
+void OrbitPane::take_wishes(const Run& run, const PaneArea& area, ViewState& state) const {
+  if (const int steps = std::exchange(state.zoom_steps, 0); steps != 0)
+    come_nearer(run, area, state, 1.6 * steps);
+  const int x = std::exchange(state.pan_x, 0), y = std::exchange(state.pan_y, 0);
+  if (x != 0 || y != 0) move(run, area, state, kPan * x * state.view.scale, kPan * y * state.view.scale);
+}
+
+/// The left button turns the world, the middle and the right one move it.
+void OrbitPane::drag(const Look& look, const Run& run, const PaneArea& area, ViewState& state, bool hovered) {
   const ImGuiIO& io = ImGui::GetIO();
-  OrbitLens lens = lens_of(run, state.orbit, area);
-  const bool pressed = hovered && !turning_ && !moving_;
-  if (pressed && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) turning_ = true, moved_ = false;
-  if (pressed &&
-      (ImGui::IsMouseClicked(ImGuiMouseButton_Middle) || ImGui::IsMouseClicked(ImGuiMouseButton_Right)))
-    moving_ = true, moved_ = false;
-  const bool dragged = std::abs(io.MouseDelta.x) + std::abs(io.MouseDelta.y) > 0;
-  if ((turning_ || moving_) && dragged) {
-    moved_ = true;
-    state.orbit = lens.orbit();
-    const double scale = static_cast<double>(look.px.scale), right = static_cast<double>(io.MouseDelta.x),
-                 down = static_cast<double>(io.MouseDelta.y);
-    if (moving_) {
-      state.orbit.focus = lens.panned(-right, -down);
-    } else {
-      state.orbit.yaw += -right / scale * kTurn;
-      state.orbit.pitch =
-          std::clamp(state.orbit.pitch + down / scale * kTurn, -Orbit::kSteepest, Orbit::kSteepest);
+  for (const int button : {ImGuiMouseButton_Left, ImGuiMouseButton_Middle, ImGuiMouseButton_Right})
+    if (hovered && !held_ && ImGui::IsMouseClicked(button)) {
+      held_ = button;
+      dragged_ = false;
     }
-    lens = lens_of(run, state.orbit, area);
-  }
-  if (hovered && io.MouseWheel != 0) {
-    if (io.KeyShift) return move_slice(state.slices, pane, run.lattice(), io.MouseWheel > 0 ? 1 : -1);
-    state.orbit = lens.orbit();
-    state.orbit.distance =
-        std::clamp(state.orbit.distance * std::pow(kStep, -static_cast<double>(io.MouseWheel)), 2.0, 4000.0);
-  }
-  const auto x = static_cast<double>(io.MousePos.x - area.min.x),
-             y = static_cast<double>(io.MousePos.y - area.min.y);
+  const auto right = static_cast<double>(io.MouseDelta.x), down = static_cast<double>(io.MouseDelta.y);
+  if (!held_ || (right == 0 && down == 0)) return;
+  dragged_ = true;
+  if (*held_ != ImGuiMouseButton_Left) return move(run, area, state, -right, -down);
+  const double scale = static_cast<double>(look.px.scale);
+  state.orbit = lens_of(run, state.orbit, area).orbit();
+  state.orbit.yaw -= right / scale * kTurn;
+  state.orbit.pitch =
+      std::clamp(state.orbit.pitch + down / scale * kTurn, -Orbit::kSteepest, Orbit::kSteepest);
+}
+
+void OrbitPane::turn_wheel(const Run& run, const PaneArea& area, ViewState& state, std::size_t pane) const {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!io.KeyShift) return come_nearer(run, area, state, static_cast<double>(io.MouseWheel));
+  move_slice(state.slices, pane, run.lattice(), io.MouseWheel > 0 ? 1 : -1,
+             io.KeyCtrl ? SlicePanes::alone : SlicePanes::alike);
+}
+
+/// A click pins the cell under the cursor, with the right button it asks for its menu.
+void OrbitPane::point(const Run& run, const PaneArea& area, ViewState& state, bool hovered,
+                      std::size_t pane) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const OrbitLens lens = lens_of(run, state.orbit, area);
+  const auto x = static_cast<double>(mouse.x - area.min.x), y = static_cast<double>(mouse.y - area.min.y);
   const auto cell = hovered ? cell_on_ray(run, scene_, lens.ray(x, y)) : std::nullopt;
-  if (hovered) {
+  // Another pane may point elsewhere since; what this one pointed at is over in any case.
+  if (!cell && pointed_ && state.view.hovered == pointed_) state.view.hovered.reset();
+  pointed_ = cell;
+  if (cell) {
     state.view.hovered = cell;
-    if (cell) state.pointed = {*cell, pane};
+    state.pointed = {*cell, pane};
   }
-  if (turning_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-    turning_ = false;
-    if (!moved_) state.view.pinned = state.view.pinned == cell ? std::nullopt : cell;
-  }
-  if (moving_ && !ImGui::IsMouseDown(ImGuiMouseButton_Middle) &&
-      !ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
-    moving_ = false;
-    if (!moved_ && cell) state.menu = cell;
-  }
+  if (!held_ || ImGui::IsMouseDown(*held_)) return;
+  if (!dragged_ && *held_ == ImGuiMouseButton_Left)
+    state.view.pinned = state.view.pinned == cell ? std::nullopt : cell;
+  if (!dragged_ && *held_ == ImGuiMouseButton_Right && cell) state.menu = cell;
+  held_.reset();
 }
 
 void OrbitPane::draw(const Look& look, const Session& session, const Run& run, const Slice& slice,
@@ -96,8 +134,11 @@ void OrbitPane::draw(const Look& look, const Session& session, const Run& run, c
     const Palette palette = scene_palette(look.theme, state.colours);
     View view = state.view;
     view.slice = slice;
-    mesh_.follow(run, memory.of(run).digest, palette);
-    scene_ = build_solid_scene(run, view, state.solid, lens.eye(), palette, memory);
+    const bool whole = may_be_whole(run.lattice());
+    SolidOptions options = state.solid;
+    options.slice_alone = !whole;
+    if (whole) mesh_.follow(run, memory.of(run).digest, palette);
+    scene_ = build_solid_scene(run, view, options, lens.eye(), palette, memory);
     const auto drawn =
         solids_.draw({mesh_, scene_, lens.matrix(), size.width, size.height, look.theme.surround});
     refused_ = drawn ? "" : drawn.error();
@@ -116,6 +157,11 @@ void OrbitPane::draw(const Look& look, const Session& session, const Run& run, c
   list.AddImage(texture_, area.min, max, {0, 1}, {1, 0});
   draw_marks(look, run, lens, area);
   draw_compass(look, lens, area);
+  if (may_be_whole(run.lattice())) return;
+  const TextRun words{"This world is too large to be shown whole: these are the obstacles of the slice.",
+                      look.theme.text, look.fonts.ui};
+  chip(look, list, {area.min.x + look.px(12), area.min.y + static_cast<float>(size.above)},
+       std::span(&words, 1));
 }
 
 /// Start, goal and robot: strong where nothing hides them.
@@ -130,7 +176,7 @@ void OrbitPane::draw_marks(const Look& look, const Run& run, const OrbitLens& le
     const Cell own = cell_of(mark.at);
     const Point eye = lens.eye();
     const Ray back{mark.at, {eye.x - mark.at.x, eye.y - mark.at.y, eye.z - mark.at.z}};
-    const bool hidden = first_on_ray(world, back, [&](Cell cell) {
+    const bool hidden = first_on_ray(world, back, [&](Cell cell, Cell) {
                           const bool shown = !scene_.cut || scene_.cut->shows(centre_of(cell));
                           const bool inner = cell.x > 0 && cell.y > 0 && cell.z > 0 &&
                                              cell.x + 1 < world.width() && cell.y + 1 < world.height() &&
@@ -186,7 +232,11 @@ void OrbitPane::tell_legend(const Run& run, const ViewState& state, const OrbitL
   legend_.width = view.width;
   legend_.height = view.height;
   legend_.scale = state.view.scale;
-  const PixelBox seen = lens.bounds(run.lattice());
+  const PixelBox all = lens.bounds(run.lattice());
+  const PixelBox seen{std::clamp(all.left, 0.0, static_cast<double>(view.width)),
+                      std::clamp(all.top, 0.0, static_cast<double>(view.height)),
+                      std::clamp(all.right, 0.0, static_cast<double>(view.width)),
+                      std::clamp(all.bottom, 0.0, static_cast<double>(view.height))};
   const double zoom = 1 / lens.cells_per_pixel();
   legend_.camera = {(view.width / 2.0 - seen.left) / zoom, (view.height / 2.0 - seen.top) / zoom, zoom};
   legend_.columns = static_cast<int>(seen.width() / zoom);

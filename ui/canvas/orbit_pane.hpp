@@ -22,7 +22,8 @@ class OrbitPane {
   explicit OrbitPane(ImGuiRenderer& renderer) : solids_(renderer.gl()) {}
 
   /// What the mouse does over the item that was drawn last: a drag turns the world, or with the middle or the right
-  /// button moves it, the wheel comes nearer, a click pins the cell under the cursor.
+  /// button moves it, the wheel comes nearer, a click pins the cell under the cursor,
+  /// the right button asks for its menu.
   void take_hands(const Look& look, const Run& run, const PaneArea& area, ViewState& state, bool hovered,
                   std::size_t pane);
   /// Draws world and marks; what is under the cursor with them.
@@ -46,6 +47,12 @@ class OrbitPane {
     friend bool operator==(const Key&, const Key&) = default;
   };
 
+  void take_wishes(const Run& run, const PaneArea& area, ViewState& state) const;
+  void drag(const Look& look, const Run& run, const PaneArea& area, ViewState& state, bool hovered);
+  void turn_wheel(const Run& run, const PaneArea& area, ViewState& state, std::size_t pane) const;
+  void point(const Run& run, const PaneArea& area, ViewState& state, bool hovered, std::size_t pane);
+  void come_nearer(const Run& run, const PaneArea& area, ViewState& state, double steps) const;
+  void move(const Run& run, const PaneArea& area, ViewState& state, double right, double down) const;
   void draw_marks(const Look& look, const Run& run, const OrbitLens& lens, const PaneArea& area) const;
   void draw_compass(const Look& look, const OrbitLens& lens, const PaneArea& area) const;
   void tell_legend(const Run& run, const ViewState& state, const OrbitLens& lens, const Viewport& view);
@@ -56,8 +63,10 @@ class OrbitPane {
   Scene legend_;
   std::optional<Key> key_;
   ImTextureID texture_ = nullptr;
-  std::string refused_;  // why there is no picture
-  bool turning_ = false, moving_ = false, moved_ = false;
+  std::string refused_;      // why there is no picture
+  std::optional<int> held_;  // the button that went down on it
+  bool dragged_ = false;     // and the mouse has moved since
+  std::optional<Cell> pointed_;
 };
 
 }  // namespace replan::ui

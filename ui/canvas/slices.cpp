@@ -10,10 +10,10 @@ void Slices::set(std::size_t pane, Slice slice, SlicePanes panes) {
   slices_[pane % slices_.size()] = slice;
 }
 
-void Slices::show(std::size_t pane, Cell cell) {
+void Slices::show(std::size_t pane, Cell cell, SlicePanes panes) {
   Slice slice = of(pane);
   slice.layer = along(slice.along, cell);
-  set(pane, slice);
+  set(pane, slice, panes);
 }
 
 void turn_slice(Slices& slices, std::size_t pane, const Box& world, Axis along) {

@@ -25,7 +25,7 @@ class Slices {
   void forget() { chosen_ = false; }
   [[nodiscard]] bool chosen() const { return chosen_; }
   /// The one that shows the layer of a cell of the world along the axis that the pane is seen.
-  void show(std::size_t pane, Cell cell);
+  void show(std::size_t pane, Cell cell, SlicePanes panes = SlicePanes::alike);
 
   /// Whether a pane shows the whole world from outside, with its slice framed in it.
   [[nodiscard]] bool orbits(std::size_t pane) const { return orbits_[pane % orbits_.size()]; }

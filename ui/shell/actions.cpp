@@ -195,7 +195,7 @@ bool ActionContext::is_solid() const {
 }
 
 bool ActionContext::looks_along(Axis axis) const {
-  return is_solid() && view.slices.of(session.lead()).along == axis;
+  return is_solid() && !orbits() && view.slices.of(session.lead()).along == axis;
 }
 
 bool ActionContext::orbits() const {
@@ -203,6 +203,7 @@ bool ActionContext::orbits() const {
 }
 
 void ActionContext::turn_slice(Axis axis) {
+  view.slices.set_orbits(session.lead(), false);
   ui::turn_slice(view.slices, session.lead(), session.run().lattice(), axis);
 }
 

@@ -41,16 +41,18 @@ void value_menu_items(Frame& frame, const char* name, EventKind kind, Cell cell)
   const NodeId node = frame.run().lattice().node(cell);
   change_items(frame, name, kind, node);
   ImGui::Separator();
-  breakpoint_item(frame, std::string("Break when ") + name + " changes", when_changed(kind, cell));
-  if (is_number(kind)) watch_item(frame, value_expression(kind, cell));
+  breakpoint_item(frame, std::string("Break when ") + name + " changes",
+                  when_changed(kind, cell, frame.run().lattice()));
+  if (is_number(kind)) watch_item(frame, value_expression(kind, cell, frame.run().lattice()));
 }
 
 void cell_menu_items(Frame& frame, Cell cell) {
   const Look& look = frame.look;
   const PlannerInfo& info = frame.run().info();
   const bool lookahead = info.values.lookahead();
-  const NodeId node = frame.run().lattice().node(cell);
-  text(look.fonts.title, look.theme.text, "Cell " + cell_text(cell));
+  const Box& world = frame.run().lattice();
+  const NodeId node = world.node(cell);
+  text(look.fonts.title, look.theme.text, "Cell " + cell_text(cell, world));
   ImGui::Separator();
   const bool pinned = frame.view.view.pinned == cell;
   if (menu_item(look, pinned ? "Unpin it" : "Pin it", {icon::pin})) {
@@ -62,12 +64,12 @@ void cell_menu_items(Frame& frame, Cell cell) {
   ImGui::Separator();
   change_items(frame, lookahead ? "rhs" : "g", lookahead ? EventKind::rhs : EventKind::g, node);
   ImGui::Separator();
-  breakpoint_item(frame, "Break when it is taken from U", when_taken(cell));
-  breakpoint_item(frame, "Break when g changes", when_changed(EventKind::g, cell));
-  if (lookahead) breakpoint_item(frame, "Break when rhs changes", when_changed(EventKind::rhs, cell));
+  breakpoint_item(frame, "Break when it is taken from U", when_taken(cell, world));
+  breakpoint_item(frame, "Break when g changes", when_changed(EventKind::g, cell, world));
+  if (lookahead) breakpoint_item(frame, "Break when rhs changes", when_changed(EventKind::rhs, cell, world));
   ImGui::Separator();
-  watch_item(frame, value_expression(EventKind::g, cell));
-  if (lookahead) watch_item(frame, value_expression(EventKind::rhs, cell));
+  watch_item(frame, value_expression(EventKind::g, cell, world));
+  if (lookahead) watch_item(frame, value_expression(EventKind::rhs, cell, world));
 }
 
 void draw_cell_menu(Frame& frame) {

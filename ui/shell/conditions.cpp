@@ -39,18 +39,18 @@ std::optional<std::size_t> find_watch(const Session& session, const std::string&
 
 }  // namespace
 
-std::string value_expression(EventKind kind, Cell cell) {
+std::string value_expression(EventKind kind, Cell cell, const Box& world) {
   const std::string name = name_of(kind);
-  return name.empty() ? "" : name + cell_text(cell);
+  return name.empty() ? "" : name + cell_text(cell, world);
 }
 
-std::string when_changed(EventKind kind, Cell cell) {
-  const std::string value = value_expression(kind, cell);
+std::string when_changed(EventKind kind, Cell cell, const Box& world) {
+  const std::string value = value_expression(kind, cell, world);
   return value.empty() ? "" : "changed(" + value + ")";
 }
 
-std::string when_taken(Cell cell) {
-  return "taken" + cell_text(cell);
+std::string when_taken(Cell cell, const Box& world) {
+  return "taken" + cell_text(cell, world);
 }
 
 std::string when_line(int number) {

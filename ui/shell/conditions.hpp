@@ -7,17 +7,17 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/words.hpp"
+#include "core/lattice/box_words.hpp"
 #include "core/session/session.hpp"
 
 namespace replan::ui {
 
-/// "rhs(31, 18)"; empty for a kind that the language has no word for.
-std::string value_expression(EventKind kind, Cell cell);
+/// "rhs(31, 18)", in a world of several layers with a third coordinate; empty for a kind that the language has no word for.
+std::string value_expression(EventKind kind, Cell cell, const Box& world);
 /// "changed(rhs(31, 18))"; empty likewise.
-std::string when_changed(EventKind kind, Cell cell);
+std::string when_changed(EventKind kind, Cell cell, const Box& world);
 /// "taken(31, 18)".
-std::string when_taken(Cell cell);
+std::string when_taken(Cell cell, const Box& world);
 /// "line(48)"; the number as events hold it.
 std::string when_line(int number);
 

@@ -45,11 +45,12 @@ void ActionContext::go_to_breakpoint(int direction) {
 }
 
 void ActionContext::break_on_cell() {
-  if (const auto at = cell()) push(toggle_breakpoint(session, when_taken(*at)));
+  if (const auto at = cell()) push(toggle_breakpoint(session, when_taken(*at, session.run().lattice())));
 }
 
 void ActionContext::watch_cell() {
-  if (const auto at = cell()) push(toggle_watch(session, value_expression(main_value(session), *at)));
+  if (const auto at = cell())
+    push(toggle_watch(session, value_expression(main_value(session), *at, session.run().lattice())));
 }
 
 void ActionContext::go_to_change(int direction) {

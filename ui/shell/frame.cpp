@@ -95,6 +95,7 @@ void show_cell(Frame& frame, Cell cell) {
   ViewState& view = frame.view;
   view.view.pinned = cell;
   const std::size_t lead = frame.session.lead();
+  view.slices.follows_robot = false;
   view.slices.show(lead, cell);
   const Sheet sheet = sheet_of(frame.run().lattice(), view.slices.of(lead));
   Camera& camera = view.camera(sheet.box.along());

@@ -37,13 +37,13 @@ ImVec2 best_place(const Look& look, const Scene& scene, Cell cell, ImVec2 size, 
           min.y + std::round(static_cast<float>(best.top))};
 }
 
-/// It stays where it is while one steps through a run, and is closed where it is about another cell or another run.
-ImVec2 place(Frame& frame, const Scene& scene, Cell cell, ImVec2 size, ImVec2 min, ImVec2 max) {
+/// By the cell's place in the view, `seen`. It stays where it is while one steps through a run, and is closed where it is about another cell or another run.
+ImVec2 place(Frame& frame, const Scene& scene, Cell cell, Cell seen, ImVec2 size, ImVec2 min, ImVec2 max) {
   WhyPlace& why = frame.panels.why;
   const WhyPlace::Key now{cell,         frame.run().log_id(),  scene.camera, scene.width,
                           scene.height, frame.panels.why_open, size.y > 0};
   if (why.key != now) {
-    why.at = best_place(frame.look, scene, cell, size, frame.panels.why_open, min, max);
+    why.at = best_place(frame.look, scene, seen, size, frame.panels.why_open, min, max);
     why.key = now;
   }
   return {why.at.x, std::max(min.y, std::min(why.at.y, max.y - size.y))};
@@ -84,7 +84,7 @@ void draw_why_chip(Frame& frame, const Scene& scene, ImVec2 min, ImVec2 max) {
   const float line = look.fonts.title->FontSize + look.px.s;
   const ImVec2 size = open ? ImVec2(look.px(kAnswerWidth), frame.panels.why_height)
                            : ImVec2(text_width(look.fonts.title, "Why?") + 2 * look.px.s, line);
-  const ImVec2 at = place(frame, scene, sheet.box.seen(*pinned), size, min, max);
+  const ImVec2 at = place(frame, scene, *pinned, sheet.box.seen(*pinned), size, min, max);
   frame.view.view.taken = PixelBox{at.x - min.x, at.y - min.y, at.x - min.x + size.x, at.y - min.y + size.y};
   ImGui::SetNextWindowPos(at);
   ImGui::SetNextWindowSize(open ? ImVec2(size.x, 0) : size);

@@ -7,6 +7,7 @@
 #include "core/debug/offers.hpp"
 #include "core/debug/open_order.hpp"
 #include "core/debug/wave.hpp"
+#include "core/lattice/box_words.hpp"
 #include "core/trace/search_state.hpp"
 #include "ui/icons.hpp"
 #include "ui/parts.hpp"
@@ -217,7 +218,7 @@ void heading(Frame& frame, Cell cell) {
   const Look& look = frame.look;
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float right = origin.x + ImGui::GetContentRegionAvail().x;
-  section_title(look, "Cell " + cell_text(cell) + " — " + origin_of(frame, cell));
+  section_title(look, "Cell " + cell_text(cell, frame.run().lattice()) + " — " + origin_of(frame, cell));
   const ImVec2 below = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({right - look.px(24), origin.y - look.px(5)});
   const Action& menu = action(ActionId::cell_menu);

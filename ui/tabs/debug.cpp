@@ -160,7 +160,7 @@ void breakpoints_section(Frame& frame, std::string& draft) {
               "these:");
     std::vector<std::pair<std::string, const char*>> list = {
         {"event(replan)", "a replan begins"},
-        {when_taken(some_cell(frame)), "the cell is taken from U"},
+        {when_taken(some_cell(frame), frame.run().lattice()), "the cell is taken from U"},
         {"km > 5 && size(U) >= 100", "values alone, or together"}};
     if (drives(frame.run().scenario(), frame.run().choice()))
       list.insert(list.end(), {{"score(winner) < 0.5", "the arc that it takes is poor"},
@@ -211,7 +211,7 @@ void watches_section(Frame& frame, std::string& draft) {
               "A watch draws a quantity over the whole run. Right click a value in the Cell tab, or take one "
               "of these:");
     std::vector<std::pair<std::string, const char*>> suggestions = {
-        {value_expression(EventKind::g, some_cell(frame)), "the cost of a cell"},
+        {value_expression(EventKind::g, some_cell(frame), frame.run().lattice()), "the cost of a cell"},
         {"size(U)", "how many cells wait"},
         {"km", "how much is added to new keys"}};
     if (drives(frame.run().scenario(), frame.run().choice()))

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/debug/event_words.hpp"
+#include "core/lattice/box_words.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/conditions.hpp"
 #include "ui/shell/format.hpp"
@@ -50,7 +51,8 @@ void laws_of(Frame& frame, std::size_t pane) {
     paragraph(look.fonts.mono, look.theme.dim, report.first->words);
     if (report.first->node != kNoNode) {
       const Cell cell = frame.session.runs()[pane]->lattice().position(report.first->node);
-      if (link(look, "cell", "Cell " + cell_text(cell), look.fonts.ui)) show_cell(frame, cell);
+      if (link(look, "cell", "Cell " + cell_text(cell, frame.session.runs()[pane]->lattice()), look.fonts.ui))
+        show_cell(frame, cell);
       point_at(frame, cell);
       ImGui::SameLine(0, look.px.l);
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/debug/wave.hpp"
+#include "core/lattice/box_words.hpp"
 #include "ui/icons.hpp"
 #include "ui/parts.hpp"
 #include "ui/shell/format.hpp"
@@ -42,7 +43,8 @@ struct OpenListLayout {
 };
 
 std::string widest_cell(const Run& run) {
-  return cell_text({run.lattice().width() - 1, run.lattice().height() - 1});
+  const Box& world = run.lattice();
+  return cell_text({world.width() - 1, world.height() - 1, world.depth() - 1}, world);
 }
 
 /// The rows that a list is about to show: its columns are as wide as what stands in them.
@@ -118,7 +120,7 @@ void open_row(Frame& frame, std::size_t rank, const OpenEntry& entry, const Open
   const Look& look = frame.look;
   const Run& run = frame.run();
   const Cell cell = run.lattice().position(entry.node);
-  const std::string number = grouped(rank + 1), at = cell_text(cell);
+  const std::string number = grouped(rank + 1), at = cell_text(cell, run.lattice());
   std::vector<std::string> costs;
   for (const Cost value : costs_of(run, entry)) costs.push_back(cost_text(value, layout.decimals));
   const auto [word, colour] = state_word(look.theme, run, entry.node);
@@ -159,8 +161,9 @@ void touched_row(Frame& frame, std::size_t row, const Touched& each, const Touch
   const Look& look = frame.look;
   const Cell cell = frame.run().lattice().position(each.node);
   const auto cost = [&layout](Cost value) { return cost_text(value, layout.decimals); };
-  const std::string at = cell_text(cell), g_before = cost(each.g_before), g_after = cost(each.g_after),
-                    rhs_before = cost(each.rhs_before), rhs_after = cost(each.rhs_after);
+  const std::string at = cell_text(cell, frame.run().lattice()), g_before = cost(each.g_before),
+                    g_after = cost(each.g_after), rhs_before = cost(each.rhs_before),
+                    rhs_after = cost(each.rhs_after);
   const ImU32 dim = look.theme.dim, faint = look.theme.faint, text = look.theme.text;
   const bool g = each.g_before != each.g_after, rhs = each.rhs_before != each.rhs_after;
   std::vector<TableCell> cells = {{at}, {g_before, g ? dim : faint}, {g_after, g ? text : faint}};

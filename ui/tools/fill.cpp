@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "ui/icons.hpp"
 #include "ui/parts.hpp"
 #include "ui/tools/cells.hpp"
@@ -12,7 +14,7 @@ class FillTool final : public DrawingTool {
     const bool wall = is_wall(run, at);
     if (context.press.right && !wall) return nullptr;  // nothing to clear
     const Sheet& sheet = context.press.sheet;
-    const int layers = context.view.layers;
+    const int layers = std::min(context.view.layers, sheet.box.depth() - sheet.layer);
     const std::vector<CellSpan> region = connected_spans(
         sheet.box.width(), sheet.box.height(), sheet.box.seen(at),
         [&](Cell cell) { return is_wall(run, sheet.cell(cell.x, cell.y)) == wall; }, kLargeWorld);
