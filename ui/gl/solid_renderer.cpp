@@ -181,58 +181,45 @@ Result<void> SolidRenderer::resize(int width, int height) {
                std::to_string(height) + " pixels with depth."};
 }
 
-SolidRenderer::Buffer SolidRenderer::make_faces() {
+SolidRenderer::Buffer SolidRenderer::make_instances(std::size_t size, std::span<const Attribute> attributes) {
   Buffer made;
   gl_.GenVertexArrays(1, &made.array);
   gl_.GenBuffers(1, &made.buffer);
   gl_.BindVertexArray(made.array);
   gl_.BindBuffer(GL_ARRAY_BUFFER, made.buffer);
-  constexpr GLsizei kStride = sizeof(SolidFace);
-  gl_.VertexAttribPointer(0, 3, GL_UNSIGNED_SHORT, GL_FALSE, kStride, byte_offset(offsetof(SolidFace, x)));
-  gl_.VertexAttribPointer(1, 1, GL_UNSIGNED_SHORT, GL_FALSE, kStride, byte_offset(offsetof(SolidFace, side)));
-  gl_.VertexAttribPointer(2, 2, GL_UNSIGNED_SHORT, GL_FALSE, kStride,
-                          byte_offset(offsetof(SolidFace, across)));
-  gl_.VertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, byte_offset(offsetof(SolidFace, colour)));
-  for (GLuint i = 0; i < 4; ++i) {
-    gl_.EnableVertexAttribArray(i);
-    gl_.VertexAttribDivisor(i, 1);
+  GLuint location = 0;
+  for (const Attribute& each : attributes) {
+    const GLboolean normalised = each.type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE;  // a colour's
+    gl_.VertexAttribPointer(location, each.count, each.type, normalised, static_cast<GLsizei>(size),
+                            byte_offset(each.offset));
+    gl_.EnableVertexAttribArray(location);
+    gl_.VertexAttribDivisor(location, 1);
+    ++location;
   }
   return made;
+}
+
+SolidRenderer::Buffer SolidRenderer::make_faces() {
+  constexpr std::array<Attribute, 4> kAttributes = {{{3, GL_UNSIGNED_SHORT, offsetof(SolidFace, x)},
+                                                     {1, GL_UNSIGNED_SHORT, offsetof(SolidFace, side)},
+                                                     {2, GL_UNSIGNED_SHORT, offsetof(SolidFace, across)},
+                                                     {4, GL_UNSIGNED_BYTE, offsetof(SolidFace, colour)}}};
+  return make_instances(sizeof(SolidFace), kAttributes);
 }
 
 SolidRenderer::Buffer SolidRenderer::make_boxes() {
-  Buffer made;
-  gl_.GenVertexArrays(1, &made.array);
-  gl_.GenBuffers(1, &made.buffer);
-  gl_.BindVertexArray(made.array);
-  gl_.BindBuffer(GL_ARRAY_BUFFER, made.buffer);
-  constexpr GLsizei kStride = sizeof(SolidBox);
-  gl_.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, byte_offset(offsetof(SolidBox, low)));
-  gl_.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, kStride, byte_offset(offsetof(SolidBox, high)));
-  gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, byte_offset(offsetof(SolidBox, colour)));
-  for (GLuint i = 0; i < 3; ++i) {
-    gl_.EnableVertexAttribArray(i);
-    gl_.VertexAttribDivisor(i, 1);
-  }
-  return made;
+  constexpr std::array<Attribute, 3> kAttributes = {{{3, GL_FLOAT, offsetof(SolidBox, low)},
+                                                     {3, GL_FLOAT, offsetof(SolidBox, high)},
+                                                     {4, GL_UNSIGNED_BYTE, offsetof(SolidBox, colour)}}};
+  return make_instances(sizeof(SolidBox), kAttributes);
 }
 
 SolidRenderer::Buffer SolidRenderer::make_lines() {
-  Buffer made;
-  gl_.GenVertexArrays(1, &made.array);
-  gl_.GenBuffers(1, &made.buffer);
-  gl_.BindVertexArray(made.array);
-  gl_.BindBuffer(GL_ARRAY_BUFFER, made.buffer);
-  constexpr GLsizei kStride = sizeof(SolidLine);
-  gl_.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, byte_offset(offsetof(SolidLine, from)));
-  gl_.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, kStride, byte_offset(offsetof(SolidLine, to)));
-  gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, byte_offset(offsetof(SolidLine, colour)));
-  gl_.VertexAttribPointer(3, 1, GL_FLOAT, GL_FALSE, kStride, byte_offset(offsetof(SolidLine, width)));
-  for (GLuint i = 0; i < 4; ++i) {
-    gl_.EnableVertexAttribArray(i);
-    gl_.VertexAttribDivisor(i, 1);
-  }
-  return made;
+  constexpr std::array<Attribute, 4> kAttributes = {{{3, GL_FLOAT, offsetof(SolidLine, from)},
+                                                     {3, GL_FLOAT, offsetof(SolidLine, to)},
+                                                     {4, GL_UNSIGNED_BYTE, offsetof(SolidLine, colour)},
+                                                     {1, GL_FLOAT, offsetof(SolidLine, width)}}};
+  return make_instances(sizeof(SolidLine), kAttributes);
 }
 
 void SolidRenderer::release(Buffer& buffer) {

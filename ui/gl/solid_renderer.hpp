@@ -45,6 +45,13 @@ class SolidRenderer {
   Result<void> build();
   Result<void> resize(int width, int height);
   void release_target();
+  /// A part of what is drawn once for each instance, at the shader's location of its number in the list.
+  struct Attribute {
+    GLint count;
+    GLenum type;
+    std::size_t offset;
+  };
+  [[nodiscard]] Buffer make_instances(std::size_t size, std::span<const Attribute> attributes);
   [[nodiscard]] Buffer make_faces();
   [[nodiscard]] Buffer make_boxes();
   [[nodiscard]] Buffer make_lines();
