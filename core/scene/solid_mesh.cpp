@@ -46,6 +46,57 @@ SolidFace face(const std::array<int, 3>& at, std::size_t side, int across, int o
           narrow(across), narrow(on),    colour};
 }
 
+/// The colours of a block's cells and of those around it, 0 where nothing stands: each is asked for from several sides.
+struct PaddedBlock {
+  std::array<int, 3> low, high;  ///< of the block, the upper ends excluded
+  std::vector<Colour> colours;
+
+  [[nodiscard]] Colour& at(const std::array<int, 3>& place) {
+    const auto padded = [&](std::size_t axis) {
+      return static_cast<std::size_t>(place[axis] - low[axis] + 1);
+    };
+    return colours[(padded(2) * kSide + padded(1)) * kSide + padded(0)];
+  }
+  template <class ColourOf>
+  void fill(ColourOf&& colour_of) {
+    colours.assign(kSide * kSide * kSide, 0);
+    for (int z = low[2] - 1; z <= high[2]; ++z)
+      for (int y = low[1] - 1; y <= high[1]; ++y)
+        for (int x = low[0] - 1; x <= high[0]; ++x) at({x, y, z}) = colour_of(Cell{x, y, z});
+  }
+
+  static constexpr std::size_t kSide = SolidMesh::kBlock + 2;
+};
+
+/// Adds the faces of a block's k-th layer across an axis that look to one side, where nothing stands before them.
+void add_layer(PaddedBlock& cells, std::size_t side, int k, std::vector<SolidFace>& faces) {
+  const std::size_t axis = side / 2, a = kBeside[axis][0], b = kBeside[axis][1];
+  const int step = side % 2 == 0 ? -1 : 1;
+  const int width = cells.high[a] - cells.low[a], height = cells.high[b] - cells.low[b];
+  std::array<int, 3> at{};
+  const auto go_to = [&](int i, int j) {
+    at[axis] = k;
+    at[a] = cells.low[a] + i;
+    at[b] = cells.low[b] + j;
+  };
+  std::vector<Colour> layer;
+  layer.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  Colour any = 0;
+  for (int j = 0; j < height; ++j)
+    for (int i = 0; i < width; ++i) {
+      go_to(i, j);
+      const Colour colour = cells.at(at);
+      at[axis] += step;
+      layer.push_back(colour != 0 && cells.at(at) == 0 ? colour : 0);
+      any |= layer.back();
+    }
+  if (any == 0) return;
+  join(layer, width, height, [&](int i, int j, int across, int on, Colour colour) {
+    go_to(i, j);
+    faces.push_back(face(at, side, across, on, colour));
+  });
+}
+
 }  // namespace
 
 std::size_t SolidMesh::face_count() const {
@@ -114,52 +165,17 @@ void SolidMesh::make(const Run& run, std::size_t index) {
   block.revision = ++revision_;
   block.faces.clear();
   const std::array<int, 3> size = coordinates({world_.width(), world_.height(), world_.depth()});
-  std::array<int, 3> low = coordinates(grid_.position(static_cast<NodeId>(index))), high{};
+  PaddedBlock cells{coordinates(grid_.position(static_cast<NodeId>(index))), {}, {}};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    low[axis] *= kBlock;
-    high[axis] = std::min(low[axis] + kBlock, size[axis]);
+    cells.low[axis] *= kBlock;
+    cells.high[axis] = std::min(cells.low[axis] + kBlock, size[axis]);
   }
-  // The cells of the block and those around it, once: each is asked for from several sides.
-  const auto padded = [](int offset) { return static_cast<std::size_t>(offset + 1); };
-  constexpr std::size_t kSide = kBlock + 2;
-  std::vector<Colour> cells(kSide * kSide * kSide);
-  const auto place = [&](const std::array<int, 3>& at) {
-    return (padded(at[2] - low[2]) * kSide + padded(at[1] - low[1])) * kSide + padded(at[0] - low[0]);
-  };
-  for (int z = low[2] - 1; z <= high[2]; ++z)
-    for (int y = low[1] - 1; y <= high[1]; ++y)
-      for (int x = low[0] - 1; x <= high[0]; ++x)
-        if (const Cell cell{x, y, z}; world_.contains(cell))
-          cells[place({x, y, z})] = colour_of(run, world_.node(cell));
+  cells.fill([&](Cell cell) { return world_.contains(cell) ? colour_of(run, world_.node(cell)) : 0; });
   for (std::size_t side = 0; side < 6; ++side) {
-    const std::size_t axis = side / 2, a = kBeside[axis][0], b = kBeside[axis][1];
-    const int step = side % 2 == 0 ? -1 : 1, width = high[a] - low[a], height = high[b] - low[b];
-    std::vector<Colour> layer(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    for (int k = low[axis]; k < high[axis]; ++k) {
-      if (k + step < 0 || k + step >= size[axis]) continue;
-      bool any = false;
-      for (int j = 0; j < height; ++j)
-        for (int i = 0; i < width; ++i) {
-          std::array<int, 3> at{};
-          at[axis] = k;
-          at[a] = low[a] + i;
-          at[b] = low[b] + j;
-          Colour colour = cells[place(at)];
-          at[axis] = k + step;
-          if (cells[place(at)] != 0) colour = 0;
-          layer[static_cast<std::size_t>(j) * static_cast<std::size_t>(width) + static_cast<std::size_t>(i)] =
-              colour;
-          any = any || colour != 0;
-        }
-      if (!any) continue;
-      join(layer, width, height, [&](int i, int j, int across, int on, Colour colour) {
-        std::array<int, 3> at{};
-        at[axis] = k;
-        at[a] = low[a] + i;
-        at[b] = low[b] + j;
-        block.faces.push_back(face(at, side, across, on, colour));
-      });
-    }
+    const std::size_t axis = side / 2;
+    const int step = side % 2 == 0 ? -1 : 1;
+    for (int k = cells.low[axis]; k < cells.high[axis]; ++k)
+      if (k + step >= 0 && k + step < size[axis]) add_layer(cells, side, k, block.faces);
   }
 }
 
