@@ -81,7 +81,7 @@ Course course_of_robot(const SceneContext& context) {
 bool shows_course(const SceneContext& context) {
   const Decision* decision = context.run.decision_at(context.cursor);
   return context.run.scenario().robot.sensor_angle < 360 ||
-         (decision != nullptr && decision->figures.spot_turns.has_value());
+         (decision != nullptr && decision->figures.kept.has_value());
 }
 
 std::vector<Point> outline_in_plane(const SonarReach& reach, double off) {

@@ -10,7 +10,7 @@ namespace {
 bool is_smooth(const Run& run) {
   const auto decisions = run.decisions();
   return run.scenario().robot.motion == Motion::smooth ||
-         (!decisions.empty() && decisions.front().figures.spot_turns);
+         (!decisions.empty() && decisions.front().figures.kept);
 }
 
 }  // namespace
