@@ -197,7 +197,9 @@ class SolidBuilder {
     }
     if (!robot_has_set_out(context_)) return;
     show(Sign::robot);
-    scene_.marks.push_back({robot, robot_point(context_), palette.robot});
+    const Point at = robot_point(context_);
+    scene_.marks.push_back({robot, at, palette.robot});
+    if (shows_course(context_)) add_line(nose_of(at, course_of_robot(context_)), palette.robot, 3.5f);
   }
 
   SceneContext& context_;

@@ -110,6 +110,13 @@ std::vector<Point> outline_in_plane(const SonarReach& reach, double off) {
   return one;
 }
 
+std::vector<Point> nose_of(const Point& at, const Course& course) {
+  constexpr double kLength = 1.5;  // cells
+  if (course.none()) return {at, at};
+  const Course nose = scaled(unit(course), kLength);
+  return {at, {at.x + nose.x, at.y + nose.y, at.z + nose.z}};
+}
+
 std::vector<std::vector<Point>> wires_of(const SonarReach& reach) {
   if (reach.angle < 360 && !reach.course.none()) return wires_of_cone(reach);
   const double radius = reach.radius;
