@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "core/scene/routes.hpp"
 #include "core/scene/script.hpp"
+#include "core/scene/sonar.hpp"
 #include "core/scene/spline_marks.hpp"
 
 namespace replan {
@@ -153,28 +153,14 @@ class SolidBuilder {
       }
   }
 
-  void add_ring(const Point& centre, double radius, const Point& a, const Point& b, Colour colour) {
-    constexpr int kPieces = 48;
-    std::vector<Point> points;
-    for (int i = 0; i <= kPieces; ++i) {
-      const double angle = 2 * std::numbers::pi * i / kPieces;
-      const double x = radius * std::cos(angle), y = radius * std::sin(angle);
-      points.push_back(
-          {centre.x + x * a.x + y * b.x, centre.y + x * a.y + y * b.y, centre.z + x * a.z + y * b.z});
-    }
-    add_line(points, colour, 1.2f);
-  }
-
   void add_sensor() {
     const RobotSetup& robot = context_.run.scenario().robot;
     if (robot.knowledge == Knowledge::all) return;
     show(Sign::sensor);
-    const Point at = robot_point(context_);
-    const Colour colour = faded(context_.palette.robot, 0.6);
-    constexpr Point kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
-    add_ring(at, robot.sensor_radius, kX, kY, colour);
-    add_ring(at, robot.sensor_radius, kX, kZ, colour);
-    add_ring(at, robot.sensor_radius, kY, kZ, colour);
+    const SonarReach reach{robot_point(context_), course_of_robot(context_), robot.sensor_radius,
+                           robot.sensor_angle};
+    for (const std::vector<Point>& wire : wires_of(reach))
+      add_line(wire, faded(context_.palette.robot, 0.6), 1.2f);
   }
 
   /// The control polygon of a path that is a curve, and where it was pulled in, with the obstacle that it would have hit.
@@ -211,7 +197,9 @@ class SolidBuilder {
     }
     if (!robot_has_set_out(context_)) return;
     show(Sign::robot);
-    scene_.marks.push_back({robot, robot_point(context_), palette.robot});
+    const Point at = robot_point(context_);
+    scene_.marks.push_back({robot, at, palette.robot});
+    if (shows_course(context_)) add_line(nose_of(at, course_of_robot(context_)), palette.robot, 3.5f);
   }
 
   SceneContext& context_;

@@ -9,6 +9,7 @@
 
 #include "core/drive/dynamic_window.hpp"
 #include "core/plan/navigator.hpp"
+#include "core/sim/course.hpp"
 #include "core/sim/drive_figures.hpp"
 #include "core/sim/mover.hpp"
 #include "core/sim/route.hpp"
@@ -40,18 +41,29 @@ const char* mission_state_name(MissionState state);
 /// for what is scripted.
 inline constexpr std::int64_t kMovesPerCell = 10, kMostWaits = 1'000'000;
 
+/// How a robot has gone that keeps to its plan and turns no faster than it can.
+struct KeptWay {
+  static constexpr double kFarthest = 8;  ///< cells: so far around it looks for its clearance
+  std::int64_t stops = 0;                 ///< at corners too sharp to be taken under way
+  SimTime turning = 0;                    ///< on the spot, at these
+  double turned = 0;                      ///< rad, all changes of its course, under way too
+  double clearance = kFarthest;  ///< cells, of its centre from what stood in the world, where it came nearest
+  friend bool operator==(const KeptWay&, const KeptWay&) = default;
+};
+
 /// What a mission has come to so far.
 struct MissionFigures {
   std::int64_t moves = 0;
   double travelled = 0;  ///< cells, along the route
   std::int64_t collisions = 0;
   std::int64_t replans = 0;
-  double plan_ms = 0;          ///< wall time of the first plan
-  double replan_ms = 0;        ///< of all replans together: taking in the changes and the search
-  Counters counters;           ///< of the planner, all plans together
-  Counters last_plan;          ///< of the latest plan or replan alone
-  std::size_t peak_bytes = 0;  ///< held by the planner at most, the map not counted
-  DriveFigures drive;          ///< of a robot that drives
+  double plan_ms = 0;           ///< wall time of the first plan
+  double replan_ms = 0;         ///< of all replans together: taking in the changes and the search
+  Counters counters;            ///< of the planner, all plans together
+  Counters last_plan;           ///< of the latest plan or replan alone
+  std::size_t peak_bytes = 0;   ///< held by the planner at most, the map not counted
+  DriveFigures drive;           ///< of a robot that drives
+  std::optional<KeptWay> kept;  ///< of a robot whose course turns no faster than it can
 };
 
 /// What the log says of the latest decision of a robot that drives, as scalars (core/trace/event.hpp).
@@ -98,6 +110,7 @@ struct Decision {
   SimTime waited = 0;               ///< since the robot's last move
   SimTime forgets_after = kSecond;  ///< so much waiting it forgets the sightings that are out of sight
   Drive drive;                      ///< of a robot that drives
+  Course course;  ///< which way it looks: that of its last move, or turn; of a robot that drives its heading
 };
 
 /// A moment between two calls of Mission::advance(), in the middle of a search too, from which a mission can
@@ -203,8 +216,10 @@ class Mission {
   [[nodiscard]] virtual bool is_at(NodeId cell) const { return robot_ == cell; }
 
   /// Goes on over so many cells of the route, or to its end if that is nearer, in one step of the clock. All of
-  /// them have to be free.
-  void step_along(std::size_t cells);
+  /// them have to be free. It takes `time`, or without one as long as RobotSetup says.
+  void step_along(std::size_t cells, std::optional<SimTime> time = {});
+  /// Turns to that course where it stands, a step of the clock by itself: it senses again before it goes on.
+  void turn_on_the_spot(const Course& course, SimTime time);
   /// Drives over these points, from where it is on and near enough to each other for straight lines, in that time, one
   /// step of the clock; `way` is the length in cells. Stops at the first where its body would touch an obstacle.
   void drive_on(std::span<const Point> points, double way, SimTime time);
@@ -217,6 +232,8 @@ class Mission {
   /// The robot's map: nonzero = obstacle.
   [[nodiscard]] std::span<const std::uint8_t> known() const { return navigator_->known(); }
   [[nodiscard]] NodeId robot() const { return robot_; }
+  /// How near a way comes to what stands in the world, in cells; `farthest` if no nearer.
+  [[nodiscard]] double clearance_of(std::span<const Point> way, double farthest) const;
   [[nodiscard]] NodeId aim() const { return aim_; }
   [[nodiscard]] Decision& moment() { return now_; }
   [[nodiscard]] const Drive& driving() const { return now_.drive; }
@@ -233,7 +250,9 @@ class Mission {
   [[nodiscard]] std::vector<CellEdit> write_cells(const Surprise& surprise);
   [[nodiscard]] bool blocked(NodeId node) const { return navigator_->known()[node] != 0; }
   [[nodiscard]] Point point(NodeId node) const { return centre_of(box_.position(node)); }
-  [[nodiscard]] Senses senses() const { return {box_, navigator_->known(), truth_, robot_setup_, robot_}; }
+  [[nodiscard]] Senses senses() const {
+    return {box_, navigator_->known(), truth_, robot_setup_, robot_, now_.course};
+  }
   void feel(NodeId cell, std::vector<CellEdit>& told) const;
   void learn(const std::vector<CellEdit>& edits, EventKind how, std::optional<NodeId> afresh_to = {});
   [[nodiscard]] bool seeks_nearest() const {
@@ -249,14 +268,16 @@ class Mission {
   void wait_for_movers();
   void wait_on_goal(std::int64_t clock);
   void wait_until(std::int64_t clock);
-  void advance_clock(std::int64_t steps, SimTime time, NodeId left);
-  [[nodiscard]] std::vector<Cell> covered_cells(NodeId left) const;
+  void advance_clock(std::int64_t steps, SimTime time, NodeId left, std::span<const Point> along = {});
+  [[nodiscard]] std::vector<Cell> covered_cells(NodeId left, std::span<const Point> along) const;
   [[nodiscard]] SimTime step_time(double way) const;
   void put_robot(NodeId cell);
   void follow(const Path& path, PlanStatus status);
   [[nodiscard]] Point point_ahead() const;
   void collide(NodeId cell);
-  void enter(std::size_t on_route);
+  void enter(std::size_t on_route, std::span<const Point> along, std::optional<SimTime> time);
+  [[nodiscard]] bool goes_on_for_ever() const;
+  void look_ahead();
 
   MissionLog tr_;
   RobotSetup robot_setup_;
