@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/scene/numbers.hpp"
+#include "core/scene/sonar.hpp"
 #include "core/scene/spline_marks.hpp"
 
 namespace replan {
@@ -160,7 +161,17 @@ void add_sight(SceneContext& context) {
   }
 }
 
+/// The robot's course as the view sees it.
+Course seen_course(const SceneContext& context) {
+  const Course course = course_of_robot(context);
+  return course_towards(context.seen(Point{}), context.seen(Point{course.x, course.y, course.z}));
+}
+
 double heading(const SceneContext& context) {
+  if (shows_course(context)) {
+    const Course course = seen_course(context);
+    return std::atan2(course.y, course.x);
+  }
   const Decision* decision = context.run.decision_at(context.cursor);
   if (decision == nullptr || decision->after == decision->at) return 0;
   const Point from = robot_point(context), to = context.seen(decision->after);
@@ -174,6 +185,13 @@ void add_sensor(SceneContext& context) {
   const double radius = context.cut_radius(robot, setup.sensor_radius);
   if (radius <= 0 && context.lattice.solid()) return;
   context.scene.show(Sign::sensor);
+  if (setup.sensor_angle < 360) {
+    const SonarReach reach{robot, seen_course(context), setup.sensor_radius, setup.sensor_angle};
+    const double off = context.lattice.solid() ? context.slice + 0.5 - robot.z : 0;
+    context.add(Polyline{outline_in_plane(reach, off), context.palette.robot, context.pixels(1.2), 0,
+                         context.pixels(4)});
+    return;
+  }
   context.add(Ring{robot, radius, context.palette.robot, context.pixels(1.2), context.pixels(4)});
 }
 

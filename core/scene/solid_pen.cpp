@@ -1,8 +1,6 @@
 #include "core/scene/solid_pen.hpp"
 
 #include <array>
-#include <cmath>
-#include <numbers>
 
 namespace replan {
 namespace {
@@ -41,18 +39,6 @@ void SolidPen::edges(const Point& low, const Point& high, Colour colour, float w
   for (unsigned from = 0; from < 8; ++from)
     for (unsigned bit = 1; bit < 8; bit <<= 1)
       if ((from & bit) == 0) line(corner(from), corner(from | bit), colour, width);
-}
-
-void SolidPen::ring(const Point& centre, double radius, const Point& a, const Point& b, Colour colour) {
-  constexpr int kPieces = 48;
-  std::vector<Point> points;
-  for (int i = 0; i <= kPieces; ++i) {
-    const double angle = 2 * std::numbers::pi * i / kPieces;
-    const double x = radius * std::cos(angle), y = radius * std::sin(angle);
-    points.push_back(
-        {centre.x + x * a.x + y * b.x, centre.y + x * a.y + y * b.y, centre.z + x * a.z + y * b.z});
-  }
-  polyline(points, colour, 1.2f);
 }
 
 bool SolidPen::cube(const Point& centre, double half, Colour colour) {

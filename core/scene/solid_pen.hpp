@@ -33,8 +33,6 @@ class SolidPen {
   void polyline(const std::vector<Point>& points, Colour colour, float width);
   /// The edges of a box between two opposite corners.
   void edges(const Point& low, const Point& high, Colour colour, float width);
-  /// A circle in the plane of two directions.
-  void ring(const Point& centre, double radius, const Point& a, const Point& b, Colour colour);
   /// A small cube; nothing where a cut has left out the place. False if there are too many already.
   bool cube(const Point& centre, double half, Colour colour);
   /// The field's picture on the slice.
