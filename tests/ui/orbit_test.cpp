@@ -50,11 +50,11 @@ class OrbitPaneTest : public CanvasTest {
   }
   /// What goes to the graphics card while something is done.
   template <class Deed>
-  SolidRenderer::Uploads uploads(Deed&& deed) {
-    const SolidRenderer::Uploads before = pane_->uploads();
+  SolidBuffers::Uploads uploads(Deed&& deed) {
+    const SolidBuffers::Uploads before = pane_->uploads();
     deed();
     draw();
-    const SolidRenderer::Uploads after = pane_->uploads();
+    const SolidBuffers::Uploads after = pane_->uploads();
     return {after.blocks - before.blocks, after.scenes - before.scenes};
   }
   [[nodiscard]] OrbitLens lens() const { return {state_.orbit, hall_->run().lattice(), area_.view}; }

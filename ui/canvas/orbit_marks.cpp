@@ -116,6 +116,7 @@ void draw_pointed_cell(const Look& look, const Run& run, Cell cell, const OrbitL
 void draw_compass(const Look& look, const OrbitLens& lens, const PaneArea& area, ImVec2 mouse) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Compass compass = compass_of(look, lens, area);
+  list.AddCircleFilled(compass.at, look.px(41), with_alpha(look.theme.surround, 0.75f));
   const auto under = compass_part(look, lens, area, mouse);
   constexpr std::array<const char*, 3> kNames = {"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i) {

@@ -198,7 +198,9 @@ void OrbitPane::tell_state(const Look& look, const Run& run, const PaneArea& are
                            std::max<std::size_t>(mesh_.block_count(), 1)) +
             " % of it is there.";
   else if (texture_ != nullptr && !may_be_whole(run.lattice()))
-    words = "This world is too large to be shown whole: these are the obstacles of the slice.";
+    words =
+        "This world is too large to be shown whole: these are the obstacles of the slice. Shift and "
+        "the wheel move it.";
   else if (texture_ != nullptr && scene_.left_out)
     words = "More cells wait in the open list than can be shown: some are left out.";
   if (words.empty()) return;

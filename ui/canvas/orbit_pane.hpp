@@ -28,7 +28,7 @@ class OrbitPane {
   [[nodiscard]] bool behind() const { return mesh_.waiting() > 0; }
   /// What a legend tells of it.
   [[nodiscard]] const Scene& legend() const { return legend_; }
-  [[nodiscard]] const SolidRenderer::Uploads& uploads() const { return solids_.uploads(); }
+  [[nodiscard]] const SolidBuffers::Uploads& uploads() const { return solids_.uploads(); }
 
  private:
   /// What a scene was built of: equal keys, equal scenes. A turn builds none.
