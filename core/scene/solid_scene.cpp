@@ -59,7 +59,7 @@ SolidCut cut_at(const Sheet& slice, const Point& eye) {
 }
 
 SolidScene build_solid_scene(const Run& run, const View& view, const SolidOptions& options, const Point& eye,
-                             const Palette& palette, SceneMemory& memory) {
+                             const Palette& palette, SceneMemory& memory, const Deadline& deadline) {
   const Sheet slice = sheet_of(run.lattice(), view.slice);
   SolidScene scene;
   scene.slice = slice;
@@ -75,7 +75,7 @@ SolidScene build_solid_scene(const Run& run, const View& view, const SolidOption
   View upright = view;
   upright.slice.along = Axis::z;
   SceneContext context{run, upright, palette, memory.of(run), plane};
-  SolidPen pen(context, slice, options.slice_alone, scene);
+  SolidPen pen(context, slice, options.slice_alone, deadline, scene);
   add_world(pen);
   add_slice(pen);
   build_in_space(pen);

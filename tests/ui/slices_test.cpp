@@ -2,7 +2,9 @@
 #include <algorithm>
 
 #include "tests/ui/canvas_fixture.hpp"
+#include "ui/canvas/chips.hpp"
 #include "ui/canvas/orbit_marks.hpp"
+#include "ui/canvas/slice_bar.hpp"
 #include "ui/keys.hpp"
 #include "ui/tools/measure.hpp"
 #include "ui/tools/mover.hpp"
@@ -214,6 +216,8 @@ class OrbitTest : public SlicesTest {
     SlicesTest::SetUp();
     state_.slices.set_orbits(0, true);
     frame();
+    const Look& look = offscreen_->stage().look();
+    above_ = static_cast<int>(pane_title_height(look) + slice_bar_height(look));
   }
   void drag_pixels(float x, float y, float dx, float dy, int which = 0) {
     input().mouse_move(x, y);
@@ -228,7 +232,7 @@ class OrbitTest : public SlicesTest {
     const Scene& scene = canvas_->scene();
     return {state_.orbit, session_->run().lattice(), {scene.width, scene.height, above_, 0}};
   }
-  int above_ = 69;  // what the title and the bar take
+  int above_ = 0;  // what the title and the bar take
 };
 
 TEST_F(OrbitTest, ADragTurnsTheWorldAndTheWheelComesNearer) {
@@ -254,6 +258,7 @@ TEST_F(OrbitTest, ADragTurnsTheWorldAndTheWheelComesNearer) {
 }
 
 TEST_F(OrbitTest, AClickPinsWhatIsUnderTheCursor) {
+  state_.view.overlays = {};  // no cell of the open list stands before it
   ASSERT_TRUE(session_->apply(PaintCells{{{{10, 5, 3}, true}}, 0}).ok());
   session_->settle();
   frame();

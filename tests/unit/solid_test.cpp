@@ -320,7 +320,8 @@ TEST(OpenCells, AreThoseOfTheStateAtEveryMoment) {
     const std::size_t to = i % 10 == 0 ? random.below(static_cast<std::uint32_t>(end))
                                        : std::min(end, cursor + random.below(40));
     ASSERT_TRUE(session.apply(Seek{to}).ok());
-    open.follow(session.run());
+    open.follow(session.run(), Deadline(0));
+    while (open.behind()) open.follow(session.run(), Deadline(0));
     std::vector<NodeId> found, expected;
     open.each([&](NodeId node) {
       found.push_back(node);
@@ -344,11 +345,11 @@ TEST(OpenCells, LookOnlyWhereTheLogTellsOfAChange) {
   session.settle();
   OpenCells open;
   ASSERT_TRUE(session.apply(Seek{20}).ok());
-  open.follow(session.run());
+  open.follow(session.run(), Deadline::never());
   const std::size_t before = open.scanned();
   EXPECT_EQ(before, 128u) << "all of it, once";
   ASSERT_TRUE(session.apply(Seek{60}).ok());
-  open.follow(session.run());
+  open.follow(session.run(), Deadline::never());
   EXPECT_GT(open.scanned(), before);
   EXPECT_LE(open.scanned(), before + 8);
 }
