@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "ui/gl/imgui_renderer.hpp"
+#include "ui/gl/shader.hpp"
 
 namespace replan::ui {
 
