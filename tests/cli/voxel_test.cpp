@@ -184,6 +184,8 @@ TEST_F(Voxels, renderShowsTheWorldFromEverySide) {
                                                {"--slice", "y=1"},
                                                {"--orbit", "30,35"},
                                                {"--orbit", "30,35", "--slice", "x=1", "--cut"},
+                                               {"--orbit", "30,35", "--glass"},
+                                               {"--orbit", "30,35,6,3,2,1"},
                                                {"--orbit", "-120,80"}}) {
     const std::string file = folder_.file("view.png");
     std::vector<std::string> arguments = {"render", scenario_, "-o",           file,
@@ -202,6 +204,9 @@ TEST_F(Voxels, renderShowsTheWorldFromEverySide) {
   expect_complaint({"render", scenario_, "-o", out, "--orbit", "30"},
                    {"--orbit cannot be '30': give YAW,PITCH"});
   expect_complaint({"render", scenario_, "-o", out, "--orbit", "30,95"}, {"at most 89"});
+  expect_complaint({"render", scenario_, "-o", out, "--orbit", "30,35,0,1,1,1"}, {"how many cells away"});
+  expect_complaint({"render", scenario_, "-o", out, "--glass"},
+                   {"--glass is for a world from outside: add --orbit"});
   expect_complaint({"render", scenario_, "-o", out, "--cut"},
                    {"--cut is for a world from outside: add --orbit"});
   expect_complaint({"render", scenario_, "-o", folder_.file("x.svg"), "--orbit", "30,35"},
