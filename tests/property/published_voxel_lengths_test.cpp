@@ -39,7 +39,7 @@ TEST_P(PublishedVoxelLengths, OfASampleAreFound) {
   expect_listed_lengths("Complex", 20, GetParam());
 }
 
-// Minutes: a HugeWorld in the sense of ctest's labels, which the long run alone takes.
+// A quarter of a minute: what is called HugeWorld the long run alone takes.
 TEST_P(PublishedVoxelLengths, HugeWorldsAreSolvedAsListed) {
   REPLAN_NEED_SHARED_DATA();
   expect_listed_lengths("Simple", 0, GetParam());

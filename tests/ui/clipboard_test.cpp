@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "core/base/random.hpp"
 #include "ui/shell/actions.hpp"
 
 namespace replan::ui::clipboard_test {
@@ -134,8 +135,13 @@ class ClipboardInSpaceTest : public ClipboardTest {
   void SetUp() override {
     Scenario scenario;
     scenario.map = GridMap(7, 6, 5);
-    for (NodeId node = 0; node < scenario.map.blocked.size(); node += 3)
-      scenario.map.blocked[node] = kObstacle;
+    Random random(3);
+    for (NodeId node = 0; node < scenario.map.blocked.size(); ++node)
+      if (random.chance(0.4)) scenario.map.blocked[node] = kObstacle;
+    for (NodeId node = 0; node < 8; ++node)
+      scenario.map.set(
+          {static_cast<int>(node & 1), static_cast<int>(node >> 1 & 1), static_cast<int>(node >> 2)},
+          (node & 3) == 0);
     scenario.start = {1, 1, 1};
     scenario.goal = {6, 5, 4};
     for (const Cell end : {scenario.start, scenario.goal}) scenario.map.set(end, false);
@@ -189,10 +195,10 @@ TEST_F(ClipboardInSpaceTest, ARegionAcrossAnyAxisIsABoxOfTheWorld) {
 }
 
 TEST_F(ClipboardInSpaceTest, LayersOverTheTopAreLeftOut) {
-  expect_copied({{0, 0, 0}, {1, 1, 3}}, {4, 2, 3});
-  view_.view.pinned = Cell{4, 2, 3};
+  expect_copied({{0, 0, 0}, {1, 1, 3}}, {4, 1, 3});
+  view_.view.pinned = Cell{4, 1, 3};
   perform(ActionId::paste);
-  EXPECT_EQ(view_.editing.region, (CellBox{{4, 2, 3}, {5, 3, 4}}));
+  EXPECT_EQ(view_.editing.region, (CellBox{{4, 1, 3}, {5, 2, 4}}));
   EXPECT_NE(panels_.said.find("left out"), std::string::npos);
 }
 

@@ -104,7 +104,7 @@ TEST_F(WorldDialogsTest, AWorldOfLayersKeepsThemAndIsGeneratedInSpace) {
   ASSERT_EQ(commands_.size(), 1u);
   EXPECT_EQ(std::get<GenerateWorld>(commands_.front()).layers, 8);
   ASSERT_TRUE(session_->apply(commands_.front()).ok());
-  EXPECT_EQ(session_->undo_text(), "generate caverns of 20 x 16 x 8, seed 1");
+  EXPECT_EQ(session_->undo_text(), "generate boxes of 20 x 16 x 8, seed 1");
 }
 
 }  // namespace

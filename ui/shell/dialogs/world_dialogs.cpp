@@ -11,6 +11,7 @@
 #include "ui/icons.hpp"
 #include "ui/shell/dialogs/parts.hpp"
 #include "ui/shell/dialogs/world_views.hpp"
+#include "ui/shell/format.hpp"
 #include "ui/shell/term_hint.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -69,7 +70,7 @@ void WorldDialogs::show_generate(const Session& session, const WorkPlace& place)
   wanted_.width = session.scenario().map.width;
   wanted_.height = session.scenario().map.height;
   const Box world = session.scenario().map.box();
-  if (world.solid() && !generator_info().solid) wanted_.generator = "caverns", wanted_.settings = {};
+  if (world.solid() && !generator_info().solid) wanted_.generator = "boxes", wanted_.settings = {};
   wanted_.layers = generator_info().solid ? world.depth() : 1;
 }
 
@@ -202,7 +203,7 @@ void WorldDialogs::generate(const Look& look, std::vector<Command>& commands) {
   if (rolled) seed = 1 + Random(wanted_.seed).below(kSeeds);
   if (typed || rolled) wanted_.seed = seed, stale_ = true;
   ImGui::EndGroup();
-  if (!error_.empty()) paragraph(look.fonts.ui, look.theme.bad, error_);
+  if (!error_.empty()) paragraph(look.fonts.ui, look.theme.bad, as_sentence(error_));
   const Answer answer = confirm(look, "Create");
   if (answer == Answer::yes && !error_.empty()) return;
   if (answer == Answer::yes) commands.emplace_back(wanted_);
