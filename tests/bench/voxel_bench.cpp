@@ -84,9 +84,22 @@ void plan_in_space(benchmark::State& state, const VoxelWorld& world) {
       benchmark::Counter(plans, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
+/// What comes before a first plan: the moves out of every voxel.
+void make_lattice(benchmark::State& state, int side) {
+  const GridMap map = random_voxels(side).map;
+  const std::vector<std::uint8_t> cells = map.blocked.plain();
+  for (auto _ : state) {
+    const Voxel3 lattice(map.box().sides<3>(), cells, move_rules({}));
+    benchmark::DoNotOptimize(lattice.node_count());
+  }
+}
+
 }  // namespace
 
 void bench::register_voxels() {
+  benchmark::RegisterBenchmark("lattice_3d/vox256", [](benchmark::State& state) {
+    make_lattice(state, 256);
+  })->Unit(benchmark::kMillisecond);
   for (const int side : {64, 128, 256})
     benchmark::RegisterBenchmark(
         ("first_plan_3d/vox" + std::to_string(side) + "/astar").c_str(),
