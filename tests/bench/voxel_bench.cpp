@@ -1,6 +1,10 @@
 // First plans of A* in space, in the worlds in which the peers were measured: boxes of which a fifth of the voxels,
 // drawn at random, is blocked, and the ten problems of the Warframe box "Complex" that are the longest beside their
 // length in an empty box. No corner is cut, as HOG2 has it. REPLAN_SHARED_DATA names the folder with the latter.
+//
+// HOG2's A* on such boxes of 64, 128 and 256 voxels a side takes 1.5, 13.7 and 282 ms for 2200, 16 000 and 186 000
+// expansions, 0.66 to 1.4 million a second, and on Complex 1.65 ms for 2700. The random boxes and their problems are drawn
+// anew here, so that only those of Complex are the same: there it expands as many, 2739, in the mean.
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
