@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/base/file.hpp"
 #include "core/world/formats/text_lines.hpp"
