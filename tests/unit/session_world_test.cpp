@@ -246,6 +246,49 @@ TEST(SessionWorld, AGeneratedWorldHasEndsThatMeet) {
   EXPECT_EQ(session.scenario(), generated);
 }
 
+TEST(SessionWorld, AWorldOfLayersIsTippedResizedAndGenerated) {
+  Scenario scenario;
+  scenario.map = GridMap(12, 8, 5);
+  for (int z = 0; z < 4; ++z) scenario.map.set({6, 4, z}, true);
+  scenario.start = {1, 4, 2};
+  scenario.goal = {10, 4, 2};
+  scenario.planners = {{"dstar-lite", {}, {}}};
+  Session session(scenario);
+  session.settle();
+  const auto apply = [&](const Command& command) {
+    ASSERT_TRUE(session.apply(command).ok());
+    session.settle();
+    EXPECT_EQ(session.run().decisions().back().plan->status, PlanStatus::found);
+  };
+  for (const Turn turn :
+       {Turn::tip_back, Turn::tip_right, Turn::upside_down, Turn::tip_left, Turn::tip_forward})
+    apply(TurnWorld{turn});
+  EXPECT_EQ(session.undo_text(), "tip the world forward");
+  apply(ResizeWorld{{.width = 12, .height = 8, .depth = 9, .up = Side::middle}});
+  EXPECT_EQ(session.undo_text(), "resize to 12 x 8 x 9");
+  apply(ResizeWorld{{.width = 12, .height = 8}});  // a plane
+  EXPECT_EQ(session.scenario().map.box(), Box(12, 8));
+  apply(GenerateWorld{"sea-floor", {}, 20, 16, 3, 8});
+  EXPECT_EQ(session.undo_text(), "generate sea-floor of 20 x 16 x 8, seed 3");
+  EXPECT_EQ(session.scenario().map.box(), Box(20, 16, 8));
+  for (int i = 0; i < 8; ++i) ASSERT_TRUE(session.apply(Undo{}).ok());
+  EXPECT_EQ(session.scenario(), scenario);
+  for (int i = 0; i < 8; ++i) ASSERT_TRUE(session.apply(Redo{}).ok());
+  EXPECT_EQ(session.scenario().map.box(), Box(20, 16, 8));
+  EXPECT_FALSE(session.apply(GenerateWorld{"maze", {}, 20, 16, 3, 8}).ok());
+}
+
+TEST(SessionWorld, APlannerOfThePlaneKeepsAWorldFlat) {
+  Scenario scenario = strip();
+  scenario.planners = {{"field-dstar", {}, {}}};
+  Session session(scenario);
+  session.settle();
+  const NewSize higher{.width = scenario.map.width, .height = scenario.map.height, .depth = 3};
+  EXPECT_FALSE(session.apply(ResizeWorld{higher}).ok());
+  EXPECT_FALSE(session.apply(GenerateWorld{"boxes", {}, 20, 16, 3, 8}).ok());
+  EXPECT_EQ(session.scenario(), scenario);
+}
+
 TEST(SessionWorld, AMapTakesThePlaceOfAnother) {
   Session session(strip());
   session.settle();

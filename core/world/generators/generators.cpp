@@ -135,12 +135,12 @@ Result<GridMap> random_rectangles(int width, int height, double fraction, int mi
   return map;
 }
 
-Result<GridMap> random_cells(int width, int height, double fraction, std::uint64_t seed,
+Result<GridMap> random_cells(const Box& size, double fraction, std::uint64_t seed,
                              std::span<const Cell> keep_free) {
-  if (auto checked = check_map_size(width, height); !checked) return Error{checked.error()};
+  if (auto checked = check_world_size(size); !checked) return Error{checked.error()};
   if (auto checked = check_fraction("the obstacles' fraction", fraction, 0, 1); !checked)
     return Error{checked.error()};
-  GridMap map(width, height);
+  GridMap map(size.width(), size.height(), size.depth());
   Random random(seed);
   for (std::size_t cell = 0; cell < map.blocked.size(); ++cell)
     if (random.chance(fraction)) map.blocked[cell] = kObstacle;
