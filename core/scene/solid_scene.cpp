@@ -98,7 +98,7 @@ struct Met {
 };
 
 /// Where a ray enters a cell.
-double depth_of(const Ray& ray, Cell cell) {
+double depth_of(const EyeRay& ray, Cell cell) {
   double enter = 0;
   const auto clip = [&](double from, double way, int at) {
     if (way != 0) enter = std::max(enter, std::min((at - from) / way, (at + 1 - from) / way));
@@ -110,7 +110,7 @@ double depth_of(const Ray& ray, Cell cell) {
 }
 
 /// The nearest place of a line that a ray passes at less than `reach` times its depth.
-std::optional<Met> met_path(const std::vector<Point>& path, const Ray& ray, double reach) {
+std::optional<Met> met_path(const std::vector<Point>& path, const EyeRay& ray, double reach) {
   std::optional<Met> first;
   const auto dot = [](const Point& a, const Point& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
   const auto minus = [](const Point& a, const Point& b) { return Point{a.x - b.x, a.y - b.y, a.z - b.z}; };
@@ -134,7 +134,7 @@ std::optional<Met> met_path(const std::vector<Point>& path, const Ray& ray, doub
 }
 
 /// The cell of the picture on the slice that a ray meets, where it has a colour.
-std::optional<Met> met_sheet(const Box& world, const SolidScene& scene, const Sheet& slice, const Ray& ray) {
+std::optional<Met> met_sheet(const Box& world, const SolidScene& scene, const Sheet& slice, const EyeRay& ray) {
   const SolidSheet& sheet = scene.sheet;
   if (sheet.texels.empty()) return std::nullopt;
   const Axis axis = slice.box.along();
@@ -152,7 +152,7 @@ std::optional<Met> met_sheet(const Box& world, const SolidScene& scene, const Sh
 
 }  // namespace
 
-std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const Ray& ray, double reach) {
+std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const EyeRay& ray, double reach) {
   const SearchState& state = run.timeline().state();
   const Box& world = run.lattice();
   const bool waiting_show = !scene.boxes.empty() && scene.signs[static_cast<std::size_t>(Sign::queue)];

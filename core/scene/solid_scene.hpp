@@ -89,6 +89,6 @@ SolidScene build_solid_scene(const Run& run, const View& view, const SolidOption
 /// The cell of what a ray meets first of what the scene shows: an obstacle, a small cube of the open list, the path, or a
 /// value of the field on the slice. The path is met from `reach` beside it on, in cells at a depth of one. Where one sees
 /// through obstacles, they come last.
-std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const Ray& ray, double reach = 0);
+std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const EyeRay& ray, double reach = 0);
 
 }  // namespace replan

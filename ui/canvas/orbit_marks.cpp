@@ -20,7 +20,7 @@ bool is_hidden(const Run& run, const SolidScene& scene, const Point& at, const P
   const SearchState& state = run.timeline().state();
   const Box& world = run.lattice();
   const Cell own = cell_of(at);
-  const Ray back{at, {eye.x - at.x, eye.y - at.y, eye.z - at.z}};
+  const EyeRay back{at, {eye.x - at.x, eye.y - at.y, eye.z - at.z}};
   return first_on_ray(world, back,
                       [&](Cell cell, Cell) {
                         const bool shown = !scene.cut || scene.cut->shows(centre_of(cell));
