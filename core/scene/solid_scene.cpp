@@ -134,7 +134,8 @@ std::optional<Met> met_path(const std::vector<Point>& path, const EyeRay& ray, d
 }
 
 /// The cell of the picture on the slice that a ray meets, where it has a colour.
-std::optional<Met> met_sheet(const Box& world, const SolidScene& scene, const Sheet& slice, const EyeRay& ray) {
+std::optional<Met> met_sheet(const Box& world, const SolidScene& scene, const Sheet& slice,
+                             const EyeRay& ray) {
   const SolidSheet& sheet = scene.sheet;
   if (sheet.texels.empty()) return std::nullopt;
   const Axis axis = slice.box.along();
