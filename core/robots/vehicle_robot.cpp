@@ -50,7 +50,8 @@ RobotInfo VehicleRobot::describe() {
       .name = "Vehicle",
       .summary =
           "Keeps to its plan, turns and climbs no faster than it can, and stops to turn at sharp corners.",
-      .parameters = {kTurnRate, kClimbRate, kCorner}};
+      .parameters = {kTurnRate, kClimbRate, kCorner},
+      .own_pace = true};
 }
 
 VehicleRobot::VehicleRobot(const Scenario& scenario, const PlannerChoice& choice, Recorder* recorder)

@@ -185,20 +185,26 @@ bool kind_settings(Frame& frame, RobotSetup& robot) {
   return declared_settings(frame, info.parameters, robot.settings) || changed;
 }
 
+/// How long its steps take, where its kind leaves that open.
+bool motion_setting(const Look& look, RobotSetup& robot) {
+  if (find_robot(robot.kind)->own_pace) return false;
+  static constexpr std::array<const char*, 2> kMotions = {"step by step", "at a steady speed"};
+  int motion = static_cast<int>(robot.motion);
+  const bool changed = labelled_control(
+      look, "It drives",
+      {"How it drives", "",
+       "Step by step: every step takes equally long, straight or diagonal. At a steady speed: "
+       "it goes along its plan smoothly, and a step takes as long as its way."},
+      robot.motion != RobotSetup{}.motion,
+      [&](float width) { return combo(look, "##drives", kMotions, motion, width); });
+  robot.motion = static_cast<Motion>(motion);
+  return changed;
+}
+
 /// How the robot drives; true if something was changed.
 bool drive_settings(Frame& frame, RobotSetup& robot) {
   const Look& look = frame.look;
-  static constexpr std::array<const char*, 2> kMotions = {"step by step", "at a steady speed"};
-  int motion = static_cast<int>(robot.motion);
-  bool changed = labelled_control(look, "It drives",
-                                  {"How it drives", "",
-                                   "Step by step: every step takes equally long, straight or diagonal. At a "
-                                   "steady speed: it goes along its "
-                                   "plan smoothly, and a step takes as long as its way."},
-                                  robot.motion != RobotSetup{}.motion, [&](float width) {
-                                    return combo(look, "##drives", kMotions, motion, width);
-                                  });
-  robot.motion = static_cast<Motion>(motion);
+  bool changed = motion_setting(look, robot);
   const Parameter speed{.key = "robot speed",
                         .label = "Driving speed",
                         .type = ParameterType::real,
