@@ -133,18 +133,28 @@ std::optional<Met> met_path(const std::vector<Point>& path, const EyeRay& ray, d
   return first;
 }
 
+/// Whether a cube was made for the cell: of a long open list not all are.
+bool has_cube(const SolidScene& scene, Cell cell) {
+  const auto in = [](const float* low, const float* high, int x, std::size_t axis) {
+    return static_cast<float>(x) < high[axis] && low[axis] < static_cast<float>(x + 1);
+  };
+  return std::any_of(scene.boxes.begin(), scene.boxes.end(), [&](const SolidBox& box) {
+    return in(box.low, box.high, cell.x, 0) && in(box.low, box.high, cell.y, 1) &&
+           in(box.low, box.high, cell.z, 2);
+  });
+}
+
 /// The cell of the picture on the slice that a ray meets, where it has a colour.
-std::optional<Met> met_sheet(const Box& world, const SolidScene& scene, const Sheet& slice,
-                             const EyeRay& ray) {
+std::optional<Met> met_sheet(const SolidScene& scene, const Sheet& slice, const EyeRay& ray) {
   const SolidSheet& sheet = scene.sheet;
   if (sheet.texels.empty()) return std::nullopt;
   const Axis axis = slice.box.along();
   const double way = along_axis(axis, ray.direction);
   const double depth = (along_axis(axis, sheet.corner) - along_axis(axis, ray.from)) / way;
-  if (!(depth > 0)) return std::nullopt;
+  if (!(depth > 0) || std::isinf(depth)) return std::nullopt;
   const Point at = slice.box.seen(ray.at(depth));
+  if (!(at.x >= 0 && at.x < slice.box.width() && at.y >= 0 && at.y < slice.box.height())) return std::nullopt;
   const Cell cell = slice.cell(static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)));
-  if (!world.contains(cell)) return std::nullopt;
   const Cell seen = slice.box.seen(cell);
   const auto texel = static_cast<std::size_t>(seen.y) * static_cast<std::size_t>(sheet.columns) +
                      static_cast<std::size_t>(seen.x);
@@ -161,7 +171,7 @@ std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const E
   const auto solid = [&](NodeId node) { return state.truly_blocked(node) || state.known_blocked(node); };
   const auto waits = [&](Cell cell) {
     return waiting_show && shown(cell) && state.queued(world.node(cell)) &&
-           meets_cube(ray, centre_of(cell), kWaitingHalf);
+           meets_cube(ray, centre_of(cell), kWaitingHalf) && has_cube(scene, cell);
   };
   const auto wall = [&](Cell cell, Cell before) {
     if (!shown(cell) || !solid(world.node(cell)) || !world.contains(before)) return false;
@@ -177,7 +187,7 @@ std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const E
     first = met->cell;
     depth = met->depth;
   };
-  take(met_sheet(world, scene, scene.slice, ray));
+  take(met_sheet(scene, scene.slice, ray));
   take(met_path(scene.path, ray, reach));
   if (first || !glass) return first;
   return first_on_ray(world, ray, wall);

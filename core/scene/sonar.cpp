@@ -25,6 +25,7 @@ Course unit(const Course& a) {
 /// How far to either side of the axis's own direction in the plane a sensor sees at that distance from the foot of its
 /// place: 0, nothing, to pi, all round.
 double half_width(const SonarReach& reach, double off, double distance) {
+  if (reach.course.none()) return kHalfTurn;  // as Cone has it
   const Course axis = unit(reach.course);
   const double flat = distance * std::hypot(axis.x, axis.y);
   const double needed = std::cos(reach.angle * kHalfTurn / 360) * std::hypot(distance, off) - off * axis.z;

@@ -92,7 +92,7 @@ struct Drive {
 /// there.
 struct Decision {
   std::size_t event = 0;    ///< position in the event log
-  std::int64_t clock = 0;   ///< steps of the robot: moves, and waits while there is no path
+  std::int64_t clock = 0;   ///< steps of the robot: moves, turns on the spot, and waits
   SimTime time = 0;         ///< that these took
   std::vector<bool> fired;  ///< which surprises have happened
   MissionState state = MissionState::driving;

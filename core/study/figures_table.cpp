@@ -54,9 +54,9 @@ constexpr FigureInfo kFigures[] = {
     {"seconds", robot, "time", "s", lower, 1, false,
      "Of the world's own time since the robot set out, waiting counted."},
     {"way_min_clearance", robot, "least clearance on its way", "cells", higher, 3, false,
-     "From the vehicle's centre to the nearest edge of what stood in the world, known or not, where it came "
-     "nearest; 8 if "
-     "it came no nearer than that."},
+     "From the vehicle's centre, anywhere on its way, to the nearest edge of what stood in the world as it "
+     "set out on "
+     "that step, known to it or not; 8 if it came no nearer than that."},
     {"stops", robot, "stops to turn", "", lower, 0, false,
      "Corners that were too sharp for the vehicle: it stopped there and turned on the spot."},
     {"turning_seconds", robot, "time turning on the spot", "s", lower, 1, false,

@@ -278,6 +278,27 @@ TEST(SessionWorld, AWorldOfLayersIsTippedResizedAndGenerated) {
   EXPECT_FALSE(session.apply(GenerateWorld{"maze", {}, 20, 16, 3, 8}).ok());
 }
 
+/// A condition that names a cell of the plane makes no sense in space: it stays, in the file too.
+TEST(SessionWorld, ADocumentWhoseWorldHasGrownALayerIsReadAgain) {
+  Session session(strip());
+  session.settle();
+  ASSERT_TRUE(session.apply(AddBreakpoint{"g(1, 1) > 2"}).ok());
+  const Box before = session.scenario().map.box();
+  ASSERT_TRUE(
+      session.apply(ResizeWorld{{.width = before.width(), .height = before.height(), .depth = 2}}).ok());
+  Scenario saved = session.scenario();
+  saved.debug = session.debug();
+  const auto again = parse_scenario(scenario_text(saved), "again.json", "");
+  ASSERT_TRUE(again.ok()) << again.error();
+  ASSERT_EQ(again->debug.breakpoints.size(), 1u);
+  Session opened(*again);
+  opened.settle();
+  EXPECT_NE(opened.breakpoints().problem(0), "");
+  ASSERT_TRUE(opened.apply(ResizeWorld{{.width = before.width(), .height = before.height()}}).ok());
+  opened.settle();
+  EXPECT_EQ(opened.breakpoints().problem(0), "") << "it is in a plane again";
+}
+
 TEST(SessionWorld, APlannerOfThePlaneKeepsAWorldFlat) {
   Scenario scenario = strip();
   scenario.planners = {{"field-dstar", {}, {}}};

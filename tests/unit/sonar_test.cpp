@@ -261,6 +261,13 @@ TEST(SonarScene, TheOutlineInAPlaneIsTheRimOfWhatTheConeHolds) {
   EXPECT_TRUE(outline_in_plane({{0, 0, 0}, {0, 0, 1}, 2, 90}, -1).empty()) << "it looks the other way";
 }
 
+/// On its goal a robot has no course, and sees all round, as Cone has it.
+TEST(SonarScene, WithoutACourseTheOutlineIsARing) {
+  const std::vector<Point> ring = outline_in_plane({{5, 5, 0.5}, {0, 0, 0}, 3, 90}, 0);
+  ASSERT_GT(ring.size(), 20u);
+  for (const Point& point : ring) EXPECT_NEAR(distance(point, {5, 5, 0.5}), 3, 1e-9);
+}
+
 TEST(SonarScene, TheWiresInSpaceLieOnTheCone) {
   each_direction(1, 1, [](const Course& course) {
     for (const std::vector<Point>& wire : wires_of({{1, 2, 3}, course, 4, 50}))
