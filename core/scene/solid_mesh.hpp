@@ -59,10 +59,14 @@ class SolidMesh {
   };
   /// What colours depend on.
   struct Colours {
-    Colour obstacle = 0, mover = 0, surprise = 0, unknown = 0;
+    explicit Colours(const Palette& palette);
+    Colours() = default;
+    Colour obstacle = 0, mover = 0, surprise = 0, unknown = 0, gone = 0;
     friend bool operator==(const Colours&, const Colours&) = default;
   };
   class Reader;
+  friend std::vector<SolidFace> cut_faces(const Run& run, Axis across, int layer, bool towards_higher,
+                                          const Palette& palette);
 
   void begin(const Run& run);
   void note_surprises(const Run& run);
@@ -84,7 +88,10 @@ class SolidMesh {
   MapFollower follower_;
 };
 
-/// The faces of one layer of obstacles that look along an axis towards a viewer: what a cut through the world shows.
-std::vector<SolidFace> cut_faces(const Run& run, Axis across, int layer, bool towards_higher, Colour colour);
+/// The faces of one layer of obstacles that look along an axis towards a viewer: what a cut through the world shows. Their
+/// colours are those of the obstacles, a little off, so that a cut is seen to be one. None where the world is longer than a
+/// face can tell.
+std::vector<SolidFace> cut_faces(const Run& run, Axis across, int layer, bool towards_higher,
+                                 const Palette& palette);
 
 }  // namespace replan

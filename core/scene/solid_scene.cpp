@@ -69,8 +69,7 @@ SolidScene build_solid_scene(const Run& run, const View& view, const SolidOption
   if (options.see_through) scene.opacity = 0.3f;
   if (options.cut || options.slice_alone) {
     scene.cut = cut_at(slice, eye);
-    scene.cut_faces = cut_faces(run, slice.box.along(), slice.layer, scene.cut->keeps_lower,
-                                mix(palette.obstacle, palette.text, 0.22f));
+    scene.cut_faces = cut_faces(run, slice.box.along(), slice.layer, scene.cut->keeps_lower, palette);
   }
   Scene plane;
   plane.camera.zoom = 1;

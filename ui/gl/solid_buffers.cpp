@@ -98,15 +98,35 @@ void SolidBuffers::upload(const SolidScene& scene, std::uint64_t number) {
   ++uploads_.scenes;
 }
 
+/// The picture with so few texels that a texture has room for it: every n-th of a row, and every m-th row.
+SolidSheet SolidBuffers::thinned(const SolidSheet& sheet, int largest) {
+  const auto each = [largest](int side) { return (side + largest - 1) / largest; };
+  const int across = each(sheet.columns), down = each(sheet.rows);
+  SolidSheet thin{(sheet.columns + across - 1) / across, (sheet.rows + down - 1) / down, {}, {}, {}, {}};
+  for (int row = 0; row < sheet.rows; row += down)
+    for (int column = 0; column < sheet.columns; column += across)
+      thin.texels.push_back(
+          sheet.texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(sheet.columns) +
+                       static_cast<std::size_t>(column)]);
+  return thin;
+}
+
 void SolidBuffers::upload_sheet(const SolidSheet& sheet) {
   if (sheet.texels.empty()) return;
   if (sheet_ == 0) gl_.GenTextures(1, &sheet_);
   gl_.BindTexture(GL_TEXTURE_2D, sheet_);
   for (const GLenum filter : {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER})
     gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+  for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    gl_.TexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
   gl_.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, sheet.columns, sheet.rows, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 sheet.texels.data());
+  GLint largest = 0;
+  gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  const bool fits = sheet.columns <= largest && sheet.rows <= largest;
+  const SolidSheet thin = fits ? SolidSheet() : thinned(sheet, largest);
+  const SolidSheet& fitting = fits ? sheet : thin;
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, fitting.columns, fitting.rows, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 fitting.texels.data());
 }
 
 }  // namespace replan::ui

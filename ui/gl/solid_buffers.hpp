@@ -57,6 +57,7 @@ class SolidBuffers {
   template <class Item>
   void fill(Instances& instances, std::span<const Item> items);
   void upload_sheet(const SolidSheet& sheet);
+  static SolidSheet thinned(const SolidSheet& sheet, int largest);
   void release(Instances& instances);
 
   const Gl& gl_;

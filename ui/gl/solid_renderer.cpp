@@ -12,6 +12,8 @@ namespace {
 
 /// How many cells nearer than they are lines are drawn.
 constexpr float kNearer = 0.1f;
+/// So many cells the faces that a cut lays open stand off from it, and the blocks end there.
+constexpr float kCutLift = 0.004f;
 /// How much of the background's colour what is farthest takes on.
 constexpr float kHaze = 0.5f;
 /// Strength of the lines between cells, and of outlines.
@@ -87,7 +89,7 @@ void SolidRenderer::set_cut(const SolidScene& scene) {
   if (scene.cut) {
     const float sign = scene.cut->keeps_lower ? 1.0f : -1.0f;
     cut[static_cast<std::size_t>(scene.cut->across)] = sign;
-    cut[3] = sign * static_cast<float>(scene.cut->at) + 0.001f;
+    cut[3] = sign * static_cast<float>(scene.cut->at) + kCutLift;
   }
   gl_.Uniform4f(uniform("cut"), cut[0], cut[1], cut[2], cut[3]);
 }
@@ -104,7 +106,7 @@ void SolidRenderer::draw_blocks(const SolidFrame& frame) {
   }
   if (buffers_.cut().count == 0) return;
   gl_.Uniform4f(uniform("cut"), 0, 0, 0, 1);
-  gl_.Uniform1f(uniform("lift"), 0.004f);
+  gl_.Uniform1f(uniform("lift"), kCutLift);
   gl_.BindVertexArray(buffers_.cut().array);
   gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, buffers_.cut().count);
 }
