@@ -45,10 +45,25 @@ TEST(EsriGrid, IsReadWhateverItsCaseAndLines) {
       "g.asc");
   EXPECT_EQ(odd.heights, sea.heights);
   ASSERT_EQ(odd.notes.size(), 1u);
-  EXPECT_EQ(odd.notes[0],
-            "where the grid lies (its south-west corner at 10, 0) and how large its cells are (1 x 2) is not "
-            "kept, since "
-            "it does not say in which unit");
+  EXPECT_EQ(
+      odd.notes[0],
+      "where the grid lies (its south-west corner at 9.5, -1) and how large its cells are (1 x 2) is not "
+      "kept, since "
+      "it does not say in which unit");
+}
+
+TEST(EsriGrid, NoDataIsWhatTheHeaderSaysOrMinus9999) {
+  const auto heights = [](const std::string& line) {
+    return parse_esri_grid("ncols 3\nnrows 1\n" + line + "-9999 nan -7\n", "g.asc")->heights;
+  };
+  constexpr float kNone = HeightGrid::kNoHeight;
+  EXPECT_EQ(heights(""), (std::vector<float>{kNone, kNone, -7}));
+  EXPECT_EQ(heights("NODATA_value -7\n"), (std::vector<float>{-9999, kNone, kNone}));
+  EXPECT_EQ(heights("NODATA_value nan\n"), (std::vector<float>{-9999, kNone, -7}));
+  EXPECT_EQ(grid_error("ncols 1\nnrows 1\nNODATA_value inf\n1\n"),
+            "g.asc:3: after 'NODATA_value' there must be one number");
+  EXPECT_EQ(grid_error("ncols 1\nnrows 1\ncellsize nan\n1\n"),
+            "g.asc:3: after 'cellsize' there must be one number");
 }
 
 TEST(EsriGrid, ErrorsNameTheLine) {
