@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 namespace replan {
 namespace {
@@ -153,17 +152,6 @@ void turn_camera(ViewSetup& view, const GridMap& before, Turn turn) {
   if (turn != Turn::upside_down) view.camera.reset();
 }
 
-Result<void> check_size(const NewSize& size) {
-  const std::int64_t most = size.depth > 1 ? kMaxVoxels : kMaxCells;
-  const bool sides = size.width >= 1 && size.height >= 1 && size.depth >= 1;
-  if (sides && size.width <= most / size.height &&
-      size.depth <= most / (std::int64_t{size.width} * size.height))
-    return {};
-  return Error{"a world cannot have " + std::to_string(size.width) + " x " + std::to_string(size.height) +
-               (size.depth != 1 ? " x " + std::to_string(size.depth) : "") +
-               " cells: give sides from 1 and at most " + std::to_string(most) + " cells in all"};
-}
-
 /// Gives the map its new size; a cell of the one before comes to lie where `shifted` says, if that is inside.
 template <class Shifted>
 void resize_map(Scenario& after, const Scenario& before, const NewSize& size, const Shifted& shifted) {
@@ -210,14 +198,19 @@ Cell turned(Cell cell, const Box& world, Turn turn) {
   return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
+Box turned_size(const Box& world, Turn turn) {
+  const Cell size = turned_size(size_of(world), turn);
+  return {size.x, size.y, size.z};
+}
+
 Scenario turned(const Scenario& scenario, Turn turn) {
   const GridMap& map = scenario.map;
   Scenario after = scenario;
   after.map_file.clear();
-  const Cell size = turned_size(size_of(map.box()), turn);
-  after.map.width = size.x;
-  after.map.height = size.y;
-  after.map.depth = size.z;
+  const Box size = turned_size(map.box(), turn);
+  after.map.width = size.width();
+  after.map.height = size.height();
+  after.map.depth = size.depth();
   if (about_z(turn) && has_frame(map)) after.map.origin = turned_origin(map, turn);
   const auto move = [&](Cell cell) { return turned(cell, map.box(), turn); };
   const auto unknown = emptied_unknown(after);
@@ -239,7 +232,8 @@ Scenario turned(const Scenario& scenario, Turn turn) {
 
 Result<Resized> resized(const Scenario& scenario, const NewSize& size) {
   const GridMap& map = scenario.map;
-  if (const auto checked = check_size(size); !checked) return Error{checked.error()};
+  if (const auto checked = check_world_size({size.width, size.height, size.depth}); !checked)
+    return Error{checked.error()};
   const Cell by{shift(size.across, map.width, size.width), shift(size.down, map.height, size.height),
                 shift(size.up, map.depth, size.depth)};
   Resized done{scenario, 0, {}, false};

@@ -48,6 +48,8 @@ struct Resized {
 
 /// Where a cell of such a world comes to lie.
 Cell turned(Cell cell, const Box& world, Turn turn);
+/// The size of such a world then. Tipping may give a plane that is too large for one: see check_world_size().
+Box turned_size(const Box& world, Turn turn);
 /// Turns the map with start, goal, surprises, the ways of moving obstacles and the camera. The map keeps its
 /// place in its own frame (GridMap::origin) when it is turned about z; mirrored or tipped it has none.
 Scenario turned(const Scenario& scenario, Turn turn);
