@@ -81,6 +81,11 @@ bool about_z(Turn turn) {
   return turn == Turn::left || turn == Turn::right;
 }
 
+/// Whether layers are layers no more.
+bool tips(Turn turn) {
+  return axis_swap(turn).from[2] != Axis::z;
+}
+
 Cell clamped(Cell cell, const Box& world) {
   return {std::clamp(cell.x, 0, world.width() - 1), std::clamp(cell.y, 0, world.height() - 1),
           std::clamp(cell.z, 0, world.depth() - 1)};
@@ -125,6 +130,12 @@ std::shared_ptr<std::vector<bool>> emptied_unknown(Scenario& after) {
   return unknown;
 }
 
+/// How many layers a moving obstacle has that had `layers`: no more than its world, or it would be another one when it is
+/// read again, since files do not tell it of planes.
+int fitting_depth(int layers, const GridMap& world) {
+  return std::min(layers, world.depth);
+}
+
 /// The moving obstacles of a world that was `before`. The way of one is that of its lowest cell, which is another cell
 /// of the box after the turn.
 void turn_movers(Scenario& after, const Box& before, Turn turn) {
@@ -136,7 +147,7 @@ void turn_movers(Scenario& after, const Box& before, Turn turn) {
     }
     mover.width = now.x;
     mover.height = now.y;
-    mover.depth = now.z;
+    mover.depth = fitting_depth(now.z, after.map);
   }
 }
 
@@ -212,6 +223,7 @@ Scenario turned(const Scenario& scenario, Turn turn) {
   after.map.height = size.height();
   after.map.depth = size.depth();
   if (about_z(turn) && has_frame(map)) after.map.origin = turned_origin(map, turn);
+  if (tips(turn)) after.map.origin = {};  // what was up is none of the frame's directions
   const auto move = [&](Cell cell) { return turned(cell, map.box(), turn); };
   const auto unknown = emptied_unknown(after);
   for (NodeId from = 0; from < map.blocked.size(); ++from) {
@@ -247,8 +259,10 @@ Result<Resized> resized(const Scenario& scenario, const NewSize& size) {
   done.ends_moved = falls_off(scenario.start) || falls_off(scenario.goal);
   const auto move = [&](Cell cell) { return clamped(shifted(cell), world); };
   move_places(after, move);
-  for (MovingObstacle& mover : after.movers)
+  for (MovingObstacle& mover : after.movers) {
     for (Cell& corner : mover.way) corner = move(corner);
+    mover.depth = fitting_depth(mover.depth, after.map);
+  }
   shift_surprises(done, shifted);
   if (auto& camera = after.view.camera) {
     camera->x += by.x;
