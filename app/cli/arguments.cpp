@@ -151,6 +151,19 @@ Result<MapReading> ReadingArguments::reading() const {
   return result;
 }
 
+Result<void> ReadingArguments::check_unused_by(const std::string& source) const {
+  if (!given()) return {};
+  const std::string options =
+      "options that say how a map is read (--threshold, --invert, --unknown, --occupied, --height-map, "
+      "--layers, --heights, --reduce) are for a map";
+  if (!is_generator_spec(source)) return Error{options + "; a scenario says itself how its map is read"};
+  const bool told = source.find("layers=") != std::string::npos;
+  const std::string before = told ? "" : source.find('?') == std::string::npos ? "?" : "&";
+  return Error{
+      options + " file, and a generator has settings of its own: " +
+      (layers.empty() ? "leave them out" : "say " + before + "layers=" + layers + " in the generator")};
+}
+
 void WorldArguments::declare(CLI::App& command) {
   command.add_option("SCENARIO", scenario, "A scenario file (.json)");
   command
@@ -180,6 +193,8 @@ void WorldArguments::declare(CLI::App& command) {
 }
 
 Result<MapFile> WorldArguments::load_map() const {
+  if (is_generator_spec(map))
+    if (const auto unused = reading.check_unused_by(map); !unused) return Error{unused.error()};
   const auto how = reading.reading();
   if (!how) return Error{how.error()};
   std::vector<Cell> ends;  // a generated map leaves them free
@@ -208,10 +223,8 @@ Result<Scenario> WorldArguments::load() const {
                      : "give either a scenario file or --map, not both"};
   if (map.empty() && file_extension(scenario) != ".json")
     return Error{"'" + scenario + "' is no scenario file (.json); give a map with --map FILE"};
-  if (map.empty() && reading.given())
-    return Error{
-        "options that say how a map is read (--threshold, --invert, --unknown, --occupied, --height-map, "
-        "--layers, --heights, --reduce) are for a map; a scenario says itself how its map is read"};
+  if (map.empty())
+    if (const auto unused = reading.check_unused_by(scenario); !unused) return Error{unused.error()};
   Result<Scenario> world = map.empty() ? read_scenario(scenario) : plain_world(*this);
   if (!world) return world;
   for (const auto& [option, text, cell] :

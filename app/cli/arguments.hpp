@@ -49,6 +49,8 @@ struct ReadingArguments {
   [[nodiscard]] bool given() const {
     return invert || !threshold.empty() || !unknown.empty() || !occupied.empty() || of_heights();
   }
+  /// An error if any of them is given for what is no map file: a scenario, or a generator.
+  [[nodiscard]] Result<void> check_unused_by(const std::string& source) const;
 
  private:
   [[nodiscard]] bool of_heights() const {

@@ -126,6 +126,9 @@ Result<int> from_scenario(ConvertArguments& arguments) {
 /// One plane of a box of voxels becomes a map.
 Result<int> from_slice(ConvertArguments& arguments) {
   const bool in_scenario = !is_generator_spec(arguments.in) && file_extension(arguments.in) == ".json";
+  if (in_scenario)
+    if (const auto unused = arguments.world.reading.check_unused_by(arguments.in); !unused)
+      return Error{unused.error()};
   auto scenario = in_scenario ? read_scenario(arguments.in) : Scenario{};
   if (!scenario) return Error{scenario.error()};
   arguments.world.map = arguments.in;

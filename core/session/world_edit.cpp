@@ -141,9 +141,10 @@ Scenario tidied(const Scenario& scenario, std::size_t scripted) {
 }
 
 Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const TurnWorld& command) {
-  Scenario changed = turned(scenario, command.turn);
-  if (const auto able = check_dwellers(scenario, changed.map.box()); !able) return Error{able.error()};
-  return WorldEdit{turn_text(command.turn), std::move(changed), scripted};
+  const Box size = turned_size(scenario.map.box(), command.turn);
+  if (const auto fits_in = check_world_size(size); !fits_in) return Error{fits_in.error()};
+  if (const auto able = check_dwellers(scenario, size); !able) return Error{able.error()};
+  return WorldEdit{turn_text(command.turn), turned(scenario, command.turn), scripted};
 }
 
 Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const ResizeWorld& command) {

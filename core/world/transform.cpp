@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 namespace replan {
 namespace {
@@ -82,6 +81,11 @@ bool about_z(Turn turn) {
   return turn == Turn::left || turn == Turn::right;
 }
 
+/// Whether layers are layers no more.
+bool tips(Turn turn) {
+  return axis_swap(turn).from[2] != Axis::z;
+}
+
 Cell clamped(Cell cell, const Box& world) {
   return {std::clamp(cell.x, 0, world.width() - 1), std::clamp(cell.y, 0, world.height() - 1),
           std::clamp(cell.z, 0, world.depth() - 1)};
@@ -126,6 +130,12 @@ std::shared_ptr<std::vector<bool>> emptied_unknown(Scenario& after) {
   return unknown;
 }
 
+/// How many layers a moving obstacle has that had `layers`: no more than its world, or it would be another one when it is
+/// read again, since files do not tell it of planes.
+int fitting_depth(int layers, const GridMap& world) {
+  return std::min(layers, world.depth);
+}
+
 /// The moving obstacles of a world that was `before`. The way of one is that of its lowest cell, which is another cell
 /// of the box after the turn.
 void turn_movers(Scenario& after, const Box& before, Turn turn) {
@@ -137,7 +147,7 @@ void turn_movers(Scenario& after, const Box& before, Turn turn) {
     }
     mover.width = now.x;
     mover.height = now.y;
-    mover.depth = now.z;
+    mover.depth = fitting_depth(now.z, after.map);
   }
 }
 
@@ -151,17 +161,6 @@ void turn_camera(ViewSetup& view, const GridMap& before, Turn turn) {
   if (turn == Turn::left_right) return look_at(before.width - x, y);
   if (turn == Turn::top_bottom) return look_at(x, before.height - y);
   if (turn != Turn::upside_down) view.camera.reset();
-}
-
-Result<void> check_size(const NewSize& size) {
-  const std::int64_t most = size.depth > 1 ? kMaxVoxels : kMaxCells;
-  const bool sides = size.width >= 1 && size.height >= 1 && size.depth >= 1;
-  if (sides && size.width <= most / size.height &&
-      size.depth <= most / (std::int64_t{size.width} * size.height))
-    return {};
-  return Error{"a world cannot have " + std::to_string(size.width) + " x " + std::to_string(size.height) +
-               (size.depth != 1 ? " x " + std::to_string(size.depth) : "") +
-               " cells: give sides from 1 and at most " + std::to_string(most) + " cells in all"};
 }
 
 /// Gives the map its new size; a cell of the one before comes to lie where `shifted` says, if that is inside.
@@ -210,15 +209,21 @@ Cell turned(Cell cell, const Box& world, Turn turn) {
   return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
+Box turned_size(const Box& world, Turn turn) {
+  const Cell size = turned_size(size_of(world), turn);
+  return {size.x, size.y, size.z};
+}
+
 Scenario turned(const Scenario& scenario, Turn turn) {
   const GridMap& map = scenario.map;
   Scenario after = scenario;
   after.map_file.clear();
-  const Cell size = turned_size(size_of(map.box()), turn);
-  after.map.width = size.x;
-  after.map.height = size.y;
-  after.map.depth = size.z;
+  const Box size = turned_size(map.box(), turn);
+  after.map.width = size.width();
+  after.map.height = size.height();
+  after.map.depth = size.depth();
   if (about_z(turn) && has_frame(map)) after.map.origin = turned_origin(map, turn);
+  if (tips(turn)) after.map.origin = {};  // what was up is none of the frame's directions
   const auto move = [&](Cell cell) { return turned(cell, map.box(), turn); };
   const auto unknown = emptied_unknown(after);
   for (NodeId from = 0; from < map.blocked.size(); ++from) {
@@ -239,7 +244,8 @@ Scenario turned(const Scenario& scenario, Turn turn) {
 
 Result<Resized> resized(const Scenario& scenario, const NewSize& size) {
   const GridMap& map = scenario.map;
-  if (const auto checked = check_size(size); !checked) return Error{checked.error()};
+  if (const auto checked = check_world_size({size.width, size.height, size.depth}); !checked)
+    return Error{checked.error()};
   const Cell by{shift(size.across, map.width, size.width), shift(size.down, map.height, size.height),
                 shift(size.up, map.depth, size.depth)};
   Resized done{scenario, 0, {}, false};
@@ -253,8 +259,10 @@ Result<Resized> resized(const Scenario& scenario, const NewSize& size) {
   done.ends_moved = falls_off(scenario.start) || falls_off(scenario.goal);
   const auto move = [&](Cell cell) { return clamped(shifted(cell), world); };
   move_places(after, move);
-  for (MovingObstacle& mover : after.movers)
+  for (MovingObstacle& mover : after.movers) {
     for (Cell& corner : mover.way) corner = move(corner);
+    mover.depth = fitting_depth(mover.depth, after.map);
+  }
   shift_surprises(done, shifted);
   if (auto& camera = after.view.camera) {
     camera->x += by.x;

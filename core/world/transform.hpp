@@ -48,8 +48,11 @@ struct Resized {
 
 /// Where a cell of such a world comes to lie.
 Cell turned(Cell cell, const Box& world, Turn turn);
-/// Turns the map with start, goal, surprises, the ways of moving obstacles and the camera. The map keeps its
-/// place in its own frame (GridMap::origin) when it is turned about z; mirrored or tipped it has none.
+/// The size of such a world then. Tipping may give a plane that is too large for one: see check_world_size().
+Box turned_size(const Box& world, Turn turn);
+/// Turns the map with start, goal, surprises, the ways of moving obstacles and the camera. In the
+/// map's own frame (GridMap::origin) each cell keeps its place when the map is turned about z, and mirrored the map covers
+/// the same ground; tipped it has a place no more, only the length of its cells.
 Scenario turned(const Scenario& scenario, Turn turn);
 
 /// Gives the map another size. Start, goal, triggers and ways that would fall off move to the nearest cell;

@@ -194,6 +194,20 @@ TEST_F(Convert, makesWorldsInSpace) {
   const std::string slice = folder_.file("s.map");
   EXPECT_EQ(run_program({"convert", spec, slice, "--slice", "2"}).code, 0);
   EXPECT_EQ(*read_map(slice), *voxel_slice(*read_map(out), 2));
+  expect_complaint({"convert", spec, out, "--layers", "4"},
+                   {"how a map is read", "--layers", "say layers=4 in the generator"});
+  expect_complaint({"convert", "generator:pillars?seed=5", out, "--layers", "4"},
+                   {"say &layers=4 in the generator"});
+  expect_complaint({"convert", "generator:pillars", slice, "--layers", "4", "--slice", "2"},
+                   {"say ?layers=4 in the generator"});
+  for (const std::vector<std::string>& option :
+       {std::vector<std::string>{"--heights", "-4,0"}, {"--reduce", "2"}, {"--height-map"}, {"--invert"}}) {
+    std::vector<std::string> arguments = {"convert", spec, out};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    expect_complaint(arguments, {"a generator has settings of its own: leave them out"});
+  }
+  expect_complaint({"run", "--map", spec, "--start", "0,0,0", "--goal", "19,14,5", "--reduce", "2"},
+                   {"a generator has settings of its own"});
 }
 
 TEST_F(Convert, slicesVoxels) {

@@ -146,6 +146,8 @@ TEST_F(Voxels, convertGoesBothWaysAndTakesALayer) {
   EXPECT_EQ(whole_file(layer), ".@..\n.@..\n.@..\n");
   expect_complaint({"convert", world, layer}, {"three dimensions", "--slice Z with Z from 0 to 1"});
   expect_complaint({"convert", world, layer, "--slice", "2"}, {"z goes from 0 to 1"});
+  expect_complaint({"convert", world, layer, "--slice", "0", "--layers", "4"},
+                   {"a scenario says itself how its map is read"});
 }
 
 TEST_F(Voxels, renderShowsOneLayer) {
@@ -205,6 +207,9 @@ TEST_F(Voxels, renderShowsTheWorldFromEverySide) {
                    {"--orbit cannot be '30': give YAW,PITCH"});
   expect_complaint({"render", scenario_, "-o", out, "--orbit", "30,95"}, {"at most 89"});
   expect_complaint({"render", scenario_, "-o", out, "--orbit", "30,35,0,1,1,1"}, {"how many cells away"});
+  for (const std::string endless : {"nan,35", "30,nan", "inf,35", "30,35,inf,1,1,1", "30,35,9,1,nan,1"})
+    expect_complaint({"render", scenario_, "-o", out, "--orbit", endless},
+                     {"--orbit cannot be '" + endless + "': give YAW,PITCH"});
   expect_complaint({"render", scenario_, "-o", out, "--glass"},
                    {"--glass is for a world from outside: add --orbit"});
   expect_complaint({"render", scenario_, "-o", out, "--cut"},

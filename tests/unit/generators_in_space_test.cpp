@@ -86,8 +86,20 @@ TEST(GeneratorsInSpace, CavernsAreOneCaveThroughAllLayers) {
       EXPECT_GT(open, 0) << seed << ", layer " << z;
     }
   }
-  EXPECT_EQ(caverns({2, 2, 2}, {}, 1).error(),
+  EXPECT_EQ(caverns({4, 4, 4}, {.fraction = 0.6}, 1).error(),
             "all of it is rock: give a smaller fraction, fewer rounds or a larger world");
+}
+
+/// Fewer rounds or less rock would not help there.
+TEST(GeneratorsInSpace, CavernsNeedRoomBetweenTheirWalls) {
+  for (const Box& flat : {Box(30, 30, 1), Box(30, 30, 2), Box(30, 30, 3), Box(3, 30, 30), Box(30, 3, 30)})
+    EXPECT_EQ(caverns(flat, {.fraction = 0.4, .rounds = 1}, 1).error(),
+              "all of it would be rock, which caverns have all round: give 4 layers or more, and sides of 4 "
+              "cells or more");
+  EXPECT_EQ(caverns({30, 30, 2}, {.fraction = 0.4, .rounds = 0}, 1).error(),
+            "all of it would be rock, which caverns have all round: give 3 layers or more, and sides of 3 "
+            "cells or more");
+  EXPECT_TRUE(caverns({30, 30, 3}, {.fraction = 0.4, .rounds = 0}, 1).ok());
 }
 
 /// What the sums along the axes come to is what the rule says.

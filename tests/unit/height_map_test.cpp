@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -20,6 +21,10 @@ namespace {
 constexpr const char* kSea =
     "ncols 3\nnrows 2\nxllcorner 10\nyllcorner -5.5\ncellsize 2\nNODATA_value -9999\n-40 -20 -30\n-9999 5 "
     "0\n";
+
+constexpr const char* kNoneHasAHeight =
+    "g.asc: no column has a height, since every number in it stands for no data: mend NODATA_value in its "
+    "header (-9999 if that says nothing), or take another file";
 
 std::string grid_error(const std::string& text) {
   const auto grid = parse_esri_grid(text, "g.asc");
@@ -45,10 +50,25 @@ TEST(EsriGrid, IsReadWhateverItsCaseAndLines) {
       "g.asc");
   EXPECT_EQ(odd.heights, sea.heights);
   ASSERT_EQ(odd.notes.size(), 1u);
-  EXPECT_EQ(odd.notes[0],
-            "where the grid lies (its south-west corner at 10, 0) and how large its cells are (1 x 2) is not "
-            "kept, since "
-            "it does not say in which unit");
+  EXPECT_EQ(
+      odd.notes[0],
+      "where the grid lies (its south-west corner at 9.5, -1) and how large its cells are (1 x 2) is not "
+      "kept, since "
+      "it does not say in which unit");
+}
+
+TEST(EsriGrid, NoDataIsWhatTheHeaderSaysOrMinus9999) {
+  const auto heights = [](const std::string& line) {
+    return parse_esri_grid("ncols 3\nnrows 1\n" + line + "-9999 nan -7\n", "g.asc")->heights;
+  };
+  constexpr float kNone = HeightGrid::kNoHeight;
+  EXPECT_EQ(heights(""), (std::vector<float>{kNone, kNone, -7}));
+  EXPECT_EQ(heights("NODATA_value -7\n"), (std::vector<float>{-9999, kNone, kNone}));
+  EXPECT_EQ(heights("NODATA_value nan\n"), (std::vector<float>{-9999, kNone, -7}));
+  EXPECT_EQ(grid_error("ncols 1\nnrows 1\nNODATA_value inf\n1\n"),
+            "g.asc:3: after 'NODATA_value' there must be one number");
+  EXPECT_EQ(grid_error("ncols 1\nnrows 1\ncellsize nan\n1\n"),
+            "g.asc:3: after 'cellsize' there must be one number");
 }
 
 TEST(EsriGrid, ErrorsNameTheLine) {
@@ -109,9 +129,16 @@ TEST(HeightMap, WhatMakesNoWorldIsRefused) {
   };
   EXPECT_EQ(error({2, 1, {5, 5}}, {}),
             "g.asc: no layers fit between the heights 5 and 5: give a lowest and a highest height");
-  EXPECT_EQ(error({1, 1, {HeightGrid::kNoHeight}}, {}), "g.asc: no column has a height");
-  EXPECT_EQ(error({1, 1, {-3}}, {.low = 1, .high = -2}),
-            "g.asc: no layers fit between the heights 1 and -2: give a lowest and a highest height");
+  EXPECT_EQ(error({1, 1, {HeightGrid::kNoHeight}}, {}), kNoneHasAHeight);
+  EXPECT_EQ(
+      error({1, 1, {-3}}, {.low = 1, .high = -2}),
+      "g.asc: no layers fit between the heights 1 and -2: give a lowest height that is below the highest");
+  EXPECT_EQ(error({1, 1, {-3}}, {.low = 1}),
+            "g.asc: no layers fit between the heights 1 and 0: give a lowest height below 0, or a highest "
+            "above 1");
+  EXPECT_EQ(error({1, 1, {-3}}, {.high = -8.5}),
+            "g.asc: no layers fit between the heights -3 and -8.5: give a highest height above -3, or a "
+            "lowest below -8.5");
   const HeightGrid large{2000, 1000, std::vector<float>(2'000'000, -1)};
   EXPECT_EQ(error(large, {.layers = 100, .reduce = 1}),
             "g.asc: 2000 x 1000 columns in 100 layers are more than 134217728 voxels: give fewer layers, or "
@@ -120,10 +147,41 @@ TEST(HeightMap, WhatMakesNoWorldIsRefused) {
   const auto fitted = world_over(large, {.layers = 100}, "g.asc");
   ASSERT_TRUE(fitted.ok());
   EXPECT_EQ(fitted->map.box(), Box(1000, 500, 100));
-  EXPECT_EQ(fitted->found.notes.front(), "every 2 x 2 columns are one, as high as the highest of them");
+  EXPECT_EQ(fitted->found.notes.front(),
+            "every 2 x 2 columns of the file are one of the world, as high as the highest of them, and "
+            "without a height only if none of them has one");
 }
 
-/// A voxel is an obstacle if its bottom lies below the highest of the heights that are its column.
+TEST(HeightMap, AReducedGridKeepsItsHeightsAndCountsColumnsOfTheWorld) {
+  constexpr float kNone = HeightGrid::kNoHeight;
+  const auto file = world_over({5, 2, {-40, kNone, kNone, kNone, 3, -10, -20, kNone, kNone, kNone}},
+                               {.layers = 4, .reduce = 2}, "g.asc");
+  ASSERT_TRUE(file.ok()) << file.error();
+  EXPECT_EQ(floor_of(file->map, 0, 0), 3);  // as high as -10
+  EXPECT_EQ(floor_of(file->map, 1, 0), 4);  // no height
+  EXPECT_EQ(floor_of(file->map, 2, 0), 4);  // land
+  EXPECT_EQ(file->found.heights->low, -40);
+  EXPECT_EQ(file->found.heights->high, 3);
+  EXPECT_EQ(file->found.notes,
+            (std::vector<std::string>{
+                "every 2 x 2 columns of the file are one of the world, as high as the highest of them, and "
+                "without a height only if none of them has one",
+                "heights go from -40 to 3; the 4 layers reach from -40 up to 0, 10 each",
+                "1 column of the world rises above 0 and is an obstacle in all layers",
+                "1 column of the world has no height and is an obstacle in all layers"}));
+}
+
+TEST(HeightMap, FineLayersAreToldWithTwoDigits) {
+  const auto note = [](float low, float high) {
+    return world_over({2, 1, {low, high}}, {.layers = 64}, "g.asc")->found.notes.front();
+  };
+  EXPECT_EQ(note(0, 0.5), "heights go from 0 to 0.5; the 64 layers reach from 0 up to 0.5, 0.0078 each");
+  EXPECT_EQ(note(0, 0.0625),
+            "heights go from 0 to 0.063; the 64 layers reach from 0 up to 0.063, 0.00098 each");
+  EXPECT_EQ(note(0, 6400), "heights go from 0 to 6400; the 64 layers reach from 0 up to 6400, 100 each");
+}
+
+/// A voxel is an obstacle if its bottom lies below the highest of the heights that are its column, or if there is none.
 TEST(HeightMap, EveryVoxelIsWhatItsHeightSays) {
   Random random(7);
   for (int round = 0; round < 60; ++round) {
@@ -135,20 +193,22 @@ TEST(HeightMap, EveryVoxelIsWhatItsHeightSays) {
         .layers = 1 << random.between(1, 5), .low = -64, .high = 64, .reduce = random.between(1, 3)};
     const auto file = world_over(grid, reading, "g.asc");
     if (!file) {
-      EXPECT_EQ(file.error(), "g.asc: no column has a height");
+      EXPECT_EQ(file.error(), kNoneHasAHeight);
       continue;
     }
     const GridMap& map = file->map;
     for (int z = 0; z < map.depth; ++z)
       for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x) {
-          float highest = -1000;
+          std::optional<float> highest;
           for (int row = 0; row < grid.height; ++row)
             for (int column = 0; column < grid.width; ++column)
-              if (row / reading.reduce == y && column / reading.reduce == x)
-                highest = std::max(highest, grid.at(column, row));
+              if (row / reading.reduce == y && column / reading.reduce == x &&
+                  grid.at(column, row) != HeightGrid::kNoHeight)
+                highest = std::max(highest.value_or(-1000), grid.at(column, row));
           const float bottom = -64 + static_cast<float>(z) * 128 / static_cast<float>(map.depth);
-          ASSERT_EQ(map.at({x, y, z}), bottom < highest) << round << ": " << x << ", " << y << ", " << z;
+          ASSERT_EQ(map.at({x, y, z}), !highest || bottom < *highest)
+              << round << ": " << x << ", " << y << ", " << z;
         }
   }
 }
@@ -219,6 +279,13 @@ TEST(HeightReadings, ScenariosKeepThem) {
       R"({"replan": 1, "map": {"file": "sea.asc", "heights": {"layers": 1}}, "start": [0, 0], "goal": [1, 0]})",
       "s.json", folder.path());
   EXPECT_NE(wrong.error().find("from 2 to 512"), std::string::npos) << wrong.error();
+  const auto upside_down = parse_scenario(
+      R"({"replan": 1, "map": {"file": "sea.asc", "heights": {"low": 5, "high": 1}}, "start": [0, 0], "goal": [1, 0]})",
+      "s.json", folder.path());
+  EXPECT_NE(
+      upside_down.error().find("between the heights 5 and 1: give a lowest height that is below the highest"),
+      std::string::npos)
+      << upside_down.error();
 }
 
 /// Mauna Kea's and the deep's places, from the data's README: north is up, and the first column is west.

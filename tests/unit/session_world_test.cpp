@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/session/session.hpp"
+#include "core/session/world_edit.hpp"
 
 namespace replan::session_world_test {
 namespace {
@@ -297,6 +298,18 @@ TEST(SessionWorld, ADocumentWhoseWorldHasGrownALayerIsReadAgain) {
   ASSERT_TRUE(opened.apply(ResizeWorld{{.width = before.width(), .height = before.height()}}).ok());
   opened.settle();
   EXPECT_EQ(opened.breakpoints().problem(0), "") << "it is in a plane again";
+}
+
+/// So many voxels that they are more cells than a plane can have. That is seen before the cells are looked at.
+TEST(SessionWorld, AWorldIsNotTippedToAPlaneThatIsTooLarge) {
+  Scenario scenario = strip();
+  scenario.map.width = 8193;
+  scenario.map.height = 1;
+  scenario.map.depth = 8193;
+  const auto tipped = edited(scenario, 0, TurnWorld{Turn::tip_back});
+  ASSERT_FALSE(tipped.ok());
+  EXPECT_EQ(tipped.error(),
+            "a world cannot have 8193 x 8193 cells: give sides from 1 and at most 67108864 cells in all");
 }
 
 TEST(SessionWorld, APlannerOfThePlaneKeepsAWorldFlat) {

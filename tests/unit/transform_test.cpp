@@ -1,6 +1,8 @@
 // Worlds turned, mirrored and given another size, with all that stands in them.
 #include "core/world/transform.hpp"
 
+#include <algorithm>
+#include <array>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -264,6 +266,47 @@ TEST(Transform, TippingGoesWhereItSays) {
   EXPECT_EQ(turned({1, 2, 4}, box, Turn::upside_down), (Cell{1, 2, 0}));
   const GridMap tipped = turned(furnished_in_space(), Turn::tip_back).map;
   EXPECT_EQ(tipped.box(), Box(3, 5, 4));
+}
+
+TEST(Transform, AFrameIsKeptUnlessTheWorldIsTipped) {
+  Scenario before = furnished_in_space();
+  before.map.resolution = 0.5;
+  before.map.origin = {10, 20, 1};
+  for (const Turn turn : kTurns) {
+    const GridMap map = turned(before, turn).map;
+    EXPECT_EQ(map.resolution, 0.5);
+    if (map.depth != before.map.depth)
+      EXPECT_EQ(map.origin, (std::array<double, 3>{})) << static_cast<int>(turn);
+    else if (turn == Turn::left || turn == Turn::right)
+      EXPECT_NE(map.origin, before.map.origin) << static_cast<int>(turn);
+    else
+      EXPECT_EQ(map.origin, before.map.origin) << static_cast<int>(turn);
+  }
+}
+
+TEST(Transform, AMovingObstacleIsNoHigherThanItsWorld) {
+  const auto read_again = [](Scenario scenario) {
+    scenario.planners = {{"astar", {}}};
+    const auto again = parse_scenario(scenario_text(scenario), "s.json", ".");
+    EXPECT_TRUE(again.ok()) << again.error();
+    return again.ok() ? again->movers : std::vector<MovingObstacle>{};
+  };
+  const auto plane = resized(furnished_in_space(), {.width = 3, .height = 4, .up = Side::middle});
+  ASSERT_TRUE(plane.ok()) << plane.error();
+  EXPECT_EQ(plane->scenario.movers[0].depth, 1);
+  EXPECT_EQ(read_again(plane->scenario), plane->scenario.movers);
+  const auto lower = resized(furnished_in_space(), {.width = 3, .height = 4, .depth = 2});
+  EXPECT_EQ(lower->scenario.movers[0].depth, 2);
+  EXPECT_EQ(read_again(lower->scenario), lower->scenario.movers);
+  Scenario wall;  // one cell thick, and what moves beside it two
+  wall.map = GridMap(5, 1, 4);
+  wall.goal = {4, 0, 0};
+  wall.movers = {{.way = {{1, 0, 1}, {3, 0, 1}}, .width = 1, .height = 2, .depth = 3}};
+  const Scenario tipped = turned(wall, Turn::tip_back);
+  EXPECT_EQ(tipped.map.box(), Box(5, 4, 1));
+  EXPECT_EQ(tipped.movers[0].height, 3);
+  EXPECT_EQ(tipped.movers[0].depth, 1);
+  EXPECT_EQ(read_again(tipped), tipped.movers);
 }
 
 TEST(Transform, LayersAreAddedAndCutOffWhereOneWants) {

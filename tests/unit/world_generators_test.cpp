@@ -224,6 +224,14 @@ TEST(GeneratorList, SpecsSayWhatTheyWant) {
   EXPECT_EQ(open_map("generator:maze?seed=3")->map, *maze(100, 100, {}, 3));
 }
 
+TEST(GeneratorList, SizesAreCheckedAlikeEverywhere) {
+  EXPECT_EQ(maze(0, 5, {}, 1).error(),
+            "a world cannot have 0 x 5 cells: give sides from 1 and at most 67108864 cells in all");
+  EXPECT_EQ(
+      random_boxes({1000, 1000, 1000}, 0.1, 1, 1, 1).error(),
+      "a world cannot have 1000 x 1000 x 1000 cells: give sides from 1 and at most 134217728 cells in all");
+}
+
 TEST(GeneratorList, BadSpecsAreNamed) {
   const auto error = [](const std::string& spec) {
     const auto map = generate_from_spec(spec);
@@ -243,7 +251,7 @@ TEST(GeneratorList, BadSpecsAreNamed) {
   EXPECT_EQ(error("generator:maze?seed"),
             "generator:maze?seed: 'seed' is no setting: give key=value, parted by &");
   EXPECT_EQ(error("generator:maze?seed=-1").find("'seed' cannot be '-1'") == std::string::npos, false);
-  EXPECT_NE(error("generator:cells?width=67108864&height=67108864").find("a map cannot have"),
+  EXPECT_NE(error("generator:cells?width=67108864&height=67108864").find("a world cannot have"),
             std::string::npos);
   EXPECT_NE(error("generator:rooms?door=9").find("doors cannot be 9 cells wide"), std::string::npos);
 }

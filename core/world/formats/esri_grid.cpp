@@ -41,6 +41,8 @@ class EsriGridParser {
   }
 
  private:
+  static constexpr double kUsualNoData = -9999;  // of a header that does not say
+
   /// The lines of a header, in the order in which kNames has them.
   enum Field : std::uint8_t { ncols, nrows, xll, yll, cellsize, dx, dy, nodata, kFields };
 
@@ -83,12 +85,17 @@ class EsriGridParser {
             "or NODATA_value and a number, not " +
             shown(*line));
       if (fields_[*field]) return wrong(shown(name) + " stands there twice");
+      centre_[*field] = lower_case(name).ends_with("center");
       const std::string_view value = take_word(words);
       fields_[*field] = number_from<double>(value);
-      if (!fields_[*field] || !std::isfinite(*fields_[*field]) || !take_word(words).empty())
+      if (!fields_[*field] || !can_be(*field, *fields_[*field]) || !take_word(words).empty())
         return wrong("after " + shown(name) + " there must be one number");
     }
     return {};
+  }
+
+  static bool can_be(Field field, double value) {
+    return std::isfinite(value) || (field == nodata && std::isnan(value));
   }
 
   [[nodiscard]] std::optional<double> columns() const { return fields_[ncols]; }
@@ -111,7 +118,7 @@ class EsriGridParser {
         return wrong("there are more than the " + std::to_string(count) +
                      " heights that ncols and nrows announce");
       const auto height = number_from<double>(word);
-      const bool none = height && (std::isnan(*height) || height == fields_[nodata]);
+      const bool none = height && (std::isnan(*height) || *height == fields_[nodata].value_or(kUsualNoData));
       if (!height || (!none && !(std::abs(*height) <= kMaxHeight)))
         return wrong("a height must be a number from -1000000000 to 1000000000, not " + shown(word));
       heights.push_back(none ? HeightGrid::kNoHeight : static_cast<float>(*height));
@@ -119,22 +126,29 @@ class EsriGridParser {
     return {};
   }
 
+  /// Where the south-west cell begins along one axis: half a cell before its middle, where the header tells that.
+  [[nodiscard]] std::optional<double> corner(Field field, std::optional<double> side) const {
+    if (!fields_[field] || !centre_[field]) return fields_[field];
+    return side ? std::optional(*fields_[field] - *side / 2) : std::nullopt;
+  }
+
   /// The grid does not say whether it is in degrees or in metres, so its place is none of the world's.
   [[nodiscard]] std::string place_note() const {
     const auto number = [&](std::optional<double> value) {
       return value ? plain_number(*value).dump() : std::string("nothing");
     };
-    const std::string width = number(fields_[cellsize] ? fields_[cellsize] : fields_[dx]),
-                      height = number(fields_[cellsize] ? fields_[cellsize] : fields_[dy]);
-    return "where the grid lies (its south-west corner at " + number(fields_[xll]) + ", " +
-           number(fields_[yll]) + ") and how large its cells are (" + width + " x " + height +
-           ") is not kept, since it does not say in which unit";
+    const std::optional<double> width = fields_[cellsize] ? fields_[cellsize] : fields_[dx],
+                                height = fields_[cellsize] ? fields_[cellsize] : fields_[dy];
+    return "where the grid lies (its south-west corner at " + number(corner(xll, width)) + ", " +
+           number(corner(yll, height)) + ") and how large its cells are (" + number(width) + " x " +
+           number(height) + ") is not kept, since it does not say in which unit";
   }
 
   LineReader lines_;
   const std::string& origin_;
   std::array<std::optional<double>, kFields> fields_;
-  std::string_view rest_;  // the first line of heights
+  std::array<bool, kFields> centre_{};  // told of the south-west cell's middle, not of its corner
+  std::string_view rest_;               // the first line of heights
 };
 
 }  // namespace

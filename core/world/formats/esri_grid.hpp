@@ -11,8 +11,8 @@
 namespace replan {
 
 /// The heights of a grid: header lines `ncols`, `nrows`, `xllcorner` or `xllcenter`, `yllcorner` or `yllcenter`,
-/// `cellsize` (or `dx` and `dy`), and perhaps `NODATA_value`, of any case and in any order, then nrows x ncols numbers,
-/// the northernmost row first, wherever lines end. The error names `origin` and the line.
+/// `cellsize` (or `dx` and `dy`), and perhaps `NODATA_value` (-9999 where it is missing), of any case and in any order,
+/// then nrows x ncols numbers, the northernmost row first, wherever lines end. The error names `origin` and the line.
 Result<HeightGrid> parse_esri_grid(std::string_view text, const std::string& origin);
 /// The world of layers over the floor of a file: see world_over().
 Result<MapFile> read_esri_grid(const std::string& path, const HeightReading& reading = {});

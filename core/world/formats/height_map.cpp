@@ -12,8 +12,12 @@
 namespace replan {
 namespace {
 
+/// With two places after the point, and where that leaves less, with two digits: "95.84", "0.0031".
 std::string height_text(double height) {
-  return plain_number(std::round(height * 100) / 100).dump();
+  const double size = std::abs(height);
+  const int places = size > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(size))), 2, 300) : 2;
+  const double parts = std::pow(10.0, places);
+  return plain_number(std::round(height * parts) / parts).dump();
 }
 
 int blocks_of(int cells, int side) {
@@ -28,18 +32,19 @@ int fitting_reduction(const HeightGrid& grid, int layers) {
   return side;
 }
 
-/// Blocks of `side` columns each way as one column each, as high as the highest in it: what is an obstacle stays one.
-/// A block with a column without a height has none.
+/// Blocks of `side` columns each way as one column each, as high as the highest in it that has a height; only a block
+/// without any has none.
 HeightGrid reduced(const HeightGrid& grid, int side) {
   HeightGrid small{blocks_of(grid.width, side), blocks_of(grid.height, side), {}, grid.notes};
   small.heights.reserve(static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height));
   for (int row = 0; row < small.height; ++row)
     for (int column = 0; column < small.width; ++column) {
-      float highest = -HeightGrid::kNoHeight;
+      std::optional<float> highest;
       for (int y = row * side; y < std::min(grid.height, (row + 1) * side); ++y)
         for (int x = column * side; x < std::min(grid.width, (column + 1) * side); ++x)
-          highest = std::max(highest, grid.at(x, y));  // kNoHeight is higher than any
-      small.heights.push_back(highest);
+          if (const float height = grid.at(x, y); height != HeightGrid::kNoHeight)
+            highest = std::max(highest.value_or(height), height);
+      small.heights.push_back(highest.value_or(HeightGrid::kNoHeight));
     }
   return small;
 }
@@ -62,8 +67,12 @@ Result<HeightRange> range_of(const HeightRange& found, const HeightReading& read
   const double top = found.low < 0 ? 0 : found.high;
   const HeightRange range{reading.low.value_or(found.low), reading.high.value_or(top)};
   if (range.low < range.high) return range;
-  return Error{origin + ": no layers fit between the heights " + height_text(range.low) + " and " +
-               height_text(range.high) + ": give a lowest and a highest height"};
+  const std::string low = plain_number(range.low).dump(), high = plain_number(range.high).dump();
+  return Error{origin + ": no layers fit between the heights " + low + " and " + high + ": give " +
+               (reading.low && reading.high ? "a lowest height that is below the highest"
+                : reading.low               ? "a lowest height below " + high + ", or a highest above " + low
+                : reading.high              ? "a highest height above " + low + ", or a lowest below " + high
+                                            : "a lowest and a highest height")};
 }
 
 /// How many layers of a column the floor reaches into.
@@ -87,26 +96,30 @@ GridMap filled(const HeightGrid& grid, const HeightRange& range, int layers) {
   return map;
 }
 
-/// What the reader took for granted, a sentence each.
+/// What the reader took for granted, a sentence each: what the file has, and what came of it in the columns of the world.
 std::vector<std::string> notes_of(const HeightGrid& grid, const HeightRange& found, const HeightRange& range,
                                   int layers, int side) {
   std::vector<std::string> notes;
   if (side > 1)
-    notes.push_back("every " + std::to_string(side) + " x " + std::to_string(side) +
-                    " columns are one, as high as the highest of them");
+    notes.push_back(
+        "every " + std::to_string(side) + " x " + std::to_string(side) +
+        " columns of the file are one of the world, as high as the highest of them, and without a "
+        "height only if none of them has one");
   notes.push_back("heights go from " + height_text(found.low) + " to " + height_text(found.high) + "; the " +
                   std::to_string(layers) + " layers reach from " + height_text(range.low) + " up to " +
                   height_text(range.high) + ", " + height_text((range.high - range.low) / layers) + " each");
+  const auto columns = [side](std::int64_t count) {
+    return counted(count, "column") + (side > 1 ? " of the world" : "");
+  };
   const auto above = std::count_if(grid.heights.begin(), grid.heights.end(), [&](float height) {
     return height != HeightGrid::kNoHeight && height > range.high;
   });
   if (above > 0)
-    notes.push_back(counted(above, "column") + (above == 1 ? " rises" : " rise") + " above " +
-                    height_text(range.high) + (above == 1 ? " and is an obstacle" : " and are obstacles") +
-                    " in all layers");
+    notes.push_back(columns(above) + (above == 1 ? " rises" : " rise") + " above " + height_text(range.high) +
+                    (above == 1 ? " and is an obstacle" : " and are obstacles") + " in all layers");
   const auto none = std::count(grid.heights.begin(), grid.heights.end(), HeightGrid::kNoHeight);
   if (none > 0)
-    notes.push_back(counted(none, "column") +
+    notes.push_back(columns(none) +
                     (none == 1 ? " has no height and is an obstacle" : " have no height and are obstacles") +
                     " in all layers");
   notes.insert(notes.end(), grid.notes.begin(), grid.notes.end());
@@ -123,9 +136,13 @@ Result<MapFile> world_over(HeightGrid grid, const HeightReading& reading, const 
                  " columns in " + std::to_string(reading.layers) + " layers are more than " +
                  std::to_string(kMaxVoxels) + " voxels: give fewer layers, or let every " +
                  std::to_string(least) + " columns each way be one"};
-  if (side > 1) grid = reduced(grid, side);
   const auto found = extremes(grid);
-  if (!found) return Error{origin + ": no column has a height"};
+  if (!found)
+    return Error{
+        origin +
+        ": no column has a height, since every number in it stands for no data: mend NODATA_value in "
+        "its header (-9999 if that says nothing), or take another file"};
+  if (side > 1) grid = reduced(grid, side);
   const auto range = range_of(*found, reading, origin);
   if (!range) return Error{range.error()};
   MapFile file{filled(grid, *range, reading.layers)};

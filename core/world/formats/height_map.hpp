@@ -26,8 +26,8 @@ struct HeightGrid {
 
 /// The world over that floor, layer 0 at the bottom: a voxel is an obstacle where the floor reaches into it, the
 /// higher ones are free. Columns without a height are obstacles in all layers. The findings tell between which heights
-/// the layers lie, what sticks out of them, how many columns were read as one and how many had no height. The error
-/// begins with `origin`.
+/// those of the grid and the layers lie, how many columns were read as one, and how many of the world's stick out of the
+/// layers or have no height. The error begins with `origin`.
 Result<MapFile> world_over(HeightGrid grid, const HeightReading& reading, const std::string& origin);
 
 }  // namespace replan

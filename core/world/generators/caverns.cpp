@@ -64,6 +64,11 @@ Result<GridMap> caverns(const Box& size, const CavernsShape& shape, std::uint64_
   if (shape.rounds < 0 || shape.rounds > kMostSmoothing)
     return Error{"the caverns cannot be smoothed " + std::to_string(shape.rounds) + " times: give 0 to " +
                  std::to_string(kMostSmoothing)};
+  // The outer cells are rock; and those next to two walls that face each other have 18 of their 27 in them.
+  const int least = shape.rounds == 0 ? 3 : 4;
+  if (std::min({size.width(), size.height(), size.depth()}) < least)
+    return Error{"all of it would be rock, which caverns have all round: give " + std::to_string(least) +
+                 " layers or more, and sides of " + std::to_string(least) + " cells or more"};
   std::vector<std::uint8_t> rock = random_rock(size, shape.fraction, seed);
   for (int i = 0; i < shape.rounds; ++i) smooth(rock, size);
   GridMap map(size.width(), size.height(), size.depth());

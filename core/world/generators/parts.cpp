@@ -37,23 +37,6 @@ void dig(GridMap& map, Cell from) {
 
 }  // namespace
 
-Result<void> check_map_size(int width, int height) {
-  if (width >= 1 && height >= 1 && std::int64_t{width} * height <= kMaxCells) return {};
-  return Error{"a map cannot have " + std::to_string(width) + " x " + std::to_string(height) +
-               " cells: give sides from 1 and at most " + std::to_string(kMaxCells) + " cells in all"};
-}
-
-Result<void> check_world_size(const Box& size) {
-  if (size.depth() == 1) return check_map_size(size.width(), size.height());
-  const bool sides = size.width() >= 1 && size.height() >= 1 && size.depth() >= 1;
-  if (sides && size.width() <= kMaxVoxels / size.height() &&
-      size.depth() <= kMaxVoxels / (std::int64_t{size.width()} * size.height()))
-    return {};
-  return Error{"a world cannot have " + std::to_string(size.width()) + " x " + std::to_string(size.height()) +
-               " x " + std::to_string(size.depth()) + " cells: give sides from 1 and at most " +
-               std::to_string(kMaxVoxels) + " cells in all"};
-}
-
 Result<void> check_fraction(const char* name, double fraction, double low, double high) {
   if (fraction >= low && fraction <= high) return {};
   return Error{std::string(name) + " cannot be " + std::to_string(fraction) + ": give a number from " +

@@ -11,10 +11,6 @@
 
 namespace replan {
 
-/// Whether a map can have that size.
-Result<void> check_map_size(int width, int height);
-/// Whether a world of layers can have that size.
-Result<void> check_world_size(const Box& size);
 /// Whether `fraction` lies between `low` and `high`; `name` begins the error.
 Result<void> check_fraction(const char* name, double fraction, double low, double high);
 

@@ -97,6 +97,8 @@ bool keep_largest_region(GridMap& map) {
 }
 
 void dig_to_largest_region(GridMap& map, std::span<const Cell> cells) {
+  if (std::none_of(cells.begin(), cells.end(), [&](Cell cell) { return map.contains(cell); }))
+    return;  // nothing to look for regions for, which takes as long as all else
   for (const Cell cell : cells)
     if (map.contains(cell)) map.set(cell, false);
   RegionSearch search(map);
