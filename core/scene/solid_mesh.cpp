@@ -165,15 +165,15 @@ class SolidMesh::Reader {
   const std::uint8_t* known_ = nullptr;
 };
 
-SolidMesh::Colours::Colours(const Palette& palette)
+SolidMesh::Colours::Colours(const Palette& palette, bool shows_unknown)
     : obstacle(palette.obstacle),
       mover(palette.mover),
       surprise(palette.surprise),
-      unknown(mix(palette.free, palette.obstacle, 0.5f)),
-      gone(mix(palette.free, palette.obstacle, 0.3f)) {}
+      unknown(shows_unknown ? mix(palette.free, palette.obstacle, 0.5f) : 0),
+      gone(shows_unknown ? mix(palette.free, palette.obstacle, 0.3f) : palette.obstacle) {}
 
-void SolidMesh::follow(const Run& run, const RunDigest& digest, const Palette& palette) {
-  const Colours colours(palette);
+void SolidMesh::follow(const Run& run, const RunDigest& digest, const Palette& palette, bool shows_unknown) {
+  const Colours colours(palette, shows_unknown);
   const bool other_world = world_ != run.lattice();
   if (other_world) begin(run);
   // Of another log of the same world the faces stay until they are made anew: most are as they were.
@@ -296,13 +296,13 @@ SignSet SolidMesh::signs() const {
 }
 
 std::vector<SolidFace> cut_faces(const Run& run, Axis across, int layer, bool towards_higher,
-                                 const Palette& palette) {
+                                 const Palette& palette, bool shows_unknown) {
   const Box& world = run.lattice();
   const auto axis = static_cast<std::size_t>(across);
   const std::size_t a = kBeside[axis][0], b = kBeside[axis][1];
   const std::array<int, 3> size = coordinates({world.width(), world.height(), world.depth()});
   if (*std::max_element(size.begin(), size.end()) > kLongestSide) return {};
-  const SolidMesh::Colours colours(palette);
+  const SolidMesh::Colours colours(palette, shows_unknown);
   const std::vector<NodeId> surprising = surprising_cells(run);
   SolidMesh::Reader reader(run, colours, surprising);
   std::vector<Colour> cells(static_cast<std::size_t>(size[a]) * static_cast<std::size_t>(size[b]));
@@ -311,7 +311,7 @@ std::vector<SolidFace> cut_faces(const Run& run, Axis across, int layer, bool to
   std::size_t next = 0;
   for (at[b] = 0; at[b] < size[b]; ++at[b])
     for (at[a] = 0; at[a] < size[a]; ++at[a], ++next)
-      if (reader.row(world.node({at[0], at[1], at[2]}), 1, &cells[next]))
+      if (reader.row(world.node({at[0], at[1], at[2]}), 1, &cells[next]) && cells[next] != 0)
         cells[next] = mix(cells[next], palette.text, 0.22f);
   std::vector<SolidFace> faces;
   join(cells, size[a], size[b], [&](int i, int j, int columns, int rows, Colour of) {

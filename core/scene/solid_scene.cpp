@@ -66,10 +66,12 @@ SolidScene build_solid_scene(const Run& run, const View& view, const SolidOption
   const Sheet slice = sheet_of(run.lattice(), view.slice);
   SolidScene scene;
   scene.slice = slice;
+  scene.shows_unknown = view.overlays.has(Overlay::unknown);
   if (options.see_through) scene.opacity = 0.3f;
   if (options.cut || options.slice_alone) {
     scene.cut = cut_at(slice, eye);
-    scene.cut_faces = cut_faces(run, slice.box.along(), slice.layer, scene.cut->keeps_lower, palette);
+    scene.cut_faces = cut_faces(run, slice.box.along(), slice.layer, scene.cut->keeps_lower, palette,
+                                view.overlays.has(Overlay::unknown));
   }
   Scene plane;
   plane.camera.zoom = 1;
@@ -167,7 +169,11 @@ std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const E
   const Box& world = run.lattice();
   const bool waiting_show = !scene.boxes.empty() && scene.signs[static_cast<std::size_t>(Sign::queue)];
   const auto shown = [&](Cell cell) { return !scene.cut || scene.cut->shows(centre_of(cell)); };
-  const auto solid = [&](NodeId node) { return state.truly_blocked(node) || state.known_blocked(node); };
+  const auto solid = [&](NodeId node) {
+    if (state.known_blocked(node)) return true;
+    if (!state.truly_blocked(node)) return false;
+    return scene.shows_unknown || state.moving(node) || run.scenario().map.blocked[node] == kFree;
+  };
   const auto waits = [&](Cell cell) {
     return waiting_show && shown(cell) && state.queued(world.node(cell)) &&
            meets_cube(ray, centre_of(cell), kWaitingHalf) && has_cube(scene, cell);

@@ -71,10 +71,11 @@ struct SolidScene {
   std::optional<FieldRange> range;
   std::string field_words;
   std::optional<SolidCut> cut;
-  float opacity = 1;      ///< of the obstacles
-  bool left_out = false;  ///< some of the open list: it is too long
-  bool behind = false;    ///< some of it is not there yet: built once more it has more of it
-  SignSet signs;          ///< of a legend, as in Scene
+  float opacity = 1;          ///< of the obstacles
+  bool shows_unknown = true;  ///< obstacles that the robot does not know of too
+  bool left_out = false;      ///< some of the open list: it is too long
+  bool behind = false;        ///< some of it is not there yet: built once more it has more of it
+  SignSet signs;              ///< of a legend, as in Scene
 };
 
 /// Where a world is cut by a slice, seen from `eye`: what is on the eye's side of it is left out.
