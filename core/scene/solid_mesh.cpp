@@ -284,7 +284,7 @@ SignSet SolidMesh::signs_of(std::span<const SolidFace> faces) const {
     if (face.colour == colours_.mover) show(Sign::mover);
     if (face.colour == colours_.surprise) show(Sign::surprise);
     if (face.colour == colours_.unknown) show(Sign::unknown);
-    if (face.colour == colours_.gone) show(Sign::gone);
+    if (face.colour == colours_.gone && face.colour != colours_.obstacle) show(Sign::gone);
   }
   return signs;
 }
