@@ -177,6 +177,34 @@ void touched_row(Frame& frame, std::size_t row, const Touched& each, const Touch
   point_at(frame, cell);
 }
 
+std::pair<const char*, ImU32> change_words(const Theme& theme, ChangeKind kind) {
+  switch (kind) {
+    case ChangeKind::surprise:
+      return {"blocked: a surprise", theme.warning};
+    case ChangeKind::moving:
+      return {"blocked: something moves", theme.text};
+    case ChangeKind::wall:
+      return {"blocked: not on its map", theme.text};
+    case ChangeKind::free:
+      return {"free", theme.good};
+    case ChangeKind::forgotten:
+      return {"forgotten: out of sight", theme.dim};
+  }
+  return {"", theme.text};
+}
+
+void changed_row(Frame& frame, std::size_t row, const ChangedCell& each, std::span<const Column> columns) {
+  const Look& look = frame.look;
+  const Cell cell = frame.run().lattice().position(each.node);
+  const std::string at = cell_text(cell, frame.run().lattice());
+  const auto [words, colour] = change_words(look.theme, each.kind);
+  const std::string now = words;
+  const std::vector<TableCell> cells = {{at}, {now, colour}};
+  if (table_row(look, static_cast<int>(row % kMostIds), columns, cells, frame.view.view.pinned == cell))
+    show_cell(frame, cell);
+  point_at(frame, cell);
+}
+
 }  // namespace
 
 /// While it plays, a list that takes long to sort anew is sorted now and then, so that frames keep coming.
@@ -257,13 +285,47 @@ void OpenListTab::draw_touched(Frame& frame) {
   end_rows();
 }
 
+/// Every cell that made the robot plan again.
+void OpenListTab::draw_changed(Frame& frame) {
+  const Look& look = frame.look;
+  const Run& run = frame.run();
+  const auto span = last_replan(run);
+  if (!span) {
+    empty_state(
+        look, icon::bolt, "No replan yet",
+        "Once the robot sees that the world is another than its map, the cells that differ are listed "
+        "here.");
+    return;
+  }
+  const std::pair of{run.log_id(), span->begin};
+  if (changed_of_ != of) changed_ = changes_before(run.log_view(), span->begin, run.scenario().map.blocked);
+  changed_of_ = of;
+  const auto count = static_cast<std::int64_t>(changed_.size());
+  paragraph(
+      look.fonts.ui, look.theme.dim,
+      "Replan " + grouped(span->number) + ": " +
+          (changed_.empty() ? "no cell is another than the map said"
+                            : count_text(count, "cell was", "cells were") + " another than the map said"));
+  if (changed_.empty()) return;
+  const float cell = text_width(look.fonts.mono, widest_cell(run)) + look.px(12);
+  const std::array<Column, 2> columns = {Column{"cell", cell, Align::left},
+                                         Column{"now", ImGui::GetContentRegionAvail().x - cell, Align::left}};
+  table_head(look, columns);
+  const RowsInSight sight = begin_rows(look, "changed", changed_.size(), 0, changed_rows_);
+  for (std::size_t row = sight.first; row < sight.last; ++row)
+    changed_row(frame, row, changed_[row], columns);
+  end_rows();
+}
+
 void OpenListTab::draw(Frame& frame) {
-  static constexpr std::array<const char*, 2> kParts = {"Open list", "Last repair"};
-  int part = repair_ ? 1 : 0;
-  if (segments(frame.look, "part", kParts, part)) repair_ = part == 1;
+  static constexpr std::array<const char*, 3> kParts = {"Open list", "Last repair", "What changed"};
+  int part = static_cast<int>(part_);
+  if (segments(frame.look, "part", kParts, part)) part_ = static_cast<Part>(part);
   ImGui::Dummy({0, frame.look.px.xs});
-  if (repair_)
+  if (part_ == Part::repair)
     draw_touched(frame);
+  else if (part_ == Part::change)
+    draw_changed(frame);
   else
     draw_open_list(frame);
 }

@@ -1,0 +1,34 @@
+#include "core/debug/replan_change.hpp"
+
+#include <algorithm>
+
+namespace replan {
+namespace {
+
+/// Whether what lies before such an event belongs to what the plan before knew of.
+bool ends_change(EventKind kind) {
+  return kind == EventKind::plan_end || kind == EventKind::plan_begin;
+}
+
+ChangeKind kind_of(const Event& event, const SearchState& state, const SharedBytes& drawn) {
+  if (event.kind == EventKind::forgotten) return ChangeKind::forgotten;
+  if (event.delta == 0) return ChangeKind::free;
+  if (state.moving(event.node)) return ChangeKind::moving;
+  return drawn[event.node] == 0 ? ChangeKind::surprise : ChangeKind::wall;
+}
+
+}  // namespace
+
+std::vector<ChangedCell> changes_before(const LogView& view, std::size_t begin, const SharedBytes& drawn) {
+  const SearchState state = view.log.state_at(begin);
+  std::vector<ChangedCell> changed;
+  for (std::size_t i = begin; i-- > 0 && !ends_change(view.log.event(i).kind);) {
+    const Event event = view.log.event(i);
+    if (event.kind == EventKind::sensed || event.kind == EventKind::forgotten)
+      changed.push_back({event.node, kind_of(event, state, drawn)});
+  }
+  std::reverse(changed.begin(), changed.end());
+  return changed;
+}
+
+}  // namespace replan
