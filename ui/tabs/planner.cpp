@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <array>
 
+#include "core/lattice/box_words.hpp"
 #include "core/plan/stage.hpp"
+#include "core/scene/spline_marks.hpp"
 #include "core/world/choices.hpp"
 #include "ui/icons.hpp"
 #include "ui/parts.hpp"
@@ -139,6 +141,27 @@ void planner_settings(Frame& frame) {
   }
 }
 
+/// Of a path that is a curve: whether it had to be pulled in, and where first; a click goes there.
+void spline_words(Frame& frame) {
+  const Look& look = frame.look;
+  const Spline* spline = spline_at_cursor(frame.run());
+  if (spline == nullptr) return;
+  if (spline->pulled_in.empty()) {
+    paragraph(look.fonts.ui, look.theme.dim,
+              "The curve that stands is free as it is: nothing had to be pulled in.");
+    return;
+  }
+  const PullIn& first = spline->pulled_in.front();
+  const auto count = static_cast<std::int64_t>(spline->pulled_in.size());
+  paragraph(look.fonts.ui, look.theme.warning,
+            count == 1
+                ? "One piece of the curve was pulled in, since an obstacle was in the way:"
+                : grouped(count) +
+                      " pieces of the curve were pulled in, since obstacles were in the way. The first:");
+  if (link(look, "pulled in", cell_text(first.cell, frame.run().lattice()), look.fonts.mono))
+    show_cell(frame, first.cell);
+}
+
 /// What the paths of the leading pane go through: each stage that there is, on or off, and below one that is on
 /// its settings. Stages are applied in the order of the list.
 void path_stages(Frame& frame) {
@@ -157,6 +180,7 @@ void path_stages(Frame& frame) {
     declared_settings(frame, info.parameters, after.back().settings);
   }
   if (after != before) frame.commands.push_back(SetStages{frame.session.lead(), std::move(after)});
+  spline_words(frame);
 }
 
 /// Which kind of robot it is, where there are several, and what that kind has to set; true if something was
