@@ -54,6 +54,10 @@ void add_marks(SolidPen& pen, SolidScene& scene) {
 
 }  // namespace
 
+bool shows_unknown(const View& view) {
+  return view.overlays.has(Overlay::unknown);
+}
+
 SolidCut cut_at(const Sheet& slice, const Point& eye) {
   SolidCut cut{slice.box.along(), slice.layer + 0.5, true};
   cut.keeps_lower = !cut.shows(eye);
@@ -66,12 +70,12 @@ SolidScene build_solid_scene(const Run& run, const View& view, const SolidOption
   const Sheet slice = sheet_of(run.lattice(), view.slice);
   SolidScene scene;
   scene.slice = slice;
-  scene.shows_unknown = view.overlays.has(Overlay::unknown);
+  scene.shows_unknown = shows_unknown(view);
   if (options.see_through) scene.opacity = 0.3f;
   if (options.cut || options.slice_alone) {
     scene.cut = cut_at(slice, eye);
-    scene.cut_faces = cut_faces(run, slice.box.along(), slice.layer, scene.cut->keeps_lower, palette,
-                                view.overlays.has(Overlay::unknown));
+    scene.cut_faces =
+        cut_faces(run, slice.box.along(), slice.layer, scene.cut->keeps_lower, palette, scene.shows_unknown);
   }
   Scene plane;
   plane.camera.zoom = 1;

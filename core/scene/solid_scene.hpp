@@ -78,6 +78,9 @@ struct SolidScene {
   SignSet signs;              ///< of a legend, as in Scene
 };
 
+/// Whether obstacles that the robot does not know of show, as the view's overlays have it.
+bool shows_unknown(const View& view);
+
 /// Where a world is cut by a slice, seen from `eye`: what is on the eye's side of it is left out.
 SolidCut cut_at(const Sheet& slice, const Point& eye);
 

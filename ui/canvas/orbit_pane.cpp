@@ -154,7 +154,7 @@ void OrbitPane::build(const Look& look, const Session& session, const Run& run, 
   if (scene_key_ != now || scene_.behind) {
     View view = state.view;
     view.slice = slice;
-    if (whole) mesh_.follow(run, memory.of(run).digest, palette, state.view.overlays.has(Overlay::unknown));
+    if (whole) mesh_.follow(run, memory.of(run).digest, palette, shows_unknown(state.view));
     scene_ = build_solid_scene(run, view, options, lens.eye(), palette, memory, within(kListMs));
     ++scene_number_;
     scene_key_ = now;
