@@ -35,6 +35,7 @@ struct PlannerInfo {
   bool any_angle = false;            ///< its paths leave the lattice's directions
   bool from_goal = false;            ///< searches from the goal: g is the cost to go
   bool sight = false;                ///< asks for lines of sight
+  bool sampling = false;             ///< grows out of random samples: it may find none where there is a path
   /// Why it plans for a robot without a size alone, and what to do about it; empty: it does not.
   std::string_view point_only;
   bool blind = false;                ///< no planner: its path is the same whatever stands there
