@@ -156,6 +156,7 @@ Result<ui::ViewState> requested_view(const RenderRequest& request) {
   state.slices.follows_robot = request.follows_robot;
   if (request.orbit) state.orbit = *request.orbit;
   state.solid.cut = request.cut;
+  state.solid.see_through = request.glass;
   for (std::size_t pane = 0; request.orbit && pane < 4; ++pane) state.slices.set_orbits(pane, true);
   state.view.scale = request.scale;
   state.view.range = request.range;

@@ -43,6 +43,7 @@ struct RenderRequest {
   std::optional<Slice> slice;               ///< the layer that is shown; else that of the start
   std::optional<Orbit> orbit;               ///< the world from outside, from there
   bool cut = false;                         ///< and cut at the slice
+  bool glass = false;                       ///< and obstacles like glass
   bool follows_robot = false;               ///< the layer is that of the robot at each moment
   std::optional<ViewSetup::Camera> camera;  ///< else the scenario's, else the whole world
   bool legend = true;

@@ -41,7 +41,7 @@ struct RenderArguments {
   std::string camera;
   std::string slice;
   std::string orbit;
-  bool cut = false;
+  bool cut = false, glass = false;
   std::string panes;
   std::string fps;
   std::string speed;
@@ -188,22 +188,31 @@ Result<void> read_slice(const RenderArguments& arguments, app::RenderRequest& re
 
 Result<void> read_orbit(const RenderArguments& arguments, app::RenderRequest& request) {
   if (arguments.orbit.empty())
-    return arguments.cut ? Result<void>(Error{"--cut is for a world from outside: add --orbit YAW,PITCH"})
-                         : Result<void>();
+    return arguments.cut || arguments.glass
+               ? Result<void>(Error{std::string(arguments.cut ? "--cut" : "--glass") +
+                                    " is for a world from outside: add --orbit YAW,PITCH"})
+               : Result<void>();
   if (request.scenario.map.depth == 1)
     return Error{"--orbit is for a world of more than one layer, and " + arguments.world.source() +
                  " is a plane: leave it out"};
   request.cut = arguments.cut;
+  request.glass = arguments.glass;
   if (file_extension(request.output) == ".svg")
     return Error{"--orbit is not for .svg, which draws planes; take .png"};
-  const auto numbers = numbers_in(arguments.orbit, 2);
-  if (!numbers || std::abs((*numbers)[1]) > 89)
+  auto numbers = numbers_in(arguments.orbit, 2);
+  if (!numbers) numbers = numbers_in(arguments.orbit, 6);
+  if (!numbers || std::abs((*numbers)[1]) > 89 || (numbers->size() == 6 && (*numbers)[2] <= 0))
     return Error{
         "--orbit cannot be '" + arguments.orbit +
         "': give YAW,PITCH in degrees, how far it is turned and how high above the horizon it is seen "
-        "from (at most 89), for example 30,35"};
+        "from (at most 89), for example 30,35; and from how many cells away which point is seen, if not all "
+        "of "
+        "the world, for example 30,35,20,5,8,2"};
   const double degree = std::numbers::pi / 180;
   request.orbit = Orbit{(*numbers)[0] * degree, (*numbers)[1] * degree, 0, {}};
+  if (numbers->size() == 2) return {};
+  request.orbit->distance = (*numbers)[2];
+  request.orbit->focus = {(*numbers)[3], (*numbers)[4], (*numbers)[5]};
   return {};
 }
 
@@ -369,10 +378,11 @@ Command add_render(CLI::App& program) {
   app->add_option(
          "--orbit", into.orbit,
          "Of a world of more than one layer: from outside, in 3D, turned by so many degrees and so many "
-         "above the horizon")
-      ->type_name("YAW,PITCH");
+         "above the horizon; all of it, or from so many cells away from a point")
+      ->type_name("YAW,PITCH[,DISTANCE,X,Y,Z]");
   app->add_flag("--cut", into.cut,
                 "With --orbit: what lies beyond the slice, towards the viewer, is left out");
+  app->add_flag("--glass", into.glass, "With --orbit: obstacles are like glass, and what is inside shows");
   app->add_option(
          "--camera", into.camera,
          "The point in the middle, in cells, and pixels per cell; else the scenario's, else all of the world")

@@ -40,7 +40,7 @@ _replan_options() {
     render)
       echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --planner --set --stage -o --output --size --scale" \
         "--at --at-end --at-plan" \
-        "--overlay --theme --action --dialog --pin --arc --camera --slice --orbit --cut --range --colours --canvas-only --panes --fps --speed --hold --from --to"
+        "--overlay --theme --action --dialog --pin --arc --camera --slice --orbit --cut --glass --range --colours --canvas-only --panes --fps --speed --hold --from --to"
       ;;
     convert) echo "-h --help --start --goal --threshold --invert --unknown --occupied --slice --planner --set --stage" ;;
     show) echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --planner --set --stage --at --cell" ;;

@@ -68,6 +68,8 @@ std::string happening_text(const Box& lattice, const Event& event) {
       return at + " trusts its remote parent " + target;
     case EventKind::collision:
       return "the plan leads into an obstacle at " + at;
+    case EventKind::turn:
+      return "the robot turns by " + std::to_string(event.delta) + "° on the spot at " + at;
     case EventKind::waiting:
       return "no path: the robot waits at " + at;
     case EventKind::arrival:

@@ -12,7 +12,7 @@ constexpr std::size_t kLongest = 4096;
 constexpr KindSet kParting{EventKind::plan_begin, EventKind::plan_end, EventKind::move,
                            EventKind::waiting,    EventKind::arrival,  EventKind::gave_up,
                            EventKind::collision,  EventKind::new_goal, EventKind::put_down,
-                           EventKind::surprise,   EventKind::epoch};
+                           EventKind::surprise,   EventKind::epoch,    EventKind::turn};
 
 /// Values that belong to the search and not to the world.
 bool is_of_search(EventKind kind) {

@@ -265,6 +265,9 @@ void JsonLines::payload(std::string& out, const Event& event) const {
     case EventKind::surprise:
       with("number");
       return append_whole(out, event.delta);
+    case EventKind::turn:
+      with("degrees");
+      return append_whole(out, event.delta);
     case EventKind::waiting:
       with("steps");
       return append_whole(out, event.delta);

@@ -9,7 +9,7 @@ std::string_view event_name(const SearchValues& values, EventKind kind) {
   if (is_own_field(kind)) return values.field(kind).name;
   static constexpr std::array<std::string_view, kEventKinds> kNames = {
       "g",        "rhs",       "queue",     "lp",        "rp",        "dist",       "visit",    "known",
-      "truth",    "scalar",    "",          "pop",       "sight",     "plan_begin", "plan_end", "move",
+      "truth",    "scalar",    "turn",      "pop",       "sight",     "plan_begin", "plan_end", "move",
       "sensed",   "surprise",  "unchecked", "collision", "waiting",   "arrival",    "gave_up",  "new_goal",
       "put_down", "forgotten", "aim",       "epoch",     "candidate", "rewired",    "rejected"};
   static_assert(kNames.size() == static_cast<std::size_t>(kEventKinds));

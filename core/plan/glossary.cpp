@@ -237,9 +237,14 @@ constexpr GlossaryTerm kTerms[] = {
      "comes "
      "near. It replans once it sees them, or at once if it is told."},
     {"sensor", "Sensor",
-     "What the robot sees: cells within its radius. What differs from its map there is put right, and the "
-     "plan is "
-     "repaired."},
+     "What the robot sees: cells within its radius, and with an opening angle only those ahead. What differs "
+     "from its map there is put right, and the plan is repaired."},
+    {"course", "Course",
+     "Which way the robot looks: the direction of its last move, before the first one that to its goal. A "
+     "sensor with an opening angle looks along it."},
+    {"turn-on-the-spot", "Turn on the spot",
+     "At a corner that is too sharp for it a vehicle stops and turns before it goes on: a step by itself, "
+     "after which it looks the new way."},
     {"known", "The robot's map", "What the robot takes the world for. It plans on this map alone."},
     {"truth", "The true world", "What really stands there, whether the robot knows it or not."},
     {"moving-obstacle", "Moving obstacle",
@@ -266,7 +271,10 @@ constexpr GlossaryTerm kTerms[] = {
      "What drives along the plan. It plans on the map that it believes in, which its sensor corrects within "
      "its "
      "radius, and replans when that changes."},
-    {"steps", "Steps", "The robot's clock: every move is a step, and so is every wait while it has no path."},
+    {"steps", "Steps",
+     "The robot's clock: every move is a step, and so is every turn on the spot, and every wait while it has "
+     "no "
+     "path."},
     {"travelled", "Travelled",
      "How far the robot has driven, in cells, along the straight segments of its paths."},
     {"collision", "Collision",

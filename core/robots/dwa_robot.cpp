@@ -60,7 +60,8 @@ RobotInfo DwaRobot::describe() {
               "approach.",
           .parameters = parameters_of_drive(),
           .planar = true,
-          .drives = true};
+          .drives = true,
+          .heading = kHeading.key};
 }
 
 DwaRobot::DwaRobot(const Scenario& scenario, const PlannerChoice& choice, Recorder* recorder)
@@ -181,6 +182,7 @@ void DwaRobot::keep(const Twist& motion) {
   const double away = distance_to(*moment().first_path, moment().at) * sense_.frame().side;
   moment().figures.drive.add(motion, sense_.settings().period, away);
   const auto [sine, cosine] = sine_cosine(now.pose.heading);
+  moment().course = {cosine, sine, 0};
   moment().after = {moment().at.x + cosine, moment().at.y + sine, moment().at.z};
   tell(before);
 }

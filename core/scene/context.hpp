@@ -6,6 +6,7 @@
 #include "core/scene/coverage.hpp"
 #include "core/scene/digest.hpp"
 #include "core/scene/field.hpp"
+#include "core/scene/open_cells.hpp"
 #include "core/scene/scene.hpp"
 #include "core/scene/size_zone.hpp"
 
@@ -15,6 +16,7 @@ struct SceneMemory::Parts {
   RunDigest digest;
   MapCoverage coverage;
   FieldRanges ranges;
+  OpenCells open;
   SizeZone zone;
 };
 
@@ -81,6 +83,8 @@ void add_through_layers(SceneContext& context, Polyline line, int thickness = 1)
 // What is always there, from the lowest up; the layers of marks (overlay.hpp) lie between the rim and the routes. Over all
 // of them lie the numbers (numbers.hpp) and the notes.
 void build_raster(SceneContext& context);
+/// The field alone, a texel a cell over the whole slice: 0 where it has no value. For a view in space.
+void build_field_sheet(SceneContext& context);
 void build_rim(SceneContext& context);
 void build_routes(SceneContext& context);
 void build_things(SceneContext& context);

@@ -10,6 +10,21 @@ FieldReader FieldReader::of(Overlay field) {
   return overlay_kind(field).field.value_or(FieldReader{});
 }
 
+bool shows_settled_alone(const Run& run, Overlay field) {
+  return field == Overlay::g && !run.info().values.lookahead();
+}
+
+std::optional<double> field_value(const Run& run, Overlay field, Cell cell) {
+  if (!run.lattice().contains(cell)) return std::nullopt;
+  const FieldReader reader = FieldReader::of(field);
+  const SearchState& state = run.timeline().state();
+  const NodeId node = run.lattice().node(cell);
+  if (shows_settled_alone(run, field) && state.queued(node)) return std::nullopt;
+  const std::int64_t value = reader.read(state.value(reader.kind, node));
+  if (value == FieldReader::kNone || state.known_blocked(node)) return std::nullopt;
+  return static_cast<double>(value) * reader.unit;
+}
+
 void RangeTracker::scan(const FieldReader& reader, const SearchState& state, std::size_t stretch) {
   Ends ends;
   const std::size_t end = std::min((stretch + 1) * kStretch, state.node_count());

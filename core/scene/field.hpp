@@ -30,6 +30,12 @@ struct FieldReader {
   }
 };
 
+/// Whether the field leaves out what is in the open list. Of a planner with one value alone g is written there before it is
+/// settled; of one with an rhs that is where such a value stands. So the same search looks the same with both.
+bool shows_settled_alone(const Run& run, Overlay field);
+/// The field's value in a cell at the run's cursor, as a view shows it; nothing where it shows none.
+std::optional<double> field_value(const Run& run, Overlay field, Cell cell);
+
 /// The least and the greatest value of a field over all cells, kept by stretches of them and brought up to
 /// date from the log.
 class RangeTracker {

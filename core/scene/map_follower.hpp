@@ -11,6 +11,13 @@ namespace replan {
 
 /// Follows a run's cursor, also where an edit cuts the log and it goes on otherwise.
 class MapFollower {
+  // Ahead of follow(), which asks for the type that it returns.
+  template <class Events>
+  static auto place(Events& events, std::size_t position) {
+    return std::partition_point(events.begin(), events.end(),
+                                [position](const MapEvent& event) { return event.event < position; });
+  }
+
  public:
   /// Calls `visit(event)` for every write to a map that was done or undone since the last call; some may come though both
   /// states are alike there. False if the log is another one, or with `afresh`: then all may have changed, and nothing is
@@ -39,11 +46,6 @@ class MapFollower {
   }
 
  private:
-  template <class Events>
-  static auto place(Events& events, std::size_t position) {
-    return std::partition_point(events.begin(), events.end(),
-                                [position](const MapEvent& event) { return event.event < position; });
-  }
   template <class Events>
   void count(const Events& events, std::size_t size) {
     if (size < counted_.size()) counted_.resize(size);

@@ -18,20 +18,17 @@ Point along(const Point& a, double t, const Point& b) {
 
 OrbitLens::OrbitLens(const Orbit& orbit, const Box& world, const Viewport& view)
     : orbit_(orbit), width_(std::max(view.width, 1)), height_(std::max(view.height, 1)) {
-  const Point middle{world.width() / 2.0, world.height() / 2.0, world.depth() / 2.0};
   orbit_.pitch = std::clamp(orbit.pitch, -Orbit::kSteepest, Orbit::kSteepest);
   const double c = std::cos(orbit_.pitch), s = std::sin(orbit_.pitch);
   ahead_ = {-std::sin(orbit_.yaw) * c, -std::cos(orbit_.yaw) * c, -s};
   right_ = {std::cos(orbit_.yaw), -std::sin(orbit_.yaw), 0};
   up_ = {-std::sin(orbit_.yaw) * s, -std::cos(orbit_.yaw) * s, c};
   if (orbit.distance <= 0) {
-    orbit_.focus = middle;
+    orbit_.focus = {world.width() / 2.0, world.height() / 2.0, world.depth() / 2.0};
     fit(world, view);
   }
   eye_ = along(orbit_.focus, -orbit_.distance, ahead_);
-  const double reach = distance(middle, {}) + distance(orbit_.focus, middle) + 1;
-  far_ = orbit_.distance + reach;
-  near_ = std::max(orbit_.distance - reach, std::min(0.1, orbit_.distance / 10));
+  find_depths(world);
 }
 
 namespace {
@@ -44,6 +41,24 @@ void each_corner(const Box& world, Visit&& visit) {
 }
 
 }  // namespace
+
+/// As near together as the world allows, and what is drawn beside it, such as how far a sensor reaches.
+void OrbitLens::find_depths(const Box& world) {
+  constexpr double kNearest = 0.2;
+  depths_ = {0, 0, HUGE_VAL, 0};
+  each_corner(world, [&](const Point& corner) {
+    const double depth = dot(along(corner, -1, eye_), ahead_);
+    depths_.first = std::min(depths_.first, depth);
+    depths_.last = std::max(depths_.last, depth);
+  });
+  const Point size{static_cast<double>(world.width()), static_cast<double>(world.height()),
+                   static_cast<double>(world.depth())};
+  const double beside = 1 + 0.2 * distance(Point{}, size);
+  depths_.first = std::max(depths_.first, 0.0);
+  depths_.last = std::max(depths_.last, depths_.first + 1);
+  depths_.near = std::max(depths_.first - beside, kNearest);
+  depths_.far = depths_.last + beside;
+}
 
 void OrbitLens::fit(const Box& world, const Viewport& view) {
   constexpr double kFilled = 0.94;
@@ -72,7 +87,7 @@ PixelBox OrbitLens::bounds(const Box& world) const {
 
 std::array<float, 16> OrbitLens::matrix() const {
   const double zoom = 1 / std::tan(kFieldOfView / 2), across = zoom * height_ / width_;
-  const double deep = (far_ + near_) / (far_ - near_), shift = 2 * far_ * near_ / (far_ - near_);
+  const double deep = depths_.deep(), shift = depths_.shift();
   const auto row = [this](const Point& axis, double scale) {
     return std::array<double, 4>{axis.x * scale, axis.y * scale, axis.z * scale, -dot(axis, eye_) * scale};
   };
@@ -99,8 +114,12 @@ Ray OrbitLens::ray(double x, double y) const {
   return {eye_, along(aside, -(y - height_ / 2.0) * scale, up_)};
 }
 
+double OrbitLens::pixel_angle() const {
+  return std::tan(kFieldOfView / 2) / (height_ / 2.0);
+}
+
 double OrbitLens::cells_per_pixel() const {
-  return orbit_.distance * std::tan(kFieldOfView / 2) / (height_ / 2.0);
+  return orbit_.distance * pixel_angle();
 }
 
 Point OrbitLens::panned(double right, double down) const {

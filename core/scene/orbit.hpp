@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "core/base/point.hpp"
@@ -21,6 +22,21 @@ struct Orbit {
   static constexpr double kSteepest = 1.55;
   friend bool operator==(const Orbit&, const Orbit&) = default;
 };
+
+// The whole world, along its axes.
+constexpr Orbit front_view() {
+  return {0, 0, 0, {}};
+}
+constexpr Orbit side_view() {
+  return {-std::numbers::pi / 2, 0, 0, {}};
+}
+constexpr Orbit top_view() {
+  return {0, Orbit::kSteepest, 0, {}};
+}
+/// As near as to see a cell among its neighbours.
+constexpr Orbit near_view(const Orbit& now, const Point& middle) {
+  return {now.yaw, now.pitch, 30, middle};
+}
 
 /// A half-line.
 struct Ray {
@@ -48,6 +64,17 @@ class OrbitLens {
   /// With the point and the distance that the orbit leaves open.
   [[nodiscard]] const Orbit& orbit() const { return orbit_; }
   [[nodiscard]] Point eye() const { return eye_; }
+  /// In cells before the eye.
+  struct Depths {
+    double near = 0, far = 0;    ///< between which something is drawn
+    double first = 0, last = 0;  ///< of the world's corners
+    /// OpenGL's z of a depth d is deep - shift / d: -1 at `near`, 1 at `far`.
+    [[nodiscard]] double deep() const { return (far + near) / (far - near); }
+    [[nodiscard]] double shift() const { return 2 * far * near / (far - near); }
+  };
+  [[nodiscard]] const Depths& depths() const { return depths_; }
+  /// How many cells a pixel is at a depth of one cell.
+  [[nodiscard]] double pixel_angle() const;
   /// How many cells a pixel is, in the depth of the focus.
   [[nodiscard]] double cells_per_pixel() const;
   /// The smallest rectangle around all of the world.
@@ -61,9 +88,10 @@ class OrbitLens {
   Orbit orbit_;
   /// The least distance from which all corners of the world lie between what is over the view's edges.
   void fit(const Box& world, const Viewport& view);
+  void find_depths(const Box& world);
 
   int width_, height_;
-  double near_ = 0, far_ = 0;
+  Depths depths_;
   Point eye_, right_, up_, ahead_;
 };
 

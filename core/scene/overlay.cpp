@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "core/scene/solid_pen.hpp"
+
 namespace replan {
 namespace {
 
@@ -57,6 +59,12 @@ void build_layer(SceneContext& context, Layer layer) {
     kind->draw(context);
   }
   add_pass();
+}
+
+void build_in_space(SolidPen& pen) {
+  if (const auto field = pen.context().view.overlays.field()) pen.field(*field);
+  for (auto kind = kinds().rbegin(); kind != kinds().rend(); ++kind)
+    if (kind->draw_in_space != nullptr && pen.context().has(kind->info.overlay)) kind->draw_in_space(pen);
 }
 
 }  // namespace replan

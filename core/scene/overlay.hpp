@@ -12,6 +12,8 @@
 
 namespace replan {
 
+class SolidPen;
+
 /// Where a mark lies, from the lowest up.
 enum class Layer : std::uint8_t { lines, hatches, arrows, frames, script, routes, hand };
 
@@ -26,6 +28,9 @@ struct OverlayKind {
   Layer layer = Layer::lines;
   void (*draw)(SceneContext& context) = nullptr;
   std::unique_ptr<CellMark> (*each)(SceneContext& context) = nullptr;
+  /// Of a mark: what it adds to a view from outside; nullptr: it shows on slices alone. A field lies there as a picture on
+  /// the slice, whichever it is.
+  void (*draw_in_space)(SolidPen& pen) = nullptr;
 };
 
 #define REPLAN_FIELD(ID) OverlayKind overlay_##ID();
@@ -38,5 +43,7 @@ const OverlayKind& overlay_kind(Overlay overlay);
 
 /// Adds the marks of a layer that are on.
 void build_layer(SceneContext& context, Layer layer);
+/// Adds what is on to a view from outside: the field, and the marks.
+void build_in_space(SolidPen& pen);
 
 }  // namespace replan

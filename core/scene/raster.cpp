@@ -1,9 +1,9 @@
 // The lowest layer: a colour per cell, or per pixel where cells are smaller than pixels.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 
+#include "core/scene/cell_colours.hpp"
 #include "core/scene/overlay.hpp"
 
 namespace replan {
@@ -15,122 +15,6 @@ Colour blend(Colour a, Colour b, unsigned share) {
   const Colour odd = ((a >> 8 & 0xFFu) * (256 - share) + (b >> 8 & 0xFFu) * share) & 0xFF00u;
   return even | odd | 0xFF000000u;
 }
-
-/// Whether the field leaves out what is in the open list. Of a planner with one value alone g is written there before it is
-/// settled; of one with an rhs that is where such a value stands. So the same search looks the same with both.
-bool shows_settled_alone(const SceneContext& context) {
-  return context.scene.field == Overlay::g && !context.run.info().values.lookahead();
-}
-
-/// The colours of one view's cells.
-class CellColours {
- public:
-  explicit CellColours(SceneContext& context)
-      : context_(context),
-        map_(context.run.scenario().map),
-        original_(map_.blocked),
-        found_(context.run.scenario().map_found),
-        shows_unknown_(context.has(Overlay::unknown)),
-        settled_alone_(shows_settled_alone(context)) {
-    const Palette& palette = context.palette;
-    unknown_ = mix(palette.free, palette.obstacle, 0.5f);
-    unknown_surprise_ = mix(palette.free, palette.surprise, 0.6f);
-    unseen_mover_ = mix(palette.free, palette.mover, 0.5f);
-    gone_ = mix(palette.free, palette.obstacle, 0.3f);
-    for (std::size_t i = 0; i < ramp_.size(); ++i)
-      ramp_[i] = mix(palette.free, palette.field[i], palette.field_opacity);
-    for (const Surprise& surprise : context.run.scenario().surprises)
-      for (const CellChange& change : surprise.cells)
-        if (change.blocked && !surprise.announced)
-          surprises_.push_back(context.run.lattice().node(change.cell));
-    std::sort(surprises_.begin(), surprises_.end());
-    if (!context.scene.range) return;
-    reader_ = FieldReader::of(*context.scene.field);
-    low_ = context.scene.range->low / reader_.unit;
-    const double span = context.scene.range->high / reader_.unit - low_;
-    steps_ = span > 0 ? 255.0 / span : 0;
-  }
-
-  /// The colour of a cell that is free and that the robot takes for free.
-  Colour free(NodeId node) {
-    context_.scene.show(Sign::free);
-    return ground(node);
-  }
-
-  /// The colour of a cell that is no obstacle to the robot.
-  Colour ground(NodeId node) {
-    if (!context_.scene.range) return context_.palette.free;
-    turn_to(node);
-    if (page_ == nullptr) return context_.palette.free;
-    if (queue_ != nullptr && queue_[node % SearchState::kPage] != 0) return context_.palette.free;
-    const std::int64_t value = reader_.read(page_[node % SearchState::kPage]);
-    if (value == FieldReader::kNone) return context_.palette.free;
-    const double step = std::clamp((static_cast<double>(value) - low_) * steps_, 0.0, 255.0);
-    return ramp_[static_cast<std::size_t>(step + 0.5)];
-  }
-
-  Colour cell(NodeId node) {
-    turn_to(node);
-    const std::size_t at = node % SearchState::kPage;
-    const bool truth = truth_ != nullptr && truth_[at] != 0, known = known_ != nullptr && known_[at] != 0;
-    if (!truth && !known) return free(node);
-    if (truth && truth_[at] >= kMoverUnit) return moving(known);
-    // What the robot was told of is a wall like any other; an unseen surprise shows even where the rest of
-    // the unknown world does not.
-    const bool surprising =
-        truth && original_[node] == 0 && std::binary_search(surprises_.begin(), surprises_.end(), node);
-    if (surprising) context_.scene.show(Sign::surprise);
-    if (truth && known) return surprising ? context_.palette.surprise : obstacle(node);
-    if (!shows_unknown_ && surprising) return unknown_surprise_;
-    if (!shows_unknown_) return known ? obstacle(node) : free(node);
-    context_.scene.show(truth ? Sign::unknown : Sign::gone);
-    if (known) return gone_;
-    return surprising ? unknown_surprise_ : unknown_;
-  }
-
-  /// The colour of a cell that the robot takes for an obstacle: a wall, or what its map calls unknown.
-  Colour obstacle(NodeId node) {
-    const bool unseen = found_.is_unknown(map_, node);
-    context_.scene.show(unseen ? Sign::unseen : Sign::obstacle);
-    return unseen ? context_.palette.unseen : context_.palette.obstacle;
-  }
-
-  /// Something that moves, in full where the robot has seen it there.
-  Colour moving(bool known) {
-    context_.scene.show(Sign::mover);
-    return known ? context_.palette.mover : unseen_mover_;
-  }
-
-  [[nodiscard]] bool shows_unknown() const { return shows_unknown_; }
-  [[nodiscard]] Colour unknown() const { return unknown_; }
-
- private:
-  /// Has the pages of `node` at hand: neighbours mostly lie on the same ones.
-  void turn_to(NodeId node) {
-    if (node / SearchState::kPage == page_number_) return;
-    page_number_ = node / SearchState::kPage;
-    page_ = context_.state.page(reader_.kind, node);
-    truth_ = context_.state.map_page(EventKind::truth, node);
-    known_ = context_.state.map_page(EventKind::known, node);
-    queue_ = settled_alone_ ? context_.state.page(EventKind::queue, node) : nullptr;
-  }
-
-  SceneContext& context_;
-  const GridMap& map_;
-  const SharedBytes& original_;
-  const MapFindings& found_;
-  std::vector<NodeId> surprises_;  // cells that some surprise blocks without telling the robot, ascending
-  bool shows_unknown_, settled_alone_;
-  Colour unknown_ = 0, unknown_surprise_ = 0, unseen_mover_ = 0, gone_ = 0;
-  std::array<Colour, 256> ramp_{};
-  FieldReader reader_;  // of the field that shows, if one does
-  double low_ = 0, steps_ = 0;
-  std::size_t page_number_ = SIZE_MAX;
-  const std::uint64_t* page_ = nullptr;
-  const std::uint8_t* truth_ = nullptr;
-  const std::uint8_t* known_ = nullptr;
-  const std::uint64_t* queue_ = nullptr;  // where what is in the open list has no colour
-};
 
 void paint_cells(SceneContext& context, CellColours& colours) {
   Raster& raster = context.scene.raster;
@@ -302,17 +186,29 @@ void describe_field(SceneContext& context) {
   scene.range = context.memory.ranges.at_cursor(context.run, *scene.field, context.view.range);
   const OverlayKind& kind = overlay_kind(*scene.field);
   scene.field_words = kind.words != nullptr ? kind.words(context.run.info()) : std::string(kind.info.label);
-  const auto& cell = context.view.hovered;
-  if (!cell || !context.run.lattice().contains(*cell)) return;
-  const FieldReader reader = FieldReader::of(*scene.field);
-  const NodeId node = context.run.lattice().node(*cell);
-  if (shows_settled_alone(context) && context.state.queued(node)) return;
-  const std::int64_t value = reader.read(context.state.value(reader.kind, node));
-  if (value != FieldReader::kNone && !context.state.known_blocked(node))
-    scene.pointed = static_cast<double>(value) * reader.unit;
+  if (context.view.hovered) scene.pointed = field_value(context.run, *scene.field, *context.view.hovered);
 }
 
 }  // namespace
+
+void build_field_sheet(SceneContext& context) {
+  Raster& raster = context.scene.raster;
+  context.scene.field = context.view.overlays.field();
+  if (!context.scene.field) return;
+  describe_field(context);
+  raster.columns = context.lattice.width();
+  raster.rows = context.lattice.height();
+  raster.width = raster.columns;
+  raster.height = raster.rows;
+  raster.texels.reserve(static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows));
+  CellColours colours(context);
+  for (int y = 0; y < raster.rows; ++y)
+    for (int x = 0; x < raster.columns; ++x) {
+      const NodeId node = context.node(x, y);
+      const bool stands = context.state.truly_blocked(node) || context.state.known_blocked(node);
+      raster.texels.push_back(stands ? 0 : colours.value(node).value_or(0));
+    }
+}
 
 void build_raster(SceneContext& context) {
   Scene& scene = context.scene;

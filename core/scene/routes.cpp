@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/scene/numbers.hpp"
+#include "core/scene/sonar.hpp"
 #include "core/scene/spline_marks.hpp"
 
 namespace replan {
@@ -87,6 +88,26 @@ std::vector<Point> trail_points(const SceneContext& context) {
   return points;
 }
 
+std::vector<SightCheck> sight_checks(const SceneContext& context) {
+  const Timeline& log = context.run.timeline();
+  const std::size_t most = 4096;  // reading out a path may check as many segments as it has
+  const std::size_t first = context.cursor > most ? context.cursor - most : 0;
+  std::vector<SightCheck> checks;
+  NodeId asks = kNoNode;
+  for (std::size_t i = context.cursor; i-- > first;) {
+    const Event& event = log.event(i);
+    if (event.kind == EventKind::pop || event.kind == EventKind::plan_begin || event.kind == EventKind::move)
+      break;
+    // The vertex before has found where it leaps to: what comes earlier are its checks.
+    if (event.kind == EventKind::rp && asks != kNoNode && event.node != asks) break;
+    if (event.kind != EventKind::sight) continue;
+    asks = event.node;
+    checks.push_back({context.centre(event.node), context.centre(static_cast<NodeId>(event.delta)),
+                      (event.delta >> 32) != 0});
+  }
+  return checks;
+}
+
 bool robot_has_set_out(const SceneContext& context) {
   const Decision* decision = context.run.decision_at(context.cursor);
   if (decision == nullptr) return false;
@@ -126,35 +147,31 @@ void add_cross(SceneContext& context, Point at, Colour colour) {
   context.add(Line{{at.x - arm, at.y + arm}, {at.x + arm, at.y - arm}, colour, context.pixels(2)});
 }
 
-/// The sight checks since the last vertex was taken, or, where a path is read out leap by leap, those of the
-/// latest vertex; a stopped ray ends in a cross.
+/// A stopped ray ends in a cross.
 void add_sight(SceneContext& context) {
-  const Timeline& log = context.run.timeline();
-  const std::size_t most = 4096;  // reading out a path may check as many segments as it has
-  const std::size_t first = context.cursor > most ? context.cursor - most : 0;
-  NodeId asks = kNoNode;
-  for (std::size_t i = context.cursor; i-- > first;) {
-    const Event& event = log.event(i);
-    if (event.kind == EventKind::pop || event.kind == EventKind::plan_begin || event.kind == EventKind::move)
-      break;
-    // The vertex before has found where it leaps to: what comes earlier are its checks.
-    if (event.kind == EventKind::rp && asks != kNoNode && event.node != asks) break;
-    if (event.kind != EventKind::sight) continue;
-    asks = event.node;
-    const bool seen = (event.delta >> 32) != 0;
-    const Colour colour = seen ? context.palette.good : context.palette.bad;
-    const Point from = context.centre(event.node), to = context.centre(static_cast<NodeId>(event.delta));
-    context.scene.show(seen ? Sign::sight_free : Sign::sight_stopped);
+  for (const auto& [from, to, free] : sight_checks(context)) {
+    const Colour colour = free ? context.palette.good : context.palette.bad;
+    context.scene.show(free ? Sign::sight_free : Sign::sight_stopped);
     if (context.lattice.solid())
       add_through_layers(context, {{from, to}, colour, context.pixels(1.6), 0});
     else
       context.add(Line{from, to, colour, context.pixels(1.6)});
     const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2, (from.z + to.z) / 2};
-    if (!seen) add_cross(context, middle, context.seen_at(middle, colour));
+    if (!free) add_cross(context, middle, context.seen_at(middle, colour));
   }
 }
 
+/// The robot's course as the view sees it.
+Course seen_course(const SceneContext& context) {
+  const Course course = course_of_robot(context);
+  return course_towards(context.seen(Point{}), context.seen(Point{course.x, course.y, course.z}));
+}
+
 double heading(const SceneContext& context) {
+  if (shows_course(context)) {
+    const Course course = seen_course(context);
+    return std::atan2(course.y, course.x);
+  }
   const Decision* decision = context.run.decision_at(context.cursor);
   if (decision == nullptr || decision->after == decision->at) return 0;
   const Point from = robot_point(context), to = context.seen(decision->after);
@@ -168,6 +185,13 @@ void add_sensor(SceneContext& context) {
   const double radius = context.cut_radius(robot, setup.sensor_radius);
   if (radius <= 0 && context.lattice.solid()) return;
   context.scene.show(Sign::sensor);
+  if (setup.sensor_angle < 360) {
+    const SonarReach reach{robot, seen_course(context), setup.sensor_radius, setup.sensor_angle};
+    const double off = context.lattice.solid() ? context.slice + 0.5 - robot.z : 0;
+    context.add(Polyline{outline_in_plane(reach, off), context.palette.robot, context.pixels(1.2), 0,
+                         context.pixels(4)});
+    return;
+  }
   context.add(Ring{robot, radius, context.palette.robot, context.pixels(1.2), context.pixels(4)});
 }
 

@@ -23,4 +23,12 @@ PathLine path_line(const SceneContext& context);
 /// The way that it has come.
 std::vector<Point> trail_points(const SceneContext& context);
 
+struct SightCheck {
+  Point from, to;
+  bool free = false;
+};
+/// The sight checks since the last vertex was taken, or, where a path is read out leap by leap, those of the latest
+/// vertex; the latest first.
+std::vector<SightCheck> sight_checks(const SceneContext& context);
+
 }  // namespace replan

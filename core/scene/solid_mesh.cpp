@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <utility>
 
 #include "core/session/run.hpp"
 
@@ -51,49 +53,54 @@ struct PaddedBlock {
   std::array<int, 3> low, high;  ///< of the block, the upper ends excluded
   std::vector<Colour> colours;
 
-  [[nodiscard]] Colour& at(const std::array<int, 3>& place) {
-    const auto padded = [&](std::size_t axis) {
-      return static_cast<std::size_t>(place[axis] - low[axis] + 1);
-    };
-    return colours[(padded(2) * kSide + padded(1)) * kSide + padded(0)];
-  }
-  template <class ColourOf>
-  void fill(ColourOf&& colour_of) {
-    colours.assign(kSide * kSide * kSide, 0);
-    for (int z = low[2] - 1; z <= high[2]; ++z)
-      for (int y = low[1] - 1; y <= high[1]; ++y)
-        for (int x = low[0] - 1; x <= high[0]; ++x) at({x, y, z}) = colour_of(Cell{x, y, z});
-  }
-
   static constexpr std::size_t kSide = SolidMesh::kBlock + 2;
+  static constexpr std::array<std::size_t, 3> kStep = {1, kSide, kSide* kSide};
+
+  [[nodiscard]] std::size_t index(const std::array<int, 3>& place) const {
+    std::size_t at = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      at += static_cast<std::size_t>(place[axis] - low[axis] + 1) * kStep[axis];
+    return at;
+  }
+  /// Row by row, as `reader.row(first cell, count, colours)` knows them; whether there is anything.
+  template <class Reader>
+  bool fill(const Box& world, Reader& reader) {
+    colours.assign(kSide * kSide * kSide, 0);
+    const int left = std::max(low[0] - 1, 0), right = std::min(high[0] + 1, world.width());
+    bool any = false;
+    for (int z = std::max(low[2] - 1, 0); z < std::min(high[2] + 1, world.depth()); ++z)
+      for (int y = std::max(low[1] - 1, 0); y < std::min(high[1] + 1, world.height()); ++y)
+        any |= reader.row(world.node({left, y, z}), right - left, &colours[index({left, y, z})]);
+    return any;
+  }
 };
 
 /// Adds the faces of a block's k-th layer across an axis that look to one side, where nothing stands before them.
-void add_layer(PaddedBlock& cells, std::size_t side, int k, std::vector<SolidFace>& faces) {
+void add_layer(const PaddedBlock& cells, std::size_t side, int k, std::vector<Colour>& layer,
+               std::vector<SolidFace>& faces) {
   const std::size_t axis = side / 2, a = kBeside[axis][0], b = kBeside[axis][1];
-  const int step = side % 2 == 0 ? -1 : 1;
   const int width = cells.high[a] - cells.low[a], height = cells.high[b] - cells.low[b];
-  std::array<int, 3> at{};
-  const auto go_to = [&](int i, int j) {
-    at[axis] = k;
+  std::array<int, 3> at = cells.low;
+  at[axis] = k;
+  const Colour* row = &cells.colours[cells.index(at)];
+  const std::ptrdiff_t across = static_cast<std::ptrdiff_t>(PaddedBlock::kStep[a]),
+                       along = static_cast<std::ptrdiff_t>(PaddedBlock::kStep[axis]),
+                       before = side % 2 == 0 ? -along : along;
+  layer.clear();
+  Colour any = 0;
+  for (int j = 0; j < height; ++j, row += PaddedBlock::kStep[b]) {
+    const Colour* cell = row;
+    for (int i = 0; i < width; ++i, cell += across) {
+      const Colour colour = cell[before] == 0 ? *cell : 0;
+      layer.push_back(colour);
+      any |= colour;
+    }
+  }
+  if (any == 0) return;
+  join(layer, width, height, [&](int i, int j, int columns, int rows, Colour colour) {
     at[a] = cells.low[a] + i;
     at[b] = cells.low[b] + j;
-  };
-  std::vector<Colour> layer;
-  layer.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  Colour any = 0;
-  for (int j = 0; j < height; ++j)
-    for (int i = 0; i < width; ++i) {
-      go_to(i, j);
-      const Colour colour = cells.at(at);
-      at[axis] += step;
-      layer.push_back(colour != 0 && cells.at(at) == 0 ? colour : 0);
-      any |= layer.back();
-    }
-  if (any == 0) return;
-  join(layer, width, height, [&](int i, int j, int across, int on, Colour colour) {
-    go_to(i, j);
-    faces.push_back(face(at, side, across, on, colour));
+    faces.push_back(face(at, side, columns, rows, colour));
   });
 }
 
@@ -105,21 +112,67 @@ std::size_t SolidMesh::face_count() const {
   return count;
 }
 
+/// Reads the colours of cells, with the pages of the state that hold them at hand.
+class SolidMesh::Reader {
+ public:
+  Reader(const Run& run, const Colours& colours, const std::vector<NodeId>& surprising)
+      : state_(run.timeline().state()),
+        original_(run.scenario().map.blocked),
+        colours_(colours),
+        surprising_(surprising) {}
+
+  /// Those of `count` cells from a node on; whether one of them is an obstacle.
+  bool row(NodeId first, int count, Colour* colours) {
+    bool any = false;
+    for (NodeId node = first; node < first + static_cast<NodeId>(count); ++node, ++colours) {
+      turn_to(node);
+      const std::size_t at = node % SearchState::kPage;
+      const std::uint8_t truth = truth_ != nullptr ? truth_[at] : 0,
+                         known = known_ != nullptr ? known_[at] : 0;
+      if ((truth | known) == 0) continue;
+      any = true;
+      *colours = colour(node, truth, known != 0);
+    }
+    return any;
+  }
+
+ private:
+  void turn_to(NodeId node) {
+    if (node / SearchState::kPage == page_) return;
+    page_ = node / SearchState::kPage;
+    truth_ = state_.map_page(EventKind::truth, node);
+    known_ = state_.map_page(EventKind::known, node);
+  }
+  [[nodiscard]] Colour colour(NodeId node, std::uint8_t truth, bool known) const {
+    if (truth >= kMoverUnit) return colours_.mover;
+    const bool appeared = truth != 0 && !surprising_.empty() && original_[node] == kFree;
+    if (appeared && std::binary_search(surprising_.begin(), surprising_.end(), node))
+      return colours_.surprise;
+    return known ? colours_.obstacle : colours_.unknown;
+  }
+
+  const SearchState& state_;
+  const SharedBytes& original_;
+  const Colours& colours_;
+  const std::vector<NodeId>& surprising_;
+  std::size_t page_ = SIZE_MAX;
+  const std::uint8_t* truth_ = nullptr;
+  const std::uint8_t* known_ = nullptr;
+};
+
 void SolidMesh::follow(const Run& run, const RunDigest& digest, const Palette& palette) {
   const Colours colours{palette.obstacle, palette.mover, palette.surprise,
                         mix(palette.free, palette.obstacle, 0.5f)};
   const bool other_world = world_ != run.lattice();
+  if (other_world) begin(run);
+  // Of another log of the same world the faces stay until they are made anew: most are as they were.
   if (!follower_.follow(run, digest, other_world,
                         [&](const MapEvent& event) { mark(world_.position(event.node)); }))
-    begin(run);
+    mark_all();
   if (log_id_ != run.log_id()) note_surprises(run);
   log_id_ = run.log_id();
-  if (colours != colours_) {
-    colours_ = colours;
-    for (Block& block : blocks_) block.stale = true;
-  }
-  for (std::size_t i = 0; i < blocks_.size(); ++i)
-    if (blocks_[i].stale) make(run, i);
+  if (colours != colours_) mark_all();
+  colours_ = colours;
 }
 
 void SolidMesh::begin(const Run& run) {
@@ -127,56 +180,111 @@ void SolidMesh::begin(const Run& run) {
   const auto blocks = [](int cells) { return (cells + kBlock - 1) / kBlock; };
   grid_ = Box(blocks(world_.width()), blocks(world_.height()), blocks(world_.depth()));
   blocks_.assign(grid_.node_count(), {});
+  waiting_ = blocks_.size();
+  ++revision_;
 }
 
+/// Cells of surprises that came or went with another log look otherwise, though nothing stands there that did not.
 void SolidMesh::note_surprises(const Run& run) {
-  surprising_.clear();
+  std::vector<NodeId> now, other;
   for (const Surprise& surprise : run.scenario().surprises)
     for (const CellChange& change : surprise.cells)
-      if (change.blocked && !surprise.announced) surprising_.push_back(world_.node(change.cell));
-  std::sort(surprising_.begin(), surprising_.end());
+      if (change.blocked && !surprise.announced) now.push_back(world_.node(change.cell));
+  std::sort(now.begin(), now.end());
+  std::set_symmetric_difference(now.begin(), now.end(), surprising_.begin(), surprising_.end(),
+                                std::back_inserter(other));
+  for (const NodeId node : other)
+    if (node < world_.node_count()) mark(world_.position(node));
+  surprising_ = std::move(now);
 }
 
 std::size_t SolidMesh::block_of(Cell cell) const {
   return grid_.node({cell.x / kBlock, cell.y / kBlock, cell.z / kBlock});
 }
 
+CellBox SolidMesh::cells(std::size_t block) const {
+  const Cell at = grid_.position(static_cast<NodeId>(block));
+  const Cell low{at.x * kBlock, at.y * kBlock, at.z * kBlock};
+  return {low,
+          {std::min(low.x + kBlock, world_.width()) - 1, std::min(low.y + kBlock, world_.height()) - 1,
+           std::min(low.z + kBlock, world_.depth()) - 1}};
+}
+
 /// Its block, and those whose faces look at it.
 void SolidMesh::mark(Cell cell) {
   for (const Cell by : {Cell{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}) {
     const Cell near{cell.x + by.x, cell.y + by.y, cell.z + by.z};
-    if (world_.contains(near)) blocks_[block_of(near)].stale = true;
+    if (world_.contains(near)) mark_block(block_of(near));
   }
 }
 
-Colour SolidMesh::colour_of(const Run& run, NodeId node) const {
-  const SearchState& state = run.timeline().state();
-  if (state.moving(node)) return colours_.mover;
-  const bool truth = state.truly_blocked(node), known = state.known_blocked(node);
-  if (!truth && !known) return 0;
-  const bool appeared = truth && run.scenario().map.blocked[node] == kFree;
-  if (appeared && std::binary_search(surprising_.begin(), surprising_.end(), node)) return colours_.surprise;
-  return known ? colours_.obstacle : colours_.unknown;
+void SolidMesh::mark_all() {
+  for (std::size_t i = 0; i < blocks_.size(); ++i) mark_block(i);
 }
 
-void SolidMesh::make(const Run& run, std::size_t index) {
+void SolidMesh::mark_block(std::size_t block) {
+  waiting_ += blocks_[block].stale ? 0 : 1;
+  blocks_[block].stale = true;
+}
+
+void SolidMesh::make(const Run& run, const Point& eye, const Deadline& deadline) {
+  if (waiting_ == 0) return;
+  std::vector<std::pair<double, std::size_t>> stale;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    if (!blocks_[i].stale) continue;
+    const CellBox box = cells(i);
+    const Point middle{(box.low.x + box.high.x + 1) / 2.0, (box.low.y + box.high.y + 1) / 2.0,
+                       (box.low.z + box.high.z + 1) / 2.0};
+    stale.emplace_back(distance(middle, eye), i);
+  }
+  std::sort(stale.begin(), stale.end());
+  Reader reader(run, colours_, surprising_);
+  for (const auto& [away, block] : stale) {
+    make_block(reader, block);
+    if (deadline.passed()) return;
+  }
+}
+
+void SolidMesh::make_block(Reader& reader, std::size_t index) {
   Block& block = blocks_[index];
   block.stale = false;
+  --waiting_;
+  const CellBox box = cells(index);
+  PaddedBlock cells{coordinates(box.low), coordinates(box.high), {}};
+  for (int& end : cells.high) ++end;
+  std::vector<SolidFace> faces;
+  if (cells.fill(world_, reader)) {
+    const std::array<int, 3> size = world_.sides<3>();
+    std::vector<Colour> layer;
+    for (std::size_t side = 0; side < 6; ++side) {
+      const std::size_t axis = side / 2;
+      const int step = side % 2 == 0 ? -1 : 1;
+      for (int k = cells.low[axis]; k < cells.high[axis]; ++k)
+        if (k + step >= 0 && k + step < size[axis]) add_layer(cells, side, k, layer, faces);
+    }
+  }
+  if (faces == block.faces) return;
+  block.faces = std::move(faces);
+  block.signs = signs_of(block.faces);
   block.revision = ++revision_;
-  block.faces.clear();
-  const std::array<int, 3> size = coordinates({world_.width(), world_.height(), world_.depth()});
-  PaddedBlock cells{coordinates(grid_.position(static_cast<NodeId>(index))), {}, {}};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    cells.low[axis] *= kBlock;
-    cells.high[axis] = std::min(cells.low[axis] + kBlock, size[axis]);
+}
+
+SignSet SolidMesh::signs_of(std::span<const SolidFace> faces) const {
+  SignSet signs;
+  const auto show = [&](Sign sign) { signs.set(static_cast<std::size_t>(sign)); };
+  for (const SolidFace& face : faces) {
+    if (face.colour == colours_.obstacle) show(Sign::obstacle);
+    if (face.colour == colours_.mover) show(Sign::mover);
+    if (face.colour == colours_.surprise) show(Sign::surprise);
+    if (face.colour == colours_.unknown) show(Sign::unknown);
   }
-  cells.fill([&](Cell cell) { return world_.contains(cell) ? colour_of(run, world_.node(cell)) : 0; });
-  for (std::size_t side = 0; side < 6; ++side) {
-    const std::size_t axis = side / 2;
-    const int step = side % 2 == 0 ? -1 : 1;
-    for (int k = cells.low[axis]; k < cells.high[axis]; ++k)
-      if (k + step >= 0 && k + step < size[axis]) add_layer(cells, side, k, block.faces);
-  }
+  return signs;
+}
+
+SignSet SolidMesh::signs() const {
+  SignSet all;
+  for (const Block& block : blocks_) all |= block.signs;
+  return all;
 }
 
 std::vector<SolidFace> cut_faces(const Run& run, Axis across, int layer, bool towards_higher, Colour colour) {

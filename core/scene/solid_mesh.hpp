@@ -6,9 +6,12 @@
 #include <span>
 #include <vector>
 
+#include "core/base/deadline.hpp"
+#include "core/base/point.hpp"
 #include "core/lattice/box.hpp"
 #include "core/scene/map_follower.hpp"
 #include "core/scene/palette.hpp"
+#include "core/scene/scene.hpp"
 
 namespace replan {
 
@@ -29,19 +32,29 @@ class SolidMesh {
  public:
   static constexpr int kBlock = 32;  ///< cells along each side of a block
 
-  /// Brings all blocks to the run's cursor; only those whose cells have changed since are made anew.
+  /// Learns which blocks are no longer as the run's cursor has them.
   void follow(const Run& run, const RunDigest& digest, const Palette& palette);
+  /// Makes such blocks anew, those nearest to the eye first, until the time is up; one in any case.
+  void make(const Run& run, const Point& eye, const Deadline& deadline);
+  /// How many blocks wait to be made.
+  [[nodiscard]] std::size_t waiting() const { return waiting_; }
 
   [[nodiscard]] std::size_t block_count() const { return blocks_.size(); }
   [[nodiscard]] std::span<const SolidFace> faces(std::size_t block) const { return blocks_[block].faces; }
-  /// Another number whenever the block's faces have been made anew.
+  /// The cells that a block has.
+  [[nodiscard]] CellBox cells(std::size_t block) const;
+  /// Another number whenever the block's faces have changed, and whenever those of some block have.
   [[nodiscard]] std::uint64_t revision(std::size_t block) const { return blocks_[block].revision; }
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
   [[nodiscard]] std::size_t face_count() const;
+  /// What of its obstacles a legend has to tell.
+  [[nodiscard]] SignSet signs() const;
 
  private:
   struct Block {
     std::vector<SolidFace> faces;
     std::uint64_t revision = 0;
+    SignSet signs;
     bool stale = true;
   };
   /// What colours depend on.
@@ -49,12 +62,15 @@ class SolidMesh {
     Colour obstacle = 0, mover = 0, surprise = 0, unknown = 0;
     friend bool operator==(const Colours&, const Colours&) = default;
   };
+  class Reader;
 
   void begin(const Run& run);
   void note_surprises(const Run& run);
   void mark(Cell cell);
-  void make(const Run& run, std::size_t block);
-  [[nodiscard]] Colour colour_of(const Run& run, NodeId node) const;
+  void mark_all();
+  void mark_block(std::size_t block);
+  void make_block(Reader& reader, std::size_t block);
+  [[nodiscard]] SignSet signs_of(std::span<const SolidFace> faces) const;
   [[nodiscard]] std::size_t block_of(Cell cell) const;
 
   Box world_;
@@ -62,6 +78,7 @@ class SolidMesh {
   Colours colours_;
   std::vector<Block> blocks_;
   std::vector<NodeId> surprising_;  // that some surprise blocks without telling the robot, ascending
+  std::size_t waiting_ = 0;
   std::uint64_t log_id_ = 0;
   std::uint64_t revision_ = 0;
   MapFollower follower_;

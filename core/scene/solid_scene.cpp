@@ -3,252 +3,180 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "core/scene/overlay.hpp"
 #include "core/scene/routes.hpp"
-#include "core/scene/script.hpp"
-#include "core/scene/spline_marks.hpp"
+#include "core/scene/solid_pen.hpp"
 
 namespace replan {
 namespace {
 
-/// More cells of the open list than these are left out.
-constexpr std::size_t kMostBoxes = 60'000;
-/// Half of the side of their cubes.
-constexpr double kWaitingHalf = 0.2;
-/// Parents' arrows are drawn in layers of no more cells.
-constexpr int kMostArrows = 20'000;
+double along_axis(Axis axis, const Point& point) {
+  return axis == Axis::x ? point.x : axis == Axis::y ? point.y : point.z;
+}
 
-class SolidBuilder {
- public:
-  SolidBuilder(SceneContext& context, const Slice& slice, const SolidOptions& options, const Point& eye,
-               SolidScene& scene)
-      : context_(context), scene_(scene), slice_(sheet_of(context.run.lattice(), slice)) {
-    if (options.see_through) scene_.opacity = 0.3f;
-    if (options.cut || options.slice_alone) cut(eye);
-    alone_ = options.slice_alone;
-  }
+/// The edges of the world's box.
+void add_world(SolidPen& pen) {
+  const Box& world = pen.context().run.lattice();
+  pen.edges({},
+            {static_cast<double>(world.width()), static_cast<double>(world.height()),
+             static_cast<double>(world.depth())},
+            faded(pen.palette().dim, 0.45), 1);
+}
 
-  void build() {
-    add_world();
-    add_slice();
-    if (context_.has(Overlay::queue) && !alone_) add_open_list();
-    if (context_.has(Overlay::lp)) add_parents();
-    if (context_.has(Overlay::sensor)) add_sensor();
-    if (context_.has(Overlay::script)) add_ways();
-    if (context_.has(Overlay::trail))
-      add_way(trail_points(context_), faded(context_.palette.robot, 0.8), 2, Sign::trail);
-    if (context_.has(Overlay::path)) {
-      const PathLine path = path_line(context_);
-      add_way(path.points, faded(context_.palette.path, path.searching ? 0.4 : 1), 3.5f, Sign::path);
-    }
-    if (context_.has(Overlay::spline)) add_spline();
-    add_marks();
-    show(Sign::obstacle);
-    scene_.signs = context_.scene.signs;
-  }
+/// A frame around the layer that the slice shows.
+void add_slice(SolidPen& pen) {
+  const SeenBox& box = pen.slice().box;
+  const auto width = static_cast<double>(box.width()), height = static_cast<double>(box.height());
+  const std::array<Point, 4> corners = {Point{0, 0, 0}, {width, 0, 0}, {width, height, 0}, {0, height, 0}};
+  for (std::size_t i = 0; i < 4; ++i)
+    pen.line(pen.on_sheet(box.world(corners[i])), pen.on_sheet(box.world(corners[(i + 1) % 4])),
+             pen.palette().accent, 1.6f);
+}
 
- private:
-  void cut(const Point& eye) {
-    SolidCut cut{slice_.box.along(), 0, true};
-    cut.at = slice_.layer + 0.5;
-    cut.keeps_lower = !cut.shows(eye);
-    cut.at = slice_.layer + (cut.keeps_lower ? 1 : 0);
-    scene_.cut_faces = cut_faces(context_.run, cut.across, slice_.layer, cut.keeps_lower,
-                                 mix(context_.palette.obstacle, context_.palette.text, 0.22f));
-    scene_.cut = cut;
-  }
+void add_pinned(SolidPen& pen, Cell cell) {
+  const Point low{static_cast<double>(cell.x), static_cast<double>(cell.y), static_cast<double>(cell.z)};
+  pen.edges(low, {low.x + 1, low.y + 1, low.z + 1}, pen.palette().accent, 2);
+}
 
-  void show(Sign sign) { context_.scene.show(sign); }
-
-  void add_way(const std::vector<Point>& points, Colour colour, float width, Sign sign) {
-    if (points.size() > 1) show(sign);
-    add_line(points, colour, width);
-  }
-  void add_line(const std::vector<Point>& points, Colour colour, float width) {
-    for (std::size_t i = 1; i < points.size(); ++i) add_line(points[i - 1], points[i], colour, width);
-  }
-  void add_line(const Point& a, const Point& b, Colour colour, float width) {
-    const auto narrow = [](double value) { return static_cast<float>(value); };
-    scene_.lines.push_back({{narrow(a.x), narrow(a.y), narrow(a.z)},
-                            {narrow(b.x), narrow(b.y), narrow(b.z)},
-                            colour,
-                            width * static_cast<float>(context_.view.scale)});
-  }
-
-  /// The edges of a box, between two opposite corners.
-  void add_edges(const Point& low, const Point& high, Colour colour, float width) {
-    const std::array<Point, 2> ends = {low, high};
-    const auto corner = [&](unsigned bits) {
-      return Point{ends[bits & 1u].x, ends[bits >> 1 & 1u].y, ends[bits >> 2 & 1u].z};
-    };
-    for (unsigned from = 0; from < 8; ++from)
-      for (unsigned bit = 1; bit < 8; bit <<= 1)
-        if ((from & bit) == 0) add_line(corner(from), corner(from | bit), colour, width);
-  }
-
-  void add_world() {
-    const Box& world = context_.run.lattice();
-    add_edges({},
-              {static_cast<double>(world.width()), static_cast<double>(world.height()),
-               static_cast<double>(world.depth())},
-              faded(context_.palette.dim, 0.45), 1);
-  }
-
-  /// A frame around the layer that the slice shows.
-  void add_slice() {
-    const SeenBox& box = slice_.box;
-    const double at = slice_.layer + 0.5;
-    const std::array<Point, 4> corners = {
-        box.world(Point{0, 0, at}), box.world(Point{static_cast<double>(box.width()), 0, at}),
-        box.world(Point{static_cast<double>(box.width()), static_cast<double>(box.height()), at}),
-        box.world(Point{0, static_cast<double>(box.height()), at})};
-    for (std::size_t i = 0; i < 4; ++i)
-      add_line(corners[i], corners[(i + 1) % 4], context_.palette.accent, 1.6f);
-  }
-
-  void add_box(const Point& centre, double half, Colour colour) {
-    if (scene_.cut && !scene_.cut->shows(centre)) return;
-    const auto narrow = [](double value) { return static_cast<float>(value); };
-    scene_.boxes.push_back({{narrow(centre.x - half), narrow(centre.y - half), narrow(centre.z - half)},
-                            {narrow(centre.x + half), narrow(centre.y + half), narrow(centre.z + half)},
-                            colour});
-  }
-
-  void add_open_list() {
-    constexpr NodeId kPage = SearchState::kPage;
-    const auto end = static_cast<NodeId>(context_.run.lattice().node_count());
-    if (context_.state.queue_size() > 0) show(Sign::queue);
-    for (NodeId first = 0; first < end; first += kPage) {
-      const std::uint64_t* page = context_.state.page(EventKind::queue, first);
-      if (page == nullptr) continue;
-      for (NodeId node = first; node < std::min(end, first + kPage); ++node) {
-        if (page[node % kPage] == 0) continue;
-        if (scene_.boxes.size() >= kMostBoxes) {
-          scene_.left_out = true;
-          return;
-        }
-        add_box(context_.centre(node), kWaitingHalf, context_.palette.accent);
-      }
-    }
-  }
-
-  /// In the slice alone: everywhere they would hide each other.
-  void add_parents() {
-    const SeenBox& box = slice_.box;
-    if (static_cast<std::int64_t>(box.width()) * box.height() > kMostArrows) return;
-    const Box& world = context_.run.lattice();
-    for (int row = 0; row < box.height(); ++row)
-      for (int column = 0; column < box.width(); ++column) {
-        const NodeId node = world.node(slice_.cell(column, row)), parent = context_.state.lp(node);
-        if (parent == kNoNode || parent == node || context_.state.known_blocked(node)) continue;
-        const Point from = context_.centre(node), to = context_.centre(parent);
-        const auto part = [&](double t) {
-          return Point{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y),
-                       from.z + t * (to.z - from.z)};
-        };
-        show(Sign::lp);
-        add_line(part(-0.2), part(0.2), context_.palette.arrow, 1);
-        add_line(part(0.2), part(0.32), context_.palette.arrow, 2.6f);
-      }
-  }
-
-  void add_ring(const Point& centre, double radius, const Point& a, const Point& b, Colour colour) {
-    constexpr int kPieces = 48;
-    std::vector<Point> points;
-    for (int i = 0; i <= kPieces; ++i) {
-      const double angle = 2 * std::numbers::pi * i / kPieces;
-      const double x = radius * std::cos(angle), y = radius * std::sin(angle);
-      points.push_back(
-          {centre.x + x * a.x + y * b.x, centre.y + x * a.y + y * b.y, centre.z + x * a.z + y * b.z});
-    }
-    add_line(points, colour, 1.2f);
-  }
-
-  void add_sensor() {
-    const RobotSetup& robot = context_.run.scenario().robot;
-    if (robot.knowledge == Knowledge::all) return;
-    show(Sign::sensor);
-    const Point at = robot_point(context_);
-    const Colour colour = faded(context_.palette.robot, 0.6);
-    constexpr Point kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
-    add_ring(at, robot.sensor_radius, kX, kY, colour);
-    add_ring(at, robot.sensor_radius, kX, kZ, colour);
-    add_ring(at, robot.sensor_radius, kY, kZ, colour);
-  }
-
-  /// The control polygon of a path that is a curve, and where it was pulled in, with the obstacle that it would have hit.
-  void add_spline() {
-    const Spline* spline = spline_at_cursor(context_.run);
-    if (spline == nullptr) return;
-    add_way(spline->control, faded(context_.palette.dim, 0.8), 1.2f, Sign::control);
-    for (const PullIn& pull : spline->pulled_in) {
-      show(Sign::pulled_in);
-      add_line(pull.at, centre_of(pull.cell), context_.palette.warning, 2);
-    }
-  }
-
-  void add_ways() {
-    for (const MovingObstacle& mover : context_.run.scenario().movers) {
-      show(Sign::mover);
-      std::vector<Point> way = way_points(mover);
-      if (mover.at_end == WayEnd::loop && way.size() > 2) way.push_back(way.front());
-      add_line(way, faded(context_.palette.mover, 0.7), 1.4f);
-    }
-  }
-
-  void add_marks() {
-    const Palette& palette = context_.palette;
-    const Scenario& scenario = context_.run.scenario();
-    using enum SolidMark::Shape;
-    scene_.marks.push_back({star, centre_of(scenario.start), palette.start});
-    scene_.marks.push_back({diamond, goal_point(context_), palette.goal});
-    if (context_.view.pinned) {
-      const Point low{static_cast<double>(context_.view.pinned->x),
-                      static_cast<double>(context_.view.pinned->y),
-                      static_cast<double>(context_.view.pinned->z)};
-      add_edges(low, {low.x + 1, low.y + 1, low.z + 1}, palette.accent, 2);
-    }
-    if (!robot_has_set_out(context_)) return;
-    show(Sign::robot);
-    scene_.marks.push_back({robot, robot_point(context_), palette.robot});
-  }
-
-  SceneContext& context_;
-  SolidScene& scene_;
-  Sheet slice_;
-  bool alone_ = false;  // of all obstacles those of the slice are drawn
-};
+void add_marks(SolidPen& pen, SolidScene& scene) {
+  using enum SolidMark::Shape;
+  const SceneContext& context = pen.context();
+  scene.marks.push_back({star, centre_of(context.run.scenario().start), pen.palette().start});
+  scene.marks.push_back({diamond, goal_point(context), pen.palette().goal});
+  if (!robot_has_set_out(context)) return;
+  pen.show(Sign::robot);
+  scene.marks.push_back({robot, robot_point(context), pen.palette().robot});
+}
 
 }  // namespace
 
+SolidCut cut_at(const Sheet& slice, const Point& eye) {
+  SolidCut cut{slice.box.along(), slice.layer + 0.5, true};
+  cut.keeps_lower = !cut.shows(eye);
+  cut.at = slice.layer + (cut.keeps_lower ? 1 : 0);
+  return cut;
+}
+
 SolidScene build_solid_scene(const Run& run, const View& view, const SolidOptions& options, const Point& eye,
                              const Palette& palette, SceneMemory& memory) {
+  const Sheet slice = sheet_of(run.lattice(), view.slice);
+  SolidScene scene;
+  scene.slice = slice;
+  if (options.see_through) scene.opacity = 0.3f;
+  if (options.cut || options.slice_alone) {
+    scene.cut = cut_at(slice, eye);
+    scene.cut_faces = cut_faces(run, slice.box.along(), slice.layer, scene.cut->keeps_lower,
+                                mix(palette.obstacle, palette.text, 0.22f));
+  }
   Scene plane;
   plane.camera.zoom = 1;
   // Seen along z the coordinates of a view are the world's.
   View upright = view;
   upright.slice.along = Axis::z;
   SceneContext context{run, upright, palette, memory.of(run), plane};
-  SolidScene scene;
-  SolidBuilder(context, view.slice, options, eye, scene).build();
+  SolidPen pen(context, slice, options.slice_alone, scene);
+  add_world(pen);
+  add_slice(pen);
+  build_in_space(pen);
+  if (view.pinned) add_pinned(pen, *view.pinned);
+  add_marks(pen, scene);
+  scene.signs = plane.signs;
+  if (!scene.cut_faces.empty()) scene.signs.set(static_cast<std::size_t>(Sign::obstacle));
   return scene;
 }
 
-std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const Ray& ray) {
+namespace {
+
+/// The first of what it is made of that a ray meets, and how deep.
+struct Met {
+  Cell cell;
+  double depth = HUGE_VAL;
+};
+
+/// Where a ray enters a cell.
+double depth_of(const Ray& ray, Cell cell) {
+  double enter = 0;
+  const auto clip = [&](double from, double way, int at) {
+    if (way != 0) enter = std::max(enter, std::min((at - from) / way, (at + 1 - from) / way));
+  };
+  clip(ray.from.x, ray.direction.x, cell.x);
+  clip(ray.from.y, ray.direction.y, cell.y);
+  clip(ray.from.z, ray.direction.z, cell.z);
+  return enter;
+}
+
+/// The nearest place of a line that a ray passes at less than `reach` times its depth.
+std::optional<Met> met_path(const std::vector<Point>& path, const Ray& ray, double reach) {
+  std::optional<Met> first;
+  const auto dot = [](const Point& a, const Point& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
+  const auto minus = [](const Point& a, const Point& b) { return Point{a.x - b.x, a.y - b.y, a.z - b.z}; };
+  const double square = dot(ray.direction, ray.direction);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    // The places of both lines that are nearest to each other.
+    const Point way = minus(path[i], path[i - 1]), gap = minus(path[i - 1], ray.from);
+    const double length = dot(way, way), both = dot(way, ray.direction);
+    const double apart = length * square - both * both;
+    const double share =
+        apart > 1e-12 * length * square
+            ? std::clamp((both * dot(gap, ray.direction) - square * dot(gap, way)) / apart, 0.0, 1.0)
+            : 0;
+    const Point at{path[i - 1].x + share * way.x, path[i - 1].y + share * way.y,
+                   path[i - 1].z + share * way.z};
+    const double depth = dot(minus(at, ray.from), ray.direction) / square;
+    if (depth <= 0 || distance(at, ray.at(depth)) > reach * depth) continue;
+    if (!first || depth < first->depth) first = Met{cell_of(at), depth};
+  }
+  return first;
+}
+
+/// The cell of the picture on the slice that a ray meets, where it has a colour.
+std::optional<Met> met_sheet(const Box& world, const SolidScene& scene, const Sheet& slice, const Ray& ray) {
+  const SolidSheet& sheet = scene.sheet;
+  if (sheet.texels.empty()) return std::nullopt;
+  const Axis axis = slice.box.along();
+  const double way = along_axis(axis, ray.direction);
+  const double depth = (along_axis(axis, sheet.corner) - along_axis(axis, ray.from)) / way;
+  if (!(depth > 0)) return std::nullopt;
+  const Point at = slice.box.seen(ray.at(depth));
+  const Cell cell = slice.cell(static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)));
+  if (!world.contains(cell)) return std::nullopt;
+  const Cell seen = slice.box.seen(cell);
+  const auto texel = static_cast<std::size_t>(seen.y) * static_cast<std::size_t>(sheet.columns) +
+                     static_cast<std::size_t>(seen.x);
+  return sheet.texels[texel] == 0 ? std::nullopt : std::optional(Met{cell, depth});
+}
+
+}  // namespace
+
+std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const Ray& ray, double reach) {
   const SearchState& state = run.timeline().state();
   const Box& world = run.lattice();
-  const bool waiting_show = scene.signs[static_cast<std::size_t>(Sign::queue)];
+  const bool waiting_show = !scene.boxes.empty() && scene.signs[static_cast<std::size_t>(Sign::queue)];
   const auto shown = [&](Cell cell) { return !scene.cut || scene.cut->shows(centre_of(cell)); };
   const auto solid = [&](NodeId node) { return state.truly_blocked(node) || state.known_blocked(node); };
-  return first_on_ray(world, ray, [&](Cell cell, Cell before) {
-    if (!shown(cell)) return false;
-    const NodeId node = world.node(cell);
-    if (waiting_show && state.queued(node) && meets_cube(ray, centre_of(cell), kWaitingHalf)) return true;
-    if (scene.opacity < 1 || !solid(node) || !world.contains(before)) return false;
+  const auto waits = [&](Cell cell) {
+    return waiting_show && shown(cell) && state.queued(world.node(cell)) &&
+           meets_cube(ray, centre_of(cell), kWaitingHalf);
+  };
+  const auto wall = [&](Cell cell, Cell before) {
+    if (!shown(cell) || !solid(world.node(cell)) || !world.contains(before)) return false;
     // A face is drawn between an obstacle and what is none, or what is cut away.
     return !solid(world.node(before)) || !shown(before);
-  });
+  };
+  const bool glass = scene.opacity < 1;
+  auto first = first_on_ray(
+      world, ray, [&](Cell cell, Cell before) { return waits(cell) || (!glass && wall(cell, before)); });
+  double depth = first ? depth_of(ray, *first) : HUGE_VAL;
+  const auto take = [&](const std::optional<Met>& met) {
+    if (!met || met->depth > depth || !world.contains(met->cell)) return;
+    first = met->cell;
+    depth = met->depth;
+  };
+  take(met_sheet(world, scene, scene.slice, ray));
+  take(met_path(scene.path, ray, reach));
+  if (first || !glass) return first;
+  return first_on_ray(world, ray, wall);
 }
 
 }  // namespace replan

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/scene/orbit.hpp"
@@ -21,6 +22,13 @@ struct SolidLine {
   float from[3], to[3];
   Colour colour;
   float width;
+};
+
+/// A picture on the plane of the slice, a texel a cell; no texels: there is none.
+struct SolidSheet {
+  int columns = 0, rows = 0;
+  std::vector<Colour> texels;  ///< 0: nothing is drawn there
+  Point corner, right, down;   ///< of its first texel, and at the ends of its first row and column
 };
 
 /// A thing that stands in the world, drawn over it.
@@ -54,18 +62,30 @@ struct SolidScene {
   std::vector<SolidBox> boxes;
   std::vector<SolidLine> lines;
   std::vector<SolidMark> marks;
+  std::vector<Point> path;  ///< the line of the path, where it is drawn
+  Sheet slice;
+  SolidSheet sheet;  ///< the field on it
+  // What a legend tells of that field, as in Scene.
+  std::optional<Overlay> field;
+  std::optional<FieldRange> range;
+  std::string field_words;
   std::optional<SolidCut> cut;
   float opacity = 1;      ///< of the obstacles
   bool left_out = false;  ///< some of the open list: it is too long
   SignSet signs;          ///< of a legend, as in Scene
 };
 
-/// What `view` shows of the run at its cursor in an orbit view; `eye` is where it is seen from. The slice is drawn as a
-/// frame, and is where a cut is made.
+/// Where a world is cut by a slice, seen from `eye`: what is on the eye's side of it is left out.
+SolidCut cut_at(const Sheet& slice, const Point& eye);
+
+/// What `view` shows of the run at its cursor in an orbit view; `eye` is where it is seen from, and matters for the side
+/// that a cut leaves out alone. The slice is drawn as a frame, and is where a cut is made.
 SolidScene build_solid_scene(const Run& run, const View& view, const SolidOptions& options, const Point& eye,
                              const Palette& palette, SceneMemory& memory);
 
-/// The cell that a ray meets first, of what the scene shows: an obstacle, or a small cube of the open list.
-std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const Ray& ray);
+/// The cell of what a ray meets first of what the scene shows: an obstacle, a small cube of the open list, the path, or a
+/// value of the field on the slice. The path is met from `reach` beside it on, in cells at a depth of one. Where one sees
+/// through obstacles, they come last.
+std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const Ray& ray, double reach = 0);
 
 }  // namespace replan

@@ -23,7 +23,7 @@ std::optional<T> whole(std::string_view text) {
 }
 
 bool takes_time(EventKind kind) {
-  return kind == EventKind::move || kind == EventKind::waiting;
+  return kind == EventKind::move || kind == EventKind::waiting || kind == EventKind::turn;
 }
 
 /// The moment after a step that was told of at `event`.

@@ -4,14 +4,26 @@
 
 namespace replan {
 
+namespace {
+
+/// Whether a robot's step is shown for as long as it takes.
+bool is_smooth(const Run& run) {
+  const auto decisions = run.decisions();
+  return run.scenario().robot.motion == Motion::smooth ||
+         (!decisions.empty() && decisions.front().figures.spot_turns);
+}
+
+}  // namespace
+
 /// How long playing shows what lies between two stops.
 double Player::seconds_of(const Run& run, std::size_t from, std::size_t to) const {
   const double speed = state_.expansions_per_second;
   const EventKind kind = run.timeline().event(std::min(from, to)).kind;
   if (speed <= kReadableSpeed && is_before_repair(run, to)) return std::max(1 / speed, kRepairSeconds);
-  if (kind != EventKind::move && kind != EventKind::waiting) return speed < kFullSpeed ? 1 / speed : 0;
+  if (kind != EventKind::move && kind != EventKind::waiting && kind != EventKind::turn)
+    return speed < kFullSpeed ? 1 / speed : 0;
   const double step = 1 / std::min(speed, kMovesPerSecond);
-  if (run.scenario().robot.motion == Motion::steps) return step;
+  if (!is_smooth(run)) return step;
   const Decision *before = run.decision_at(std::min(from, to)), *after = run.decision_at(std::max(from, to));
   if (before == nullptr || after == nullptr) return step;
   const double driven = static_cast<double>(after->time - before->time) / static_cast<double>(kSecond);
@@ -34,7 +46,7 @@ Player::Shown Player::advance(const Run& run, double seconds) {
     cursor = next;
   }
   // A robot that drives smoothly is still on its way while time is owed to it.
-  const bool smooth = run.scenario().robot.motion == Motion::smooth && forwards() && moves;
+  const bool smooth = is_smooth(run) && forwards() && moves;
   return {cursor, smooth && owed_ < 0 && step_seconds_ > 0 ? 1 + owed_ / step_seconds_ : 1};
 }
 

@@ -21,9 +21,10 @@
 namespace replan {
 
 /// Events that a timeline shows and that steps stop at.
-inline constexpr KindSet kMilestones{
-    EventKind::plan_begin, EventKind::plan_end, EventKind::move,    EventKind::surprise, EventKind::collision,
-    EventKind::waiting,    EventKind::arrival,  EventKind::gave_up, EventKind::new_goal, EventKind::put_down};
+inline constexpr KindSet kMilestones{EventKind::plan_begin, EventKind::plan_end,  EventKind::move,
+                                     EventKind::surprise,   EventKind::collision, EventKind::waiting,
+                                     EventKind::arrival,    EventKind::gave_up,   EventKind::new_goal,
+                                     EventKind::put_down,   EventKind::turn};
 /// One of them, with all that it tells: nobody has to read the log for it.
 struct Milestone {
   std::size_t event;  ///< index in the log

@@ -119,6 +119,7 @@ void Mission::begin() {
   tr_.note(EventKind::plan_begin, start_, 0);
   tr_.change(Scalar::robot, 0, std::uint64_t{start_ + 1u});
   robot_ = start_;
+  look_ahead();
   if (seeks_nearest()) tr_.change(Scalar::wanted, 0, std::uint64_t{goal_ + 1u});
   const Stopwatch watch(now_.figures.plan_ms);
   navigator_->begin(point(start_), point(goal_));
@@ -243,8 +244,14 @@ void Mission::happen(std::size_t index) {
     goal_ = goal;
     now_.waited = 0;
   }
+  if (surprise.robot) look_ahead();
   if (!told.empty() || surprise.robot || surprise.goal)
     learn(told, EventKind::sensed, surprise.goal ? std::optional(goal_) : std::nullopt);
+}
+
+/// As when it sets out.
+void Mission::look_ahead() {
+  now_.course = first_course(robot_setup_, point(robot_), point(goal_));
 }
 
 /// A robot that is taken up or put down learns of a wall that it stands in, if it was spared it until then.

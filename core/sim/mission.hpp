@@ -9,6 +9,7 @@
 
 #include "core/drive/dynamic_window.hpp"
 #include "core/plan/navigator.hpp"
+#include "core/sim/course.hpp"
 #include "core/sim/drive_figures.hpp"
 #include "core/sim/mover.hpp"
 #include "core/sim/route.hpp"
@@ -40,6 +41,13 @@ const char* mission_state_name(MissionState state);
 /// for what is scripted.
 inline constexpr std::int64_t kMovesPerCell = 10, kMostWaits = 1'000'000;
 
+/// What a robot that keeps to its plan has turned on the spot, at corners too sharp to be taken under way.
+struct SpotTurns {
+  std::int64_t count = 0;
+  SimTime time = 0;
+  friend bool operator==(const SpotTurns&, const SpotTurns&) = default;
+};
+
 /// What a mission has come to so far.
 struct MissionFigures {
   std::int64_t moves = 0;
@@ -52,6 +60,8 @@ struct MissionFigures {
   Counters last_plan;          ///< of the latest plan or replan alone
   std::size_t peak_bytes = 0;  ///< held by the planner at most, the map not counted
   DriveFigures drive;          ///< of a robot that drives
+  std::optional<SpotTurns>
+      spot_turns;  ///< of a robot whose course turns no faster than it can; others have none
 };
 
 /// What the log says of the latest decision of a robot that drives, as scalars (core/trace/event.hpp).
@@ -98,6 +108,7 @@ struct Decision {
   SimTime waited = 0;               ///< since the robot's last move
   SimTime forgets_after = kSecond;  ///< so much waiting it forgets the sightings that are out of sight
   Drive drive;                      ///< of a robot that drives
+  Course course;  ///< which way it looks: that of its last move, or turn; of a robot that drives its heading
 };
 
 /// A moment between two calls of Mission::advance(), in the middle of a search too, from which a mission can
@@ -203,8 +214,10 @@ class Mission {
   [[nodiscard]] virtual bool is_at(NodeId cell) const { return robot_ == cell; }
 
   /// Goes on over so many cells of the route, or to its end if that is nearer, in one step of the clock. All of
-  /// them have to be free.
-  void step_along(std::size_t cells);
+  /// them have to be free. It takes `time`, or without one as long as RobotSetup says.
+  void step_along(std::size_t cells, std::optional<SimTime> time = {});
+  /// Turns to that course where it stands, a step of the clock by itself: it senses again before it goes on.
+  void turn_on_the_spot(const Course& course, SimTime time);
   /// Drives over these points, from where it is on and near enough to each other for straight lines, in that time, one
   /// step of the clock; `way` is the length in cells. Stops at the first where its body would touch an obstacle.
   void drive_on(std::span<const Point> points, double way, SimTime time);
@@ -233,7 +246,9 @@ class Mission {
   [[nodiscard]] std::vector<CellEdit> write_cells(const Surprise& surprise);
   [[nodiscard]] bool blocked(NodeId node) const { return navigator_->known()[node] != 0; }
   [[nodiscard]] Point point(NodeId node) const { return centre_of(box_.position(node)); }
-  [[nodiscard]] Senses senses() const { return {box_, navigator_->known(), truth_, robot_setup_, robot_}; }
+  [[nodiscard]] Senses senses() const {
+    return {box_, navigator_->known(), truth_, robot_setup_, robot_, now_.course};
+  }
   void feel(NodeId cell, std::vector<CellEdit>& told) const;
   void learn(const std::vector<CellEdit>& edits, EventKind how, std::optional<NodeId> afresh_to = {});
   [[nodiscard]] bool seeks_nearest() const {
@@ -256,7 +271,9 @@ class Mission {
   void follow(const Path& path, PlanStatus status);
   [[nodiscard]] Point point_ahead() const;
   void collide(NodeId cell);
-  void enter(std::size_t on_route);
+  void enter(std::size_t on_route, std::optional<SimTime> time);
+  [[nodiscard]] bool goes_on_for_ever() const;
+  void look_ahead();
 
   MissionLog tr_;
   RobotSetup robot_setup_;

@@ -99,18 +99,37 @@ void Mission::advance_clock(std::int64_t steps, SimTime time, NodeId left) {
   }
 }
 
-void Mission::step_along(std::size_t cells) {
+bool Mission::goes_on_for_ever() const {
+  const std::int64_t turns = now_.figures.spot_turns.value_or(SpotTurns{}).count;
+  return !crowd_.empty() &&
+         now_.figures.moves + turns > kMovesPerCell * static_cast<std::int64_t>(truth_.size());
+}
+
+void Mission::step_along(std::size_t cells, std::optional<SimTime> time) {
   if (now_.next >= route_.cells.size())  // a circle has been driven to its end
     return give_up(MissionState::loop);
-  if (!crowd_.empty() && now_.figures.moves > kMovesPerCell * static_cast<std::int64_t>(truth_.size()))
-    return give_up(MissionState::endless);
+  if (goes_on_for_ever()) return give_up(MissionState::endless);
   const std::size_t last = std::min(now_.next + cells, route_.cells.size()) - 1;
   tr_.line(107);
   Point at = now_.at;
   for (std::size_t i = now_.next; i <= last; at = route_.points[i++])
     if (truth_[route_.cells[i]] != 0 || hits(box_, truth_, robot_setup_.radius, at, route_.points[i]))
       return collide(route_.cells[i]);
-  enter(last);
+  enter(last, time);
+}
+
+void Mission::turn_on_the_spot(const Course& course, SimTime time) {
+  if (goes_on_for_ever()) return give_up(MissionState::endless);
+  tr_.line(107);
+  const double degrees = angle_between(now_.course, course) * 180 / kPi;
+  tr_.note(EventKind::turn, robot_, static_cast<std::uint64_t>(std::llround(degrees)));
+  SpotTurns turns = now_.figures.spot_turns.value_or(SpotTurns{});
+  ++turns.count;
+  turns.time += time;
+  now_.figures.spot_turns = turns;
+  now_.course = course;
+  now_.before = now_.at;
+  advance_clock(1, time, robot_);
 }
 
 /// The cells that the robot takes up on its way from the cell `left` to its own: nothing comes onto them. It may plan
@@ -169,7 +188,7 @@ void Mission::collide(NodeId cell) {
 }
 
 // Lines 6 and 7: the robot goes on to a cell of its route.
-void Mission::enter(std::size_t on_route) {
+void Mission::enter(std::size_t on_route, std::optional<SimTime> time) {
   const NodeId cell = route_.cells[on_route], left = robot_;
   tr_.note(EventKind::move, cell);
   put_robot(cell);
@@ -179,10 +198,11 @@ void Mission::enter(std::size_t on_route) {
   now_.along_plan = route_.along[on_route];
   now_.before = now_.at;
   now_.at = route_.points[on_route];
+  if (now_.at != now_.before) now_.course = course_towards(now_.before, now_.at);
   now_.next = on_route + 1;
   now_.after = point_ahead();
   now_.waited = 0;
-  advance_clock(1, step_time(way), left);
+  advance_clock(1, time.value_or(step_time(way)), left);
 }
 
 void Mission::put_robot(NodeId cell) {

@@ -26,6 +26,7 @@ bool Senses::in_sight(NodeId node) const {
   const std::int64_t squared = squared_distance(at, cell);
   if (feels(cell)) return true;
   if (static_cast<double>(squared) > setup_.sensor_radius * setup_.sensor_radius) return false;
+  if (!cone_.holds(course_towards(centre_of(at), centre_of(cell)))) return false;
   const auto clear = [&](NodeId passed) { return passed == node || truth_[passed] == 0; };
   return !setup_.sensor_blocked || walk_supercover(box_, robot_, node, clear);
 }

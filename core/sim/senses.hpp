@@ -6,6 +6,7 @@
 
 #include "core/lattice/box.hpp"
 #include "core/lattice/lattice.hpp"
+#include "core/sim/course.hpp"
 #include "core/world/scenario.hpp"
 
 namespace replan {
@@ -14,15 +15,20 @@ namespace replan {
 using Sightings = std::vector<NodeId>;
 
 /// The sensor at one place. `known` is the robot's map, nonzero = obstacle; `truth` the world as EventKind::truth
-/// holds it. Both must outlive this.
+/// holds it. Both must outlive this. The sensor looks along `course`, its cone's axis.
 class Senses {
  public:
   Senses(const Box& box, std::span<const std::uint8_t> known, std::span<const std::uint8_t> truth,
-         const RobotSetup& setup, NodeId robot)
-      : box_(box), known_(known), truth_(truth), setup_(setup), robot_(robot) {}
+         const RobotSetup& setup, NodeId robot, const Course& course = {})
+      : box_(box),
+        known_(known),
+        truth_(truth),
+        setup_(setup),
+        robot_(robot),
+        cone_(course, setup.sensor_angle) {}
 
-  /// Whether the sensor reaches the cell: some are always felt, others lie within its radius and, if obstacles hide
-  /// what is behind them, in plain view.
+  /// Whether the sensor reaches the cell: some are always felt, others lie within its radius, in its cone
+  /// and, if obstacles hide what is behind them, in plain view: all of it between centres of cells.
   [[nodiscard]] bool in_sight(NodeId node) const;
   /// What is in sight and differs from the robot's map, row by row; but not an obstacle on the robot's own
   /// cell, unless RobotSetup::robot_cell_blocks: that is in nobody's way while it stands there.
@@ -40,6 +46,7 @@ class Senses {
   std::span<const std::uint8_t> known_, truth_;
   const RobotSetup& setup_;
   NodeId robot_;
+  Cone cone_;
 };
 
 /// The sightings after the robot has learnt the edits: those that moving obstacles account for come in, all

@@ -53,7 +53,8 @@ RobotReport robot_report(const Decision& decision) {
           .last_plan = decision.plan->status,
           .drive = decision.drive.begun || decision.figures.drive.time > 0
                        ? std::optional(decision.figures.drive)
-                       : std::nullopt};
+                       : std::nullopt,
+          .spot_turns = decision.figures.spot_turns};
 }
 
 /// Why the robot did not arrive, where its ending alone does not say it: how things stood in the end.
@@ -220,6 +221,17 @@ std::vector<NamedFigure> drive_figures(const RobotReport& robot) {
           of_drive("turned_deg", [](const DriveFigures& all) { return all.turned * 180 / kPi; }),
           of_drive("mean_off_plan", [](const DriveFigures& all) { return all.mean_off_plan(); }),
           of_drive("max_off_plan", [](const DriveFigures& all) { return all.most_off_plan; })};
+}
+
+std::vector<NamedFigure> turn_figures(const RobotReport& robot) {
+  const auto of_turns = [&robot](std::string_view key, auto&& value, bool whole) {
+    return NamedFigure{key, robot.spot_turns ? std::optional(value(*robot.spot_turns)) : std::nullopt, whole};
+  };
+  const auto count = [](const SpotTurns& all) { return static_cast<double>(all.count); };
+  const auto seconds = [](const SpotTurns& all) {
+    return static_cast<double>(all.time) / static_cast<double>(kSecond);
+  };
+  return {of_turns("spot_turns", count, true), of_turns("spot_turn_seconds", seconds, false)};
 }
 
 std::vector<NamedFigure> in_metres(std::span<const NamedFigure> figures, const MapFrame& frame) {

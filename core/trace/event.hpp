@@ -32,8 +32,9 @@ enum class EventKind : std::uint8_t {
   truth,  ///< what stands in the world: bit 0 a wall, the rest counts the moving obstacles there
   // Values of the run; the node field holds the Scalar
   scalar,
-  // What happened; `delta` is a payload. Number 10 is free.
-  pop = 11,    ///< taken from the open list; payload: 1 if it goes back with a newer key
+  // What happened; `delta` is a payload.
+  turn = 10,   ///< the robot turns on the spot at the node; payload: degrees, rounded
+  pop,         ///< taken from the open list; payload: 1 if it goes back with a newer key
   sight,       ///< line-of-sight check from the node; payload: target | result << 32
   plan_begin,  ///< a first plan (payload 0) or the n-th replan begins
   plan_end,    ///< it is done; payload: PlanStatus

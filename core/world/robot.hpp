@@ -41,6 +41,9 @@ struct RobotInfo {
   std::vector<Parameter> parameters = {};
   bool planar = false;  ///< it drives in a plane: in worlds of one layer alone
   bool drives = false;  ///< along arcs that it chooses by the dynamic window approach, not from cell to cell
+  /// The parameter that says which way it looks when it sets out, in degrees from the right, upwards; none: towards its
+  /// goal.
+  std::string_view heading = {};
 };
 
 /// All kinds, in the order of robots.def. The first is the usual one.
@@ -57,6 +60,8 @@ struct RobotSetup {
   Knowledge knowledge = Knowledge::map;
   double sensor_radius = 6;     ///< cells, centre to centre; the cells around the robot are always felt
   bool sensor_blocked = false;  ///< obstacles hide what is behind them
+  double sensor_angle =
+      360;  ///< degrees, the sensor's whole opening angle about the robot's course; 360: all round
   Motion motion = Motion::steps;
   double speed = 4;      ///< cells per second
   double patience = 60;  ///< seconds that it waits for obstacles to move out of its way before it gives up

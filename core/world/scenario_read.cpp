@@ -125,8 +125,9 @@ class ScenarioReader {
   }
 
   void read_robot(const JsonNode& node) {
-    if (!node.expect_object({"knowledge", "sensor_radius", "sensor_blocked", "radius", "motion", "speed",
-                             "patience", "unreachable_goal", "robot_cell_blocks", "kind", "settings"}))
+    if (!node.expect_object({"knowledge", "sensor_radius", "sensor_angle", "sensor_blocked", "radius",
+                             "motion", "speed", "patience", "unreachable_goal", "robot_cell_blocks", "kind",
+                             "settings"}))
       return;
     RobotSetup& robot = scenario_.robot;
     if (const auto kind = node.find("kind")) {
@@ -139,6 +140,7 @@ class ScenarioReader {
     if (const auto item = node.find("knowledge"))
       robot.knowledge = static_cast<Knowledge>(item->one_of({"all", "map", "nothing"}));
     if (const auto item = node.find("sensor_radius")) robot.sensor_radius = item->number(0, kMaxReach);
+    if (const auto item = node.find("sensor_angle")) robot.sensor_angle = item->number(1, 360);
     if (const auto item = node.find("sensor_blocked")) robot.sensor_blocked = item->toggle();
     if (const auto item = node.find("radius")) robot.radius = item->number(0, MoveRules::kMostRadius);
     if (const auto item = node.find("motion"))

@@ -168,6 +168,7 @@ Json robot_json(const RobotSetup& robot) {
                  {"sensor_radius", plain_number(robot.sensor_radius)},
                  {"sensor_blocked", robot.sensor_blocked}};
   const RobotSetup usual;
+  if (robot.sensor_angle != usual.sensor_angle) result["sensor_angle"] = plain_number(robot.sensor_angle);
   if (robot.radius != usual.radius) result["radius"] = plain_number(robot.radius);
   if (robot.motion != usual.motion) result["motion"] = robot.motion == Motion::smooth ? "smooth" : "steps";
   if (robot.speed != usual.speed) result["speed"] = plain_number(robot.speed);

@@ -81,6 +81,38 @@ TEST_P(RenderGolden, BoxFromOutside) {
   compare_with_golden(request, std::string("decks_orbit_") + GetParam());
 }
 
+/// Into boxes of glass, with the curve of a path between them and the field on the slice.
+TEST_P(RenderGolden, BoxesOfGlass) {
+  RenderRequest request = demo(GetParam());
+  auto auv = read_scenario(std::string(REPLAN_SOURCE_DIR) + "/maps/auv.json");
+  ASSERT_TRUE(auv.ok()) << auv.error();
+  request.scenario = *auv;
+  request.scenario.planners.erase(request.scenario.planners.begin());
+  request.slice = Slice{Axis::z, 5};
+  request.orbit = Orbit{-0.6, 0.5, 0, {}};
+  request.glass = true;
+  request.at = "move:20";
+  OverlaySet overlays;
+  for (const Overlay overlay : {Overlay::g, Overlay::path, Overlay::spline, Overlay::trail, Overlay::sensor})
+    overlays.set(overlay, true);
+  request.overlays = overlays;
+  compare_with_golden(request, std::string("auv_glass_") + GetParam());
+}
+
+/// From so near that cells are large, at twice the scale: lines keep their place before walls.
+TEST_P(RenderGolden, BoxesFromNear) {
+  RenderRequest request = demo(GetParam());
+  auto auv = read_scenario(std::string(REPLAN_SOURCE_DIR) + "/maps/auv.json");
+  ASSERT_TRUE(auv.ok()) << auv.error();
+  request.scenario = *auv;
+  request.slice = Slice{Axis::z, 5};
+  request.orbit = Orbit{-0.9, 0.35, 14, {12, 8, 5}};
+  request.scale = 2;
+  request.at = "move:12";
+  request.pinned = Cell{13, 8, 5};
+  compare_with_golden(request, std::string("auv_near_") + GetParam());
+}
+
 /// The upper deck once the plan is repaired: the path rises into it, and what runs below is faint.
 TEST_P(RenderGolden, SliceOfABox) {
   RenderRequest request = demo(GetParam());

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "tests/ui/canvas_fixture.hpp"
+#include "ui/canvas/orbit_marks.hpp"
 #include "ui/keys.hpp"
 #include "ui/tools/measure.hpp"
 #include "ui/tools/mover.hpp"
@@ -232,6 +233,51 @@ TEST_F(OrbitTest, AClickPinsWhatIsUnderTheCursor) {
   EXPECT_EQ(state_.menu, (Cell{10, 5, 3})) << "and the right button asks for its menu";
   drag_pixels(static_cast<float>(pixel->x), static_cast<float>(pixel->y), 0, 0);
   EXPECT_FALSE(state_.view.pinned);
+}
+
+TEST_F(OrbitTest, AClickMeetsThePathInsideOfGlass) {
+  state_.solid.see_through = true;
+  state_.view.overlays = {};
+  state_.view.overlays.set(Overlay::path, true);
+  frame();
+  const Path& path = *session_->run().decision_at(session_->run().timeline().cursor())->plan->path;
+  const Cell on_path = cell_of(path.point(path.size() / 2));
+  const auto pixel = lens().pixel(centre_of(on_path));
+  drag_pixels(static_cast<float>(pixel->x), static_cast<float>(pixel->y), 0, 0);
+  EXPECT_EQ(state_.view.pinned, on_path);
+}
+
+TEST_F(OrbitTest, TheCompassTurnsTheWorld) {
+  const Look& look = offscreen_->stage().look();
+  const Scene& scene = canvas_->scene();
+  const PaneArea area{{0, 0}, {scene.width, scene.height, above_, 0}};
+  const auto go_to = [&](CompassPart part) {
+    for (float y = kCanvasHeight - 120; y < kCanvasHeight; y += 2)
+      for (float x = 0; x < 120; x += 2)
+        if (compass_part(look, lens(), area, {x, y}) == part) return input().mouse_move(x, y);
+    ADD_FAILURE() << "the compass has no such part";
+  };
+  const auto click = [&] {
+    frame();
+    button(0, true);
+    button(0, false);
+  };
+  state_.view.pinned.reset();
+  for (const auto& [part, view] : {std::pair{CompassPart::y, front_view()}, {CompassPart::x, side_view()}}) {
+    state_.orbit = {};
+    frame();
+    go_to(part);
+    click();
+    EXPECT_EQ(state_.orbit, view);
+  }
+  state_.orbit = {0.3, 0.3, 12, {4, 4, 4}};
+  frame();
+  go_to(CompassPart::middle);
+  click();
+  EXPECT_EQ(state_.orbit.distance, 12) << "a single click does nothing";
+  click();
+  EXPECT_EQ(state_.orbit, Orbit{}) << "a double click shows all";
+  EXPECT_FALSE(state_.view.pinned) << "and nothing behind it is pinned";
 }
 
 TEST_F(OrbitTest, KeysZoomAndMoveAndTheMouseLeavesNothingBehind) {

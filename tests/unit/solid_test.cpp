@@ -1,13 +1,16 @@
 // Worlds from outside: lenses, what lies under a pixel, and the faces of obstacles.
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <set>
+#include <string>
 #include <tuple>
 
 #include <gtest/gtest.h>
 
 #include "core/base/random.hpp"
 #include "core/scene/context.hpp"
+#include "core/scene/open_cells.hpp"
 #include "core/scene/orbit.hpp"
 #include "core/scene/solid_mesh.hpp"
 #include "core/scene/solid_scene.hpp"
@@ -195,6 +198,12 @@ Scenario busy_world() {
   return scenario;
 }
 
+void bring(SolidMesh& mesh, const Run& run, SceneMemory& memory) {
+  mesh.follow(run, memory.of(run).digest, solid_palette());
+  mesh.make(run, {}, Deadline::never());
+  EXPECT_EQ(mesh.waiting(), 0u);
+}
+
 TEST(SolidMesh, HasTheFacesBetweenObstaclesAndFreeSpaceAtEveryMoment) {
   Session session(busy_world());
   session.settle();
@@ -208,14 +217,14 @@ TEST(SolidMesh, HasTheFacesBetweenObstaclesAndFreeSpaceAtEveryMoment) {
     ASSERT_TRUE(session.apply(Seek{at}).ok());
     session.settle();
     const std::uint64_t before = mesh.block_count() > 0 ? mesh.revision(0) : 0;
-    mesh.follow(session.run(), memory.of(session.run()).digest, solid_palette());
+    bring(mesh, session.run(), memory);
     made += mesh.revision(0) != before ? 1 : 0;
     EXPECT_EQ(taken_apart(mesh), by_definition(session.run())) << at;
   }
   EXPECT_GT(made, 2u);
-  const std::uint64_t before = mesh.revision(0);
-  mesh.follow(session.run(), memory.of(session.run()).digest, solid_palette());
-  EXPECT_EQ(mesh.revision(0), before) << "nothing has changed";
+  const std::uint64_t before = mesh.revision();
+  bring(mesh, session.run(), memory);
+  EXPECT_EQ(mesh.revision(), before) << "nothing has changed";
 }
 
 TEST(SolidMesh, AStrokeMakesItsOwnBlocksAnewAndNoOther) {
@@ -228,7 +237,7 @@ TEST(SolidMesh, AStrokeMakesItsOwnBlocksAnewAndNoOther) {
   session.settle();
   SolidMesh mesh;
   SceneMemory memory;
-  mesh.follow(session.run(), memory.of(session.run()).digest, solid_palette());
+  bring(mesh, session.run(), memory);
   ASSERT_EQ(mesh.block_count(), 16u);
   std::vector<std::uint64_t> before;
   for (std::size_t i = 0; i < 16; ++i) before.push_back(mesh.revision(i));
@@ -236,12 +245,232 @@ TEST(SolidMesh, AStrokeMakesItsOwnBlocksAnewAndNoOther) {
   ASSERT_TRUE(session.apply(PaintCells{{{{50, 40, 40}, true}}, 0}).ok());
   session.settle();
   ASSERT_TRUE(session.apply(Seek{session.run().timeline().size()}).ok());
-  mesh.follow(session.run(), memory.of(session.run()).digest, solid_palette());
+  bring(mesh, session.run(), memory);
   EXPECT_EQ(mesh.face_count(), 6u);
   std::size_t made = 0;
   for (std::size_t i = 0; i < 16; ++i) made += mesh.revision(i) != before[i] ? 1 : 0;
   EXPECT_EQ(made, 1u) << "the one that it lies in";
   EXPECT_EQ(taken_apart(mesh), by_definition(session.run()));
+}
+
+/// A window makes some blocks a frame, those near the eye first; what it has come to in the end is the same.
+TEST(SolidMesh, IsMadeBlockByBlockFromTheEyeOn) {
+  Session session(busy_world());
+  session.settle();
+  SolidMesh mesh;
+  SceneMemory memory;
+  mesh.follow(session.run(), memory.of(session.run()).digest, solid_palette());
+  ASSERT_EQ(mesh.block_count(), 4u);
+  ASSERT_EQ(mesh.waiting(), 4u);
+  const Point eye{60, 60, 20};
+  for (const std::size_t next : {3u, 1u, 2u, 0u}) {
+    EXPECT_TRUE(mesh.faces(next).empty());
+    mesh.make(session.run(), eye, Deadline(0));
+    EXPECT_FALSE(mesh.faces(next).empty()) << next;
+  }
+  EXPECT_EQ(mesh.waiting(), 0u);
+  EXPECT_EQ(taken_apart(mesh), by_definition(session.run()));
+}
+
+/// A planner that begins anew on the same world has another log, and all blocks have to be looked at; but they are the same.
+TEST(SolidMesh, KeepsTheFacesThatAreTheSameWithAnotherLog) {
+  Session session(busy_world());
+  session.settle();
+  SolidMesh mesh;
+  SceneMemory memory;
+  ASSERT_TRUE(session.apply(Seek{0}).ok());
+  bring(mesh, session.run(), memory);
+  const std::uint64_t before = mesh.revision(), log = session.run().log_id();
+  ASSERT_TRUE(session.apply(ChoosePlanner{0, "astar"}).ok());
+  session.settle();
+  ASSERT_TRUE(session.apply(Seek{0}).ok());
+  ASSERT_NE(session.run().log_id(), log);
+  bring(mesh, session.run(), memory);
+  EXPECT_EQ(mesh.revision(), before);
+}
+
+TEST(SolidMesh, TellsALegendWhatItShows) {
+  Session session(busy_world());
+  session.settle();
+  ASSERT_TRUE(session.apply(RunToEnd{}).ok());
+  session.settle();
+  SolidMesh mesh;
+  SceneMemory memory;
+  const auto shows = [&](Sign sign) { return mesh.signs().test(static_cast<std::size_t>(sign)); };
+  ASSERT_TRUE(session.apply(Seek{0}).ok());
+  bring(mesh, session.run(), memory);
+  EXPECT_TRUE(shows(Sign::unknown));
+  EXPECT_FALSE(shows(Sign::surprise));
+  ASSERT_TRUE(session.apply(Seek{session.run().timeline().size()}).ok());
+  bring(mesh, session.run(), memory);
+  EXPECT_TRUE(shows(Sign::surprise));
+  EXPECT_TRUE(shows(Sign::mover));
+  EXPECT_TRUE(shows(Sign::obstacle)) << "the robot has seen some";
+}
+
+TEST(OpenCells, AreThoseOfTheStateAtEveryMoment) {
+  Session session(busy_world());
+  session.settle();
+  OpenCells open;
+  Random random(9);
+  const std::size_t end = session.run().timeline().size();
+  std::size_t waited = 0;
+  for (int i = 0; i < 300; ++i) {
+    const std::size_t cursor = session.run().timeline().cursor();
+    const std::size_t to = i % 10 == 0 ? random.below(static_cast<std::uint32_t>(end))
+                                       : std::min(end, cursor + random.below(40));
+    ASSERT_TRUE(session.apply(Seek{to}).ok());
+    open.follow(session.run());
+    std::vector<NodeId> found, expected;
+    open.each([&](NodeId node) {
+      found.push_back(node);
+      return true;
+    });
+    for (NodeId node = 0; node < session.run().lattice().node_count(); ++node)
+      if (session.run().timeline().state().queued(node)) expected.push_back(node);
+    ASSERT_EQ(found, expected) << "at event " << to;
+    waited += found.size();
+  }
+  EXPECT_GT(waited, 1000u);
+}
+
+TEST(OpenCells, LookOnlyWhereTheLogTellsOfAChange) {
+  Scenario scenario;
+  scenario.map = GridMap(64, 64, 64);
+  scenario.start = {1, 1, 1};
+  scenario.goal = {9, 3, 2};
+  scenario.planners = {{"astar", {}, {}}};
+  Session session(scenario);
+  session.settle();
+  OpenCells open;
+  ASSERT_TRUE(session.apply(Seek{20}).ok());
+  open.follow(session.run());
+  const std::size_t before = open.scanned();
+  EXPECT_EQ(before, 128u) << "all of it, once";
+  ASSERT_TRUE(session.apply(Seek{60}).ok());
+  open.follow(session.run());
+  EXPECT_GT(open.scanned(), before);
+  EXPECT_LE(open.scanned(), before + 8);
+}
+
+/// What an overlay draws in space is there while it is on, and not while it is off.
+TEST(SolidScene, ShowsTheOverlaysThatAreOn) {
+  Session session(busy_world());
+  session.settle();
+  ASSERT_TRUE(session.apply(RunToEnd{}).ok());
+  session.settle();
+  SceneMemory memory;
+  View view;
+  view.slice = {Axis::z, 3};
+  const auto shapes = [&](const OverlaySet& overlays) {
+    view.overlays = overlays;
+    const SolidScene scene =
+        build_solid_scene(session.run(), view, {}, {0, 100, 50}, solid_palette(), memory);
+    return scene.lines.size() + scene.boxes.size() + (scene.sheet.texels.empty() ? 0 : 1);
+  };
+  std::set<std::string> drawn;
+  const std::size_t end = session.run().timeline().size();
+  for (const std::size_t at : {end / 8, end / 2, end * 3 / 4, end}) {
+    ASSERT_TRUE(session.apply(Seek{at}).ok());
+    const std::size_t bare = shapes({});
+    for (const OverlayInfo& info : overlays()) {
+      OverlaySet one;
+      one.set(info.overlay, true);
+      if (shapes(one) > bare) drawn.emplace(info.id);
+    }
+  }
+  for (const char* name :
+       {"g", "rhs", "key", "order", "queue", "repair", "lp", "path", "trail", "sensor", "script"})
+    EXPECT_TRUE(drawn.contains(name)) << name;
+}
+
+/// The picture on the slice has the colours of the same slice on a canvas, wherever it has one.
+TEST(SolidScene, HasTheFieldOnTheSliceInTheColoursOfTheCanvas) {
+  Session session(busy_world());
+  session.settle();
+  Palette palette = solid_palette();
+  for (std::size_t i = 0; i < palette.field.size(); ++i)
+    palette.field[i] = 0xFF000000u | static_cast<Colour>(i);
+  View view;
+  view.overlays = {};
+  view.overlays.set(Overlay::g, true);
+  for (const Slice slice : {Slice{Axis::z, 3}, Slice{Axis::y, 12}, Slice{Axis::x, 20}}) {
+    view.slice = slice;
+    SceneMemory memory;
+    const SolidScene solid = build_solid_scene(session.run(), view, {}, {0, 100, 50}, palette, memory);
+    const Sheet sheet = sheet_of(session.run().lattice(), slice);
+    view.camera = {sheet.box.width() / 2.0, sheet.box.height() / 2.0, 8};
+    const Scene plane = build_scene(session.run(), view, {1000, 1000}, palette, memory);
+    ASSERT_EQ(solid.sheet.columns, sheet.box.width());
+    ASSERT_EQ(solid.sheet.texels.size(), plane.raster.texels.size());
+    EXPECT_EQ(solid.range, plane.range);
+    std::size_t coloured = 0;
+    for (std::size_t i = 0; i < plane.raster.texels.size(); ++i) {
+      const Cell cell =
+          sheet.cell(static_cast<int>(i) % solid.sheet.columns, static_cast<int>(i) / solid.sheet.columns);
+      const bool has_value = field_value(session.run(), Overlay::g, cell).has_value();
+      const bool blocked = session.run().timeline().state().truly_blocked(session.run().lattice().node(cell));
+      EXPECT_EQ(solid.sheet.texels[i] != 0, has_value && !blocked)
+          << cell.x << ' ' << cell.y << ' ' << cell.z;
+      if (solid.sheet.texels[i] == 0) continue;
+      EXPECT_EQ(solid.sheet.texels[i], plane.raster.texels[i]);
+      ++coloured;
+    }
+    EXPECT_GT(coloured, 20u);
+  }
+}
+
+/// A wall across an empty hall, with a path before it and what is behind it.
+class Picking : public testing::Test {
+ protected:
+  Picking() {
+    Scenario scenario;
+    scenario.map = GridMap(20, 20, 10);
+    for (int x = 0; x < 20; ++x)
+      for (int z = 1; z < 9; ++z) scenario.map.set({x, 10, z}, x > 0 && x < 19);
+    scenario.start = {3, 14, 5};
+    scenario.goal = {16, 14, 5};
+    scenario.planners = {{"astar", {}, {}}};
+    session_ = std::make_unique<Session>(scenario);
+    session_->settle();
+    view_.overlays = {};
+    view_.slice = {Axis::z, 2};
+  }
+  [[nodiscard]] std::optional<Cell> pick(Cell cell, const SolidOptions& options, const Orbit& orbit) {
+    const OrbitLens lens(orbit, session_->run().lattice(), kView);
+    const SolidScene scene =
+        build_solid_scene(session_->run(), view_, options, lens.eye(), solid_palette(), memory_);
+    const auto pixel = lens.pixel(centre_of(cell));
+    return cell_on_ray(session_->run(), scene, lens.ray(pixel->x, pixel->y), 5 * lens.pixel_angle());
+  }
+
+  std::unique_ptr<Session> session_;
+  SceneMemory memory_;
+  View view_;
+};
+
+TEST_F(Picking, MeetsTheNearestOfWhatIsDrawn) {
+  const Cell on_path{10, 14, 5}, on_wall{10, 10, 7};
+  for (const bool glass : {false, true}) {
+    const SolidOptions options{.see_through = glass};
+    EXPECT_EQ(pick(on_path, options, front_view())->y, 10) << "no path is drawn: the wall behind it";
+    view_.overlays.set(Overlay::path, true);
+    EXPECT_EQ(pick(on_path, options, front_view()), on_path);
+    EXPECT_EQ(pick(on_wall, options, front_view()), on_wall);
+    view_.overlays.set(Overlay::path, false);
+  }
+  view_.overlays.set(Overlay::path, true);
+  const Orbit behind{3.14159265, 0, 0, {}};
+  EXPECT_EQ(pick(on_path, {}, behind)->y, 10) << "from behind the wall hides it";
+  EXPECT_EQ(pick(on_path, {.see_through = true}, behind), on_path) << "but not as glass";
+}
+
+TEST_F(Picking, MeetsTheFieldOnTheSlice) {
+  const Cell coloured{10, 14, 5}, bare{10, 3, 5};
+  view_.slice = {Axis::z, 5};
+  view_.overlays.set(Overlay::g, true);
+  EXPECT_EQ(pick(coloured, {}, top_view()), coloured);
+  EXPECT_EQ(pick(bare, {}, top_view()), std::nullopt) << "there the search has not been";
 }
 
 TEST(SolidScene, HasPathMarksAndTheFrameOfTheSlice) {

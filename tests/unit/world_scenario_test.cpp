@@ -26,7 +26,7 @@ json full_document() {
     "start": [0, 0], "goal": [3, 2],
     "planners": [{"id": "dld-star-lite", "settings": {"heuristic": "euclidean", "range": 2.5, "border": true}},
                  {"id": "dstar-lite", "stages": [{"id": "collinear", "settings": {}}]}],
-    "robot": {"knowledge": "nothing", "sensor_radius": 4.5, "sensor_blocked": true, "radius": 1.25,
+    "robot": {"knowledge": "nothing", "sensor_radius": 4.5, "sensor_angle": 120, "sensor_blocked": true, "radius": 1.25,
               "motion": "smooth", "speed": 2.5, "patience": 10,
               "unreachable_goal": "nearest", "robot_cell_blocks": true, "kind": "cells", "settings": {}},
     "surprises": [
@@ -76,7 +76,7 @@ TEST(Scenario, ReadsEveryKey) {
   EXPECT_EQ(scenario->planners[1].stages, (std::vector<StageChoice>{{"collinear", {}}}));
   EXPECT_EQ(scenario->map.blocked[scenario->map.index({3, 2})], kUnmapped);
   EXPECT_EQ(scenario->map.origin, (std::array{-10.0, 2.5, 0.1}));
-  EXPECT_EQ(scenario->robot, (RobotSetup{Knowledge::nothing, 4.5, true, Motion::smooth, 2.5, 10,
+  EXPECT_EQ(scenario->robot, (RobotSetup{Knowledge::nothing, 4.5, true, 120, Motion::smooth, 2.5, 10,
                                          UnreachableGoal::nearest, true, 1.25}));
   ASSERT_EQ(scenario->surprises.size(), 4u);
   EXPECT_EQ(scenario->surprises[3].goal, (Cell{0, 2}));
@@ -270,6 +270,9 @@ TEST(Scenario, ErrorsNameLinePlaceAndMend) {
   EXPECT_EQ(replaced("\"caption\"", "\"cap\\ntion\""), "cap?tion: unknown key; did you mean 'caption'?");
   EXPECT_EQ(replaced("\"sensor_radius\": 4.5", "\"sensor_radius\": -1"),
             "robot.sensor_radius: must be a number from 0 to 10000, not -1");
+  for (const char* wrong : {"0", "360.5", "\"wide\""})
+    EXPECT_EQ(replaced("\"sensor_angle\": 120", std::string("\"sensor_angle\": ") + wrong),
+              std::string("robot.sensor_angle: must be a number from 1 to 360, not ") + wrong);
   for (const char* wrong : {"-0.5", "32.5", "\"1 m\"", "true"})
     EXPECT_EQ(replaced("\"radius\": 1.25", std::string("\"radius\": ") + wrong),
               std::string("robot.radius: must be a number from 0 to 32, not ") + wrong);

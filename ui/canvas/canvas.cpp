@@ -128,7 +128,8 @@ bool Canvas::behind() const {
 }
 
 bool Canvas::animating() const {
-  return parts_->zooming.active || parts_->plans.busy() || parts_->behind;
+  const bool fills_in = parts_->orbits && parts_->orbit && parts_->orbit->behind();
+  return parts_->zooming.active || parts_->plans.busy() || parts_->behind || fills_in;
 }
 
 const Scene& Canvas::scene() const {

@@ -56,11 +56,11 @@ LegendEntry entry_of(const Look& look, const SignEntry& sign) {
 constexpr const char* kStartHelp = "Where the robot sets out. Drag it to another cell.";
 constexpr const char* kGoalHelp = "Where the robot has to go. Drag it to another cell, also while it drives.";
 
-LegendEntry start_entry(const Look& look) {
-  return {LegendShape::dot, look.theme.start, "start", kStartHelp};
+LegendEntry start_entry(const Look& look, bool outside) {
+  return {outside ? LegendShape::star : LegendShape::dot, look.theme.start, "start", kStartHelp};
 }
-LegendEntry goal_entry(const Look& look) {
-  return {LegendShape::dot, look.theme.goal, "goal", kGoalHelp};
+LegendEntry goal_entry(const Look& look, bool outside) {
+  return {outside ? LegendShape::diamond : LegendShape::dot, look.theme.goal, "goal", kGoalHelp};
 }
 
 /// The field in the colours that it has on the map, with the value at the mouse marked.
@@ -74,14 +74,14 @@ LegendField field_in_sight(const Scene& scene, const Colormap& colours, std::str
 }
 
 /// All that is in sight, what is rarest and needs telling most first.
-std::vector<LegendEntry> entries_in_sight(const Look& look, const SignSet& signs) {
+std::vector<LegendEntry> entries_in_sight(const Look& look, const SignSet& signs, bool outside) {
   Scene all;
   all.signs = signs;
   std::vector<LegendEntry> entries;
   for (const SignEntry& entry : kSigns)
     if (all.shows(entry.sign)) entries.push_back(entry_of(look, entry));
-  entries.push_back(start_entry(look));
-  entries.push_back(goal_entry(look));
+  entries.push_back(start_entry(look, outside));
+  entries.push_back(goal_entry(look, outside));
   return entries;
 }
 
@@ -103,7 +103,7 @@ std::vector<std::vector<LegendEntry>> in_rows(const Look& look, const LegendFiel
 }  // namespace
 
 std::vector<LegendEntry> all_signs(const Look& look) {
-  std::vector<LegendEntry> entries = {start_entry(look), goal_entry(look)};
+  std::vector<LegendEntry> entries = {start_entry(look, false), goal_entry(look, false)};
   for (auto sign = kSigns.rbegin(); sign != kSigns.rend(); ++sign) entries.push_back(entry_of(look, *sign));
   return entries;
 }
@@ -127,7 +127,7 @@ float Legend::height(const Look& look) {
 }
 
 void Legend::draw(const Look& look, const Scene& scene, std::string_view of, FieldColours map,
-                  const SignSet& signs, ImVec2 min, ImVec2 max) {
+                  const SignSet& signs, bool outside, ImVec2 min, ImVec2 max) {
   const float margin = look.px.m, room = max.x - min.x - 2 * margin;
   LegendField field;
   std::string words = scene.field_words, low, high;
@@ -145,7 +145,7 @@ void Legend::draw(const Look& look, const Scene& scene, std::string_view of, Fie
   if (const std::size_t colon = field.label.find(':'); wide && colon != std::string_view::npos)
     field.label = field.label.substr(0, colon);
   if (legend_size(look, field, {}).x > room - look.px(46)) field.length /= 2;
-  const std::vector<LegendEntry> entries = entries_in_sight(look, signs);
+  const std::vector<LegendEntry> entries = entries_in_sight(look, signs, outside);
   auto rows = in_rows(look, field, entries, room);
   if (rows.size() > 1) rows = in_rows(look, field, entries, room - look.px(46));
   const std::string more = rows.size() == 1 ? "" : "+" + std::to_string(entries.size() - rows.front().size());

@@ -26,10 +26,10 @@ class Legend {
   [[nodiscard]] static float height(const Look& look);
 
   /// In a window of its own at the lower left of `min`..`max`: the field of one pane's scene in its colours, and
-  /// the signs that any pane shows. `of` says whose field it is, where another pane's means something else. What has no
-  /// room in its row unfolds above its end while the mouse is there.
+  /// the signs that any pane shows. `of` says whose field it is, where another pane's means something else. `outside`: start and goal have
+  /// the shapes that they have in 3D. What has no room in its row unfolds above its end while the mouse is there.
   void draw(const Look& look, const Scene& scene, std::string_view of, FieldColours colours,
-            const SignSet& signs, ImVec2 min, ImVec2 max);
+            const SignSet& signs, bool outside, ImVec2 min, ImVec2 max);
 
  private:
   void row(const Look& look, const LegendField& field, const std::vector<LegendEntry>& entries,

@@ -26,28 +26,17 @@ bool may_be_whole(const Box& world) {
   return world.node_count() <= kMost && std::max({world.width(), world.height(), world.depth()}) < 65536;
 }
 
-/// Points of a star, or of a square on its tip, around a middle.
-void add_star(ImDrawList& list, ImVec2 at, float radius, int tips, float inner, ImU32 fill, ImU32 rim,
-              float width) {
-  std::array<ImVec2, 16> points{};
-  const int count = tips * 2;
-  for (int i = 0; i < count; ++i) {
-    const float angle = static_cast<float>(i) * 3.14159265f / static_cast<float>(tips) - 1.57079633f;
-    const float reach = i % 2 == 0 ? radius : radius * inner;
-    points[static_cast<std::size_t>(i)] = {at.x + reach * std::cos(angle), at.y + reach * std::sin(angle)};
-  }
-  // Not convex: from the middle out.
-  for (int i = 0; i < count; ++i)
-    list.AddTriangleFilled(at, points[static_cast<std::size_t>(i)],
-                           points[static_cast<std::size_t>((i + 1) % count)], fill);
-  list.AddPolyline(points.data(), count, rim, ImDrawFlags_Closed, width);
-}
+/// What making faces may take of a frame in a window, all panes together.
+constexpr double kMakingMs = 5;
+/// How far beside the line of the path a click still meets it, in pixels of the design.
+constexpr double kPathReach = 5;
 
 }  // namespace
 
 void OrbitPane::take_hands(const Look& look, const Run& run, const PaneArea& area, ViewState& state,
                            bool hovered, std::size_t pane) {
   take_wishes(run, area, state);
+  if (hovered && !held_ && take_compass(look, run, area, state)) return point(run, area, state, false, pane);
   drag(look, run, area, state, hovered);
   if (hovered && ImGui::GetIO().MouseWheel != 0) turn_wheel(run, area, state, pane);
   point(run, area, state, hovered, pane);
@@ -75,6 +64,20 @@ void OrbitPane::take_wishes(const Run& run, const PaneArea& area, ViewState& sta
     come_nearer(run, area, state, 1.6 * steps);
   const int x = std::exchange(state.pan_x, 0), y = std::exchange(state.pan_y, 0);
   if (x != 0 || y != 0) move(run, area, state, kPan * x * state.view.scale, kPan * y * state.view.scale);
+}
+
+/// A click on the name of an axis looks along it, a double click on its middle shows the whole world.
+bool OrbitPane::take_compass(const Look& look, const Run& run, const PaneArea& area, ViewState& state) const {
+  const auto part = compass_part(look, lens_of(run, state.orbit, area), area, ImGui::GetIO().MousePos);
+  if (!part) return false;
+  ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  hint(look, {"Compass", "",
+              "Where the axes of the world lead. Click x, y or z to look along that axis; double click the "
+              "middle to see the whole world from a corner again."});
+  if (*part == CompassPart::middle && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) state.orbit = {};
+  if (*part == CompassPart::middle || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return true;
+  state.orbit = *part == CompassPart::x ? side_view() : *part == CompassPart::y ? front_view() : top_view();
+  return true;
 }
 
 /// The left button turns the world, the middle and the right one move it.
@@ -109,7 +112,8 @@ void OrbitPane::point(const Run& run, const PaneArea& area, ViewState& state, bo
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const OrbitLens lens = lens_of(run, state.orbit, area);
   const auto x = static_cast<double>(mouse.x - area.min.x), y = static_cast<double>(mouse.y - area.min.y);
-  const auto cell = hovered ? cell_on_ray(run, scene_, lens.ray(x, y)) : std::nullopt;
+  const double reach = kPathReach * state.view.scale * lens.pixel_angle();
+  const auto cell = hovered ? cell_on_ray(run, scene_, lens.ray(x, y), reach) : std::nullopt;
   // Another pane may point elsewhere since; what this one pointed at is over in any case.
   if (!cell && pointed_ && state.view.hovered == pointed_) state.view.hovered.reset();
   pointed_ = cell;
@@ -124,105 +128,84 @@ void OrbitPane::point(const Run& run, const PaneArea& area, ViewState& state, bo
   held_.reset();
 }
 
+void OrbitPane::build(const Look& look, const Session& session, const Run& run, const Slice& slice,
+                      const OrbitLens& lens, const ViewState& state, SceneMemory& memory) {
+  const bool whole = may_be_whole(run.lattice());
+  const Palette palette = scene_palette(look.theme, state.colours);
+  if (!whole && mesh_.block_count() > 0) mesh_ = {};
+  SolidOptions options = state.solid;
+  options.slice_alone = !whole;
+  const bool lower = cut_at(sheet_of(run.lattice(), slice), lens.eye()).keeps_lower;
+  const SceneKey now{session.revision(),
+                     run.log_id(),
+                     options,
+                     (options.cut || !whole) && lower,
+                     slice,
+                     state.view.overlays,
+                     state.view.range,
+                     state.view.pinned,
+                     state.view.scale,
+                     look.theme.free,
+                     state.colours};
+  if (scene_key_ != now) {
+    View view = state.view;
+    view.slice = slice;
+    if (whole) mesh_.follow(run, memory.of(run).digest, palette);
+    scene_ = build_solid_scene(run, view, options, lens.eye(), palette, memory);
+    ++scene_number_;
+    scene_key_ = now;
+  }
+  const double share = kMakingMs / static_cast<double>(session.runs().size());
+  if (whole) mesh_.make(run, lens.eye(), state.live ? Deadline(share) : Deadline::never());
+}
+
+void OrbitPane::draw_picture(const Look& look, const Run& run, const OrbitLens& lens, const PaneArea& area,
+                             const ViewState& state) {
+  const PictureKey now{scene_number_, mesh_.revision(), lens.orbit(), run.lattice(), area.view};
+  if (picture_key_ == now) return;
+  const auto drawn = solids_.draw({mesh_, scene_, scene_number_, lens, area.view.width, area.view.height,
+                                   static_cast<float>(state.view.scale), look.theme.surround,
+                                   mix(look.theme.obstacle, look.theme.text, state.dark ? 0.45f : 1)});
+  refused_ = drawn ? "" : drawn.error();
+  texture_ = drawn ? *drawn : nullptr;
+  picture_key_ = now;
+}
+
 void OrbitPane::draw(const Look& look, const Session& session, const Run& run, const Slice& slice,
                      const PaneArea& area, const ViewState& state, SceneMemory& memory) {
   const OrbitLens lens = lens_of(run, state.orbit, area);
-  const Viewport& size = area.view;
-  const Key now{session.revision(),  run.log_id(),      state.orbit, state.solid,      slice,
-                state.view.overlays, state.view.pinned, size,        state.view.scale, look.theme.free};
-  if (key_ != now) {
-    const Palette palette = scene_palette(look.theme, state.colours);
-    View view = state.view;
-    view.slice = slice;
-    const bool whole = may_be_whole(run.lattice());
-    SolidOptions options = state.solid;
-    options.slice_alone = !whole;
-    if (whole) mesh_.follow(run, memory.of(run).digest, palette);
-    scene_ = build_solid_scene(run, view, options, lens.eye(), palette, memory);
-    const auto drawn =
-        solids_.draw({mesh_, scene_, lens.matrix(), size.width, size.height, look.theme.surround});
-    refused_ = drawn ? "" : drawn.error();
-    texture_ = drawn ? *drawn : nullptr;
-    key_ = now;
-    tell_legend(run, state, lens, size);
+  build(look, session, run, slice, lens, state, memory);
+  draw_picture(look, run, lens, area, state);
+  tell_legend(run, state, lens, area.view);
+  if (texture_ != nullptr) {
+    const ImVec2 max(area.min.x + static_cast<float>(area.view.width),
+                     area.min.y + static_cast<float>(area.view.height));
+    ImGui::GetWindowDrawList()->AddImage(texture_, area.min, max, {0, 1}, {1, 0});
+    draw_solid_marks(look, run, scene_, lens, area);
+    draw_compass(look, lens, area, ImGui::GetIO().MousePos);
   }
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (texture_ == nullptr) {
-    const TextRun words{refused_, look.theme.bad, look.fonts.ui};
-    chip(look, list, {area.min.x + look.px.l, area.min.y + static_cast<float>(size.above) + look.px.l},
-         std::span(&words, 1));
-    return;
-  }
-  const ImVec2 max(area.min.x + static_cast<float>(size.width), area.min.y + static_cast<float>(size.height));
-  list.AddImage(texture_, area.min, max, {0, 1}, {1, 0});
-  draw_marks(look, run, lens, area);
-  draw_compass(look, lens, area);
-  if (may_be_whole(run.lattice())) return;
-  const TextRun words{"This world is too large to be shown whole: these are the obstacles of the slice.",
-                      look.theme.text, look.fonts.ui};
-  chip(look, list, {area.min.x + look.px(12), area.min.y + static_cast<float>(size.above)},
-       std::span(&words, 1));
+  tell_state(look, run, area);
+  const bool points = pointed_ && state.view.hovered == pointed_ && !(held_ && dragged_) && !state.captured;
+  if (points) draw_pointed_cell(look, run, *pointed_, lens, area);
 }
 
-/// Start, goal and robot: strong where nothing hides them.
-void OrbitPane::draw_marks(const Look& look, const Run& run, const OrbitLens& lens,
-                           const PaneArea& area) const {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const SearchState& state = run.timeline().state();
-  const Box& world = run.lattice();
-  for (const SolidMark& mark : scene_.marks) {
-    const auto pixel = lens.pixel(mark.at);
-    if (!pixel) continue;
-    const Cell own = cell_of(mark.at);
-    const Point eye = lens.eye();
-    const Ray back{mark.at, {eye.x - mark.at.x, eye.y - mark.at.y, eye.z - mark.at.z}};
-    const bool hidden = first_on_ray(world, back, [&](Cell cell, Cell) {
-                          const bool shown = !scene_.cut || scene_.cut->shows(centre_of(cell));
-                          const bool inner = cell.x > 0 && cell.y > 0 && cell.z > 0 &&
-                                             cell.x + 1 < world.width() && cell.y + 1 < world.height() &&
-                                             cell.z + 1 < world.depth();
-                          return cell != own && shown && inner && state.truly_blocked(world.node(cell));
-                        }).has_value();
-    const float strength = hidden && scene_.opacity >= 1 ? 0.45f : 1;
-    const ImVec2 at(area.min.x + static_cast<float>(pixel->x), area.min.y + static_cast<float>(pixel->y));
-    const ImU32 fill = with_alpha(mark.fill, strength), rim = with_alpha(look.theme.outline, strength);
-    const float radius = look.px(9);
-    if (mark.shape == SolidMark::Shape::star) {
-      add_star(list, at, radius * 1.2f, 5, 0.45f, fill, rim, look.px(1.5f));
-    } else if (mark.shape == SolidMark::Shape::diamond) {
-      add_star(list, at, radius * 1.2f, 4, 0.72f, fill, rim, look.px(1.5f));
-    } else {
-      list.AddCircleFilled(at, radius * 0.8f, fill);
-      list.AddCircle(at, radius * 0.8f, rim, 0, look.px(2));
-    }
-  }
-}
-
-/// Where the world's axes lead, in the lower left corner.
-void OrbitPane::draw_compass(const Look& look, const OrbitLens& lens, const PaneArea& area) const {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float reach = look.px(26);
-  const ImVec2 at(area.min.x + look.px(44),
-                  area.min.y + static_cast<float>(area.view.height - area.view.below) - look.px(44));
-  const OrbitLens small(Orbit{lens.orbit().yaw, lens.orbit().pitch, 8, {}}, Box(1, 1, 1), {100, 100});
-  const auto origin = small.pixel({});
-  struct Direction {
-    Point tip;
-    const char* name;
-  };
-  for (const Direction& each : {Direction{{1, 0, 0}, "x"}, {{0, 1, 0}, "y"}, {{0, 0, 1}, "z"}}) {
-    const auto tip = small.pixel(each.tip);
-    if (!tip || !origin) continue;
-    const float scale = reach / 20.0f;
-    const ImVec2 way(static_cast<float>(tip->x - origin->x) * scale,
-                     static_cast<float>(tip->y - origin->y) * scale);
-    const ImVec2 end(at.x + way.x, at.y + way.y);
-    list.AddLine(at, end, look.theme.dim, look.px(1.5f));
-    const ImVec2 half(look.px(8), look.px(8));
-    const ImVec2 middle(at.x + way.x * 1.3f, at.y + way.y * 1.3f);
-    draw_text_centred(list, look.fonts.small, {middle.x - half.x, middle.y - half.y},
-                      {middle.x + half.x, middle.y + half.y}, look.theme.text, each.name);
-  }
+/// Why there is no picture, or what is not in it.
+void OrbitPane::tell_state(const Look& look, const Run& run, const PaneArea& area) const {
+  std::string words = refused_;
+  if (texture_ != nullptr && behind())
+    words = "The world is being drawn: " +
+            std::to_string(100 * (mesh_.block_count() - mesh_.waiting()) /
+                           std::max<std::size_t>(mesh_.block_count(), 1)) +
+            " % of it is there.";
+  else if (texture_ != nullptr && !may_be_whole(run.lattice()))
+    words = "This world is too large to be shown whole: these are the obstacles of the slice.";
+  else if (texture_ != nullptr && scene_.left_out)
+    words = "More cells wait in the open list than can be shown: some are left out.";
+  if (words.empty()) return;
+  const TextRun text{words, refused_.empty() ? look.theme.dim : look.theme.bad, look.fonts.ui};
+  chip_message(look, *ImGui::GetWindowDrawList(),
+               {area.min.x + look.px(12), area.min.y + static_cast<float>(area.view.above)}, text,
+               static_cast<float>(area.view.width) - 2 * look.px(12));
 }
 
 /// With the world where it is seen, so that what floats over the pane keeps clear of it.
@@ -241,7 +224,12 @@ void OrbitPane::tell_legend(const Run& run, const ViewState& state, const OrbitL
   legend_.camera = {(view.width / 2.0 - seen.left) / zoom, (view.height / 2.0 - seen.top) / zoom, zoom};
   legend_.columns = static_cast<int>(seen.width() / zoom);
   legend_.rows = static_cast<int>(seen.height() / zoom);
-  legend_.signs = scene_.signs;
+  legend_.signs = scene_.signs | mesh_.signs();
+  legend_.field = scene_.field;
+  legend_.range = scene_.range;
+  legend_.field_words = scene_.field_words;
+  if (scene_.range && state.view.hovered)
+    legend_.pointed = field_value(run, *scene_.field, *state.view.hovered);
 }
 
 }  // namespace replan::ui

@@ -6,16 +6,11 @@
 #include <vector>
 
 #include "core/session/session.hpp"
+#include "ui/canvas/orbit_marks.hpp"
 #include "ui/canvas/view_state.hpp"
 #include "ui/gl/solid_renderer.hpp"
 
 namespace replan::ui {
-
-/// Where on the screen a pane's picture lies.
-struct PaneArea {
-  ImVec2 min;
-  Viewport view;
-};
 
 class OrbitPane {
  public:
@@ -26,42 +21,60 @@ class OrbitPane {
   /// the right button asks for its menu.
   void take_hands(const Look& look, const Run& run, const PaneArea& area, ViewState& state, bool hovered,
                   std::size_t pane);
-  /// Draws world and marks; what is under the cursor with them.
+  /// Draws world and marks; what is under the cursor with them. In a window what takes long is left to the next frames.
   void draw(const Look& look, const Session& session, const Run& run, const Slice& slice,
             const PaneArea& area, const ViewState& state, SceneMemory& memory);
+  /// Whether some of the world waits to be drawn in frames to come.
+  [[nodiscard]] bool behind() const { return mesh_.waiting() > 0; }
   /// What a legend tells of it.
   [[nodiscard]] const Scene& legend() const { return legend_; }
+  [[nodiscard]] const SolidRenderer::Uploads& uploads() const { return solids_.uploads(); }
 
  private:
-  /// What a picture was drawn of: equal keys, equal pictures.
-  struct Key {
+  /// What a scene was built of: equal keys, equal scenes. A turn builds none.
+  struct SceneKey {
     std::uint64_t revision = 0, log_id = 0;
-    Orbit orbit;
     SolidOptions options;
+    bool cut_keeps_lower = false;
     Slice slice;
     OverlaySet overlays;
+    FieldSpan range = FieldSpan::whole_run;
     std::optional<Cell> pinned;
-    Viewport view;
     double scale = 1;
     ImU32 free = 0;
-    friend bool operator==(const Key&, const Key&) = default;
+    FieldColours colours = FieldColours::viridis;
+    friend bool operator==(const SceneKey&, const SceneKey&) = default;
+  };
+  /// What a picture was drawn of.
+  struct PictureKey {
+    std::uint64_t scene = 0, mesh = 0;
+    Orbit orbit;
+    Box world;
+    Viewport view;
+    friend bool operator==(const PictureKey&, const PictureKey&) = default;
   };
 
   void take_wishes(const Run& run, const PaneArea& area, ViewState& state) const;
+  bool take_compass(const Look& look, const Run& run, const PaneArea& area, ViewState& state) const;
   void drag(const Look& look, const Run& run, const PaneArea& area, ViewState& state, bool hovered);
   void turn_wheel(const Run& run, const PaneArea& area, ViewState& state, std::size_t pane) const;
   void point(const Run& run, const PaneArea& area, ViewState& state, bool hovered, std::size_t pane);
   void come_nearer(const Run& run, const PaneArea& area, ViewState& state, double steps) const;
   void move(const Run& run, const PaneArea& area, ViewState& state, double right, double down) const;
-  void draw_marks(const Look& look, const Run& run, const OrbitLens& lens, const PaneArea& area) const;
-  void draw_compass(const Look& look, const OrbitLens& lens, const PaneArea& area) const;
+  void build(const Look& look, const Session& session, const Run& run, const Slice& slice,
+             const OrbitLens& lens, const ViewState& state, SceneMemory& memory);
+  void draw_picture(const Look& look, const Run& run, const OrbitLens& lens, const PaneArea& area,
+                    const ViewState& state);
+  void tell_state(const Look& look, const Run& run, const PaneArea& area) const;
   void tell_legend(const Run& run, const ViewState& state, const OrbitLens& lens, const Viewport& view);
 
   SolidRenderer solids_;
   SolidMesh mesh_;
   SolidScene scene_;
+  std::uint64_t scene_number_ = 0;  // another one for each that is built
   Scene legend_;
-  std::optional<Key> key_;
+  std::optional<SceneKey> scene_key_;
+  std::optional<PictureKey> picture_key_;
   ImTextureID texture_ = nullptr;
   std::string refused_;      // why there is no picture
   std::optional<int> held_;  // the button that went down on it

@@ -66,7 +66,9 @@ void Panes::draw(const Look& look, const Session& session, std::size_t most, Vie
   area_ = {grid.min(shown_ - first), grid.max(shown_ - first)};
   if (!interactive || pointed_ < first || pointed_ >= first + count) pointed_ = shown_;
   const std::string_view of = alike ? std::string_view() : session.runs()[pointed_]->info().name;
-  if (state.legend) legend_.draw(look, canvas(pointed_).scene(), of, state.colours, signs, min, foot);
+  const bool outside = session.runs()[pointed_]->lattice().solid() && state.slices.orbits(pointed_);
+  if (state.legend)
+    legend_.draw(look, canvas(pointed_).scene(), of, state.colours, signs, outside, min, foot);
 }
 
 }  // namespace replan::ui

@@ -2,183 +2,79 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
-#include <string>
 
 #include "ui/gl/shader.hpp"
+#include "ui/gl/solid_shaders.hpp"
 
 namespace replan::ui {
 namespace {
 
-constexpr GLsizei kSamples = 4;
+/// How many cells nearer than they are lines are drawn.
+constexpr float kNearer = 0.1f;
+/// How much of the background's colour what is farthest takes on.
+constexpr float kHaze = 0.5f;
+/// Strength of the lines between cells, and of outlines.
+constexpr float kCellLines = 0.18f, kInk = 0.75f;
+/// Of glass: all faces that look at the eye, and once more the nearest of them.
+constexpr float kGlass = 0.05f, kGlassShell = 0.2f;
 
-// Faces are rectangles of cells: one instance each, its corners from the number of the vertex. The light comes from above
-// and is soft: each side has its own shade. Lines between cells are a little darker, and vanish where cells are small.
-constexpr const char* kFaceVertices = R"(#version 330 core
-layout(location = 0) in vec3 cell;
-layout(location = 1) in float side;
-layout(location = 2) in vec2 extent;
-layout(location = 3) in vec4 colour;
-uniform mat4 projection;
-uniform float lift;
-out vec3 place;
-out vec2 on_face;
-out vec4 shade;
-const float kLight[6] = float[6](0.80, 0.80, 0.68, 0.90, 0.52, 1.0);
-void main() {
-  int s = int(side + 0.5);
-  vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1));
-  if (s == 1 || s == 2 || s == 5) corner = corner.yx;  // all turn the same way, seen from outside
-  on_face = corner * extent;
-  vec3 at = cell;
-  float out_by = (s & 1) == 1 ? 1.0 + lift : -lift;
-  if (s < 2) at += vec3(out_by, on_face.x, on_face.y);
-  else if (s < 4) at += vec3(on_face.x, out_by, on_face.y);
-  else at += vec3(on_face.x, on_face.y, out_by);
-  place = at;
-  shade = vec4(colour.rgb * kLight[s], colour.a);
-  gl_Position = projection * vec4(at, 1.0);
+/// Whether something of a box may be in sight.
+bool in_sight(const std::array<float, 16>& matrix, const CellBox& box) {
+  std::array<int, 6> outside{};
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const std::array<float, 3> at = {static_cast<float>((corner & 1u) != 0 ? box.high.x + 1 : box.low.x),
+                                     static_cast<float>((corner & 2u) != 0 ? box.high.y + 1 : box.low.y),
+                                     static_cast<float>((corner & 4u) != 0 ? box.high.z + 1 : box.low.z)};
+    const auto clip = [&](std::size_t row) {
+      return matrix[row] * at[0] + matrix[4 + row] * at[1] + matrix[8 + row] * at[2] + matrix[12 + row];
+    };
+    const float w = clip(3);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float place = clip(axis);
+      outside[axis * 2] += place < -w ? 1 : 0;
+      outside[axis * 2 + 1] += place > w ? 1 : 0;
+    }
+  }
+  return std::find(outside.begin(), outside.end(), 8) == outside.end();
 }
-)";
-
-constexpr const char* kFaceFragments = R"(#version 330 core
-in vec3 place;
-in vec2 on_face;
-in vec4 shade;
-uniform vec4 cut;      // the plane's normal and its place along it: what is beyond is left out
-uniform vec2 finish;   // opacity; strength of the lines between cells
-layout(location = 0) out vec4 result;
-void main() {
-  if (dot(place, cut.xyz) > cut.w) discard;
-  vec2 width = max(fwidth(on_face), vec2(1e-5));
-  vec2 line = abs(fract(on_face - 0.5) - 0.5) / width;
-  float near = 1.0 - min(min(line.x, line.y), 1.0);
-  float seen = clamp(1.0 - max(width.x, width.y) * 3.0, 0.0, 1.0);
-  result = vec4(shade.rgb * (1.0 - finish.y * near * seen), shade.a * finish.x);
-}
-)";
-
-constexpr const char* kBoxVertices = R"(#version 330 core
-layout(location = 0) in vec3 low;
-layout(location = 1) in vec3 high;
-layout(location = 2) in vec4 colour;
-uniform mat4 projection;
-out vec4 shade;
-const float kLight[6] = float[6](0.80, 0.80, 0.68, 0.90, 0.52, 1.0);
-const int kCorner[6] = int[6](0, 1, 2, 2, 1, 3);
-void main() {
-  int s = gl_VertexID / 6;
-  int c = kCorner[gl_VertexID % 6];
-  vec2 corner = vec2(float(c & 1), float(c >> 1));
-  if (s == 1 || s == 2 || s == 5) corner = corner.yx;
-  float out_by = (s & 1) == 1 ? 1.0 : 0.0;
-  vec3 part = s < 2 ? vec3(out_by, corner) : s < 4 ? vec3(corner.x, out_by, corner.y) : vec3(corner, out_by);
-  shade = vec4(colour.rgb * kLight[s], colour.a);
-  gl_Position = projection * vec4(mix(low, high, part), 1.0);
-}
-)";
-
-constexpr const char* kPlainFragments = R"(#version 330 core
-in vec4 shade;
-uniform vec2 finish;
-layout(location = 0) out vec4 result;
-void main() { result = vec4(shade.rgb, shade.a * finish.x); }
-)";
-
-// A piece of a line becomes a rectangle as many pixels wide as it is to be, with its ends drawn out by half of that.
-constexpr const char* kLineVertices = R"(#version 330 core
-layout(location = 0) in vec3 from;
-layout(location = 1) in vec3 to;
-layout(location = 2) in vec4 colour;
-layout(location = 3) in float width;
-uniform mat4 projection;
-uniform vec2 viewport;
-out vec4 shade;
-void main() {
-  vec4 a = projection * vec4(from, 1.0), b = projection * vec4(to, 1.0);
-  float least = 0.001;
-  if (a.w < least && b.w >= least) a = mix(b, a, (b.w - least) / (b.w - a.w));
-  if (b.w < least && a.w >= least) b = mix(a, b, (a.w - least) / (a.w - b.w));
-  vec2 pa = a.xy / a.w * viewport, pb = b.xy / b.w * viewport;
-  vec2 way = pb - pa;
-  float far = length(way);
-  vec2 ahead = far > 1e-4 ? way / far : vec2(1.0, 0.0);
-  vec2 aside = vec2(-ahead.y, ahead.x) * width * (float(gl_VertexID & 1) * 2.0 - 1.0);
-  bool last = gl_VertexID > 1;
-  vec4 at = last ? b : a;
-  vec2 drawn_out = ahead * width * 0.5 * (last ? 1.0 : -1.0);
-  shade = colour;
-  gl_Position = vec4(at.xy + (aside + drawn_out) / viewport * at.w, at.z - 0.0004 * at.w, at.w);
-}
-)";
 
 }  // namespace
 
-SolidRenderer::SolidRenderer(const Gl& gl) : gl_(gl) {}
+SolidRenderer::SolidRenderer(const Gl& gl) : gl_(gl), target_(gl) {}
 
 SolidRenderer::~SolidRenderer() {
   for (Buffer& each : blocks_) release(each);
   for (Buffer* each : {&cut_, &boxes_, &lines_}) release(*each);
-  for (const GLuint program : {faces_program_, boxes_program_, lines_program_})
+  for (const GLuint program :
+       {faces_program_, boxes_program_, lines_program_, sheet_program_, outlines_program_})
     if (program != 0) gl_.DeleteProgram(program);
-  release_target();
+  gl_.DeleteVertexArrays(1, &corners_);
+  gl_.DeleteTextures(1, &sheet_);
 }
 
 Result<void> SolidRenderer::build() {
-  if (lines_program_ != 0) return {};
-  const auto made = [this](const char* vertices, const char* fragments, GLuint& program) {
-    const Result<GLuint> built = build_program(gl_, vertices, fragments);
-    if (built) program = *built;
-    return built ? Result<void>{} : Error{built.error()};
+  if (corners_ != 0) return {};
+  struct Program {
+    const char *vertices, *fragments;
+    GLuint* program;
   };
-  if (const auto faces = made(kFaceVertices, kFaceFragments, faces_program_); !faces) return faces;
-  if (const auto boxes = made(kBoxVertices, kPlainFragments, boxes_program_); !boxes) return boxes;
-  if (const auto lines = made(kLineVertices, kPlainFragments, lines_program_); !lines) return lines;
+  for (const Program& each : {Program{kFaceVertices, kFaceFragments, &faces_program_},
+                              {kBoxVertices, kPlainFragments, &boxes_program_},
+                              {kLineVertices, kPlainFragments, &lines_program_},
+                              {kSheetVertices, kSheetFragments, &sheet_program_},
+                              {kOutlineVertices, kOutlineFragments, &outlines_program_}}) {
+    if (*each.program != 0) continue;
+    const Result<GLuint> built = build_program(gl_, each.vertices, each.fragments);
+    if (!built) return Error{built.error()};
+    *each.program = *built;
+  }
   cut_ = make_faces();
   boxes_ = make_boxes();
   lines_ = make_lines();
+  gl_.GenVertexArrays(1, &corners_);
   return {};
-}
-
-void SolidRenderer::release_target() {
-  const std::array<GLuint, 2> framebuffers = {framebuffer_, resolved_}, renderbuffers = {colours_, depths_};
-  gl_.DeleteFramebuffers(2, framebuffers.data());
-  gl_.DeleteRenderbuffers(2, renderbuffers.data());
-  gl_.DeleteTextures(1, &texture_);
-  framebuffer_ = resolved_ = colours_ = depths_ = texture_ = 0;
-}
-
-Result<void> SolidRenderer::resize(int width, int height) {
-  if (width == width_ && height == height_ && texture_ != 0) return {};
-  release_target();
-  width_ = width;
-  height_ = height;
-  gl_.GenFramebuffers(1, &framebuffer_);
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  const auto renderbuffer = [&](GLuint& name, GLenum format, GLenum attachment) {
-    gl_.GenRenderbuffers(1, &name);
-    gl_.BindRenderbuffer(GL_RENDERBUFFER, name);
-    gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, format, width, height);
-    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, name);
-  };
-  renderbuffer(colours_, GL_RGBA8, GL_COLOR_ATTACHMENT0);
-  renderbuffer(depths_, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT);
-  const bool drawn = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-  gl_.GenTextures(1, &texture_);
-  gl_.BindTexture(GL_TEXTURE_2D, texture_);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl_.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-  gl_.GenFramebuffers(1, &resolved_);
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_);
-  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
-  const bool resolved = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  if (drawn && resolved) return {};
-  release_target();
-  return Error{"The OpenGL driver cannot draw into a texture of " + std::to_string(width) + " x " +
-               std::to_string(height) + " pixels with depth."};
 }
 
 SolidRenderer::Buffer SolidRenderer::make_instances(std::size_t size, std::span<const Attribute> attributes) {
@@ -240,68 +136,163 @@ void SolidRenderer::upload_blocks(const SolidMesh& mesh) {
     release(blocks_.back());
     blocks_.pop_back();
   }
-  while (blocks_.size() < mesh.block_count()) blocks_.push_back(make_faces());
+  blocks_.resize(mesh.block_count());
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     if (blocks_[i].revision == mesh.revision(i)) continue;
+    if (blocks_[i].array == 0) blocks_[i] = make_faces();  // most of a world may be empty
     upload(blocks_[i], mesh.faces(i));
     blocks_[i].revision = mesh.revision(i);
+    ++uploads_.blocks;
   }
 }
 
-void SolidRenderer::use(GLuint program, const SolidFrame& frame) {
-  gl_.UseProgram(program);
-  gl_.UniformMatrix4fv(gl_.GetUniformLocation(program, "projection"), 1, GL_FALSE, frame.matrix.data());
+void SolidRenderer::upload_scene(const SolidScene& scene) {
+  upload(cut_, std::span<const SolidFace>(scene.cut_faces));
+  upload(boxes_, std::span<const SolidBox>(scene.boxes));
+  upload(lines_, std::span<const SolidLine>(scene.lines));
+  upload_sheet(scene.sheet);
+  ++uploads_.scenes;
 }
 
-/// Obstacles through which one sees are drawn without depth among themselves, so that none hides another.
-void SolidRenderer::draw_faces(const SolidFrame& frame) {
-  const SolidScene& scene = frame.scene;
-  use(faces_program_, frame);
-  const auto uniform = [this](const char* name) { return gl_.GetUniformLocation(faces_program_, name); };
+void SolidRenderer::upload_sheet(const SolidSheet& sheet) {
+  if (sheet.texels.empty()) return;
+  if (sheet_ == 0) gl_.GenTextures(1, &sheet_);
+  gl_.BindTexture(GL_TEXTURE_2D, sheet_);
+  for (const GLenum filter : {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER})
+    gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+  gl_.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, sheet.columns, sheet.rows, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 sheet.texels.data());
+}
+
+void SolidRenderer::use(GLuint program, const SolidFrame& frame) {
+  program_ = program;
+  gl_.UseProgram(program);
+  gl_.UniformMatrix4fv(uniform("projection"), 1, GL_FALSE, frame.lens.matrix().data());
+}
+
+void SolidRenderer::set_depths(const OrbitLens& lens) {
+  const OrbitLens::Depths depths = lens.depths();
+  gl_.Uniform4f(uniform("depths"), static_cast<float>(depths.deep()), static_cast<float>(depths.shift()),
+                kNearer, 0);
+}
+
+void SolidRenderer::set_cut(const SolidScene& scene) {
   std::array<float, 4> cut = {0, 0, 0, 1};
   if (scene.cut) {
     const float sign = scene.cut->keeps_lower ? 1.0f : -1.0f;
     cut[static_cast<std::size_t>(scene.cut->across)] = sign;
     cut[3] = sign * static_cast<float>(scene.cut->at) + 0.001f;
   }
+  gl_.Uniform4f(uniform("cut"), cut[0], cut[1], cut[2], cut[3]);
+}
+
+void SolidRenderer::draw_blocks(const SolidFrame& frame) {
+  const std::array<float, 16> matrix = frame.lens.matrix();
+  set_cut(frame.scene);
+  gl_.Uniform1f(uniform("lift"), 0);
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    if (blocks_[i].count == 0 || !in_sight(matrix, frame.mesh.cells(i))) continue;
+    gl_.BindVertexArray(blocks_[i].array);
+    gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, blocks_[i].count);
+  }
+  if (cut_.count == 0) return;
+  gl_.Uniform4f(uniform("cut"), 0, 0, 0, 1);
+  gl_.Uniform1f(uniform("lift"), 0.004f);
+  gl_.BindVertexArray(cut_.array);
+  gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, cut_.count);
+}
+
+void SolidRenderer::draw_faces(const SolidFrame& frame) {
+  use(faces_program_, frame);
+  const OrbitLens::Depths depths = frame.lens.depths();
+  const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(frame.background);
   gl_.Enable(GL_CULL_FACE);
   gl_.CullFace(GL_BACK);
-  gl_.DepthMask(scene.opacity < 1 ? GL_FALSE : GL_TRUE);
-  gl_.Uniform4f(uniform("cut"), cut[0], cut[1], cut[2], cut[3]);
-  gl_.Uniform2f(uniform("finish"), scene.opacity, 0.22f);
-  const GLint lift = uniform("lift");
-  gl_.Uniform1f(lift, 0);
-  for (const Buffer& block : blocks_) {
-    if (block.count == 0) continue;
-    gl_.BindVertexArray(block.array);
-    gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, block.count);
-  }
-  if (cut_.count > 0) {
-    gl_.Uniform4f(uniform("cut"), 0, 0, 0, 1);
-    gl_.Uniform1f(lift, 0.004f);
-    gl_.BindVertexArray(cut_.array);
-    gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, cut_.count);
-  }
+  gl_.Uniform4f(uniform("haze"), ground.x, ground.y, ground.z, kHaze);
+  gl_.Uniform2f(uniform("reach"), static_cast<float>(depths.first), static_cast<float>(depths.last));
+  gl_.Uniform2f(uniform("finish"), 1, kCellLines);
+  if (frame.scene.opacity < 1)
+    draw_glass(frame);
+  else
+    draw_blocks(frame);
+}
+
+/// All faces faintly, so that one behind another is seen; then the nearest a little stronger, which gives what is seen
+/// through them a shape.
+void SolidRenderer::draw_glass(const SolidFrame& frame) {
+  const GLint finish = uniform("finish");
+  gl_.DepthMask(GL_FALSE);
+  gl_.Uniform2f(finish, kGlass, kCellLines);
+  draw_blocks(frame);
   gl_.DepthMask(GL_TRUE);
+  gl_.Uniform2f(finish, 0, 0);  // depths alone
+  draw_blocks(frame);
+  gl_.Uniform2f(finish, kGlassShell, kCellLines);
+  draw_blocks(frame);
 }
 
 void SolidRenderer::draw_boxes(const SolidFrame& frame) {
   if (boxes_.count == 0) return;
   use(boxes_program_, frame);
-  gl_.Uniform2f(gl_.GetUniformLocation(boxes_program_, "finish"), 1, 0);
+  const Point eye = frame.lens.eye();
+  gl_.Uniform4f(uniform("eye"), static_cast<float>(eye.x), static_cast<float>(eye.y),
+                static_cast<float>(eye.z), 0);
+  gl_.Uniform2f(uniform("finish"), 1, 0);
   gl_.Enable(GL_CULL_FACE);
+  gl_.CullFace(GL_BACK);
   gl_.BindVertexArray(boxes_.array);
-  gl_.DrawArraysInstanced(GL_TRIANGLES, 0, 36, boxes_.count);
+  gl_.DrawArraysInstanced(GL_TRIANGLES, 0, 18, boxes_.count);
+}
+
+/// Seen from both sides; a little transparent where it hides half of the world.
+void SolidRenderer::draw_sheet(const SolidFrame& frame) {
+  const SolidSheet& sheet = frame.scene.sheet;
+  if (sheet.texels.empty()) return;
+  use(sheet_program_, frame);
+  const auto place = [&](const char* name, const Point& at) {
+    gl_.Uniform4f(uniform(name), static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z),
+                  0);
+  };
+  place("corner", sheet.corner);
+  place("right", sheet.right);
+  place("down", sheet.down);
+  gl_.Uniform2f(uniform("finish"), frame.scene.cut ? 1.0f : 0.85f, 0);
+  gl_.Uniform1i(uniform("picture"), 0);
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.BindTexture(GL_TEXTURE_2D, sheet_);
+  gl_.Disable(GL_CULL_FACE);
+  gl_.BindVertexArray(corners_);
+  gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, 1);
+}
+
+/// Around what has been drawn so far.
+void SolidRenderer::draw_outlines(const SolidFrame& frame) {
+  const GLuint depths = target_.depths();
+  use(outlines_program_, frame);
+  set_depths(frame.lens);
+  const ImVec4 ink = ImGui::ColorConvertU32ToFloat4(frame.ink);
+  gl_.Uniform4f(uniform("ink"), ink.x, ink.y, ink.z, kInk);
+  gl_.Uniform2f(uniform("viewport"), static_cast<float>(frame.width), static_cast<float>(frame.height));
+  gl_.Uniform2f(uniform("finish"), static_cast<float>(frame.lens.pixel_angle()), std::round(frame.scale));
+  gl_.Uniform1i(uniform("picture"), 0);
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.BindTexture(GL_TEXTURE_2D, depths);
+  gl_.Disable(GL_DEPTH_TEST);
+  gl_.Disable(GL_CULL_FACE);
+  gl_.BindVertexArray(corners_);
+  gl_.DrawArraysInstanced(GL_TRIANGLES, 0, 3, 1);
+  gl_.Enable(GL_DEPTH_TEST);
 }
 
 /// Faintly where something hides them, then as they are: a path is followed behind obstacles too.
 void SolidRenderer::draw_lines(const SolidFrame& frame) {
   if (lines_.count == 0) return;
   use(lines_program_, frame);
+  set_depths(frame.lens);
   gl_.Disable(GL_CULL_FACE);
-  gl_.Uniform2f(gl_.GetUniformLocation(lines_program_, "viewport"), static_cast<float>(frame.width),
-                static_cast<float>(frame.height));
-  const GLint finish = gl_.GetUniformLocation(lines_program_, "finish");
+  gl_.Uniform2f(uniform("viewport"), static_cast<float>(frame.width), static_cast<float>(frame.height));
+  const GLint finish = uniform("finish");
   gl_.BindVertexArray(lines_.array);
   gl_.DepthMask(GL_FALSE);
   gl_.DepthFunc(GL_GREATER);
@@ -313,35 +304,32 @@ void SolidRenderer::draw_lines(const SolidFrame& frame) {
   gl_.DepthMask(GL_TRUE);
 }
 
+/// Lines lie over what is opaque, and inside of glass.
 Result<ImTextureID> SolidRenderer::draw(const SolidFrame& frame) {
   if (const auto built = build(); !built) return Error{built.error()};
-  if (const auto sized = resize(frame.width, frame.height); !sized) return Error{sized.error()};
+  if (const auto sized = target_.resize(frame.width, frame.height); !sized) return Error{sized.error()};
   upload_blocks(frame.mesh);
-  upload(cut_, std::span<const SolidFace>(frame.scene.cut_faces));
-  upload(boxes_, std::span<const SolidBox>(frame.scene.boxes));
-  upload(lines_, std::span<const SolidLine>(frame.scene.lines));
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  gl_.Viewport(0, 0, frame.width, frame.height);
-  gl_.Disable(GL_SCISSOR_TEST);
+  if (scene_number_ != frame.scene_number) upload_scene(frame.scene);
+  scene_number_ = frame.scene_number;
+  target_.begin(frame.background);
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthFunc(GL_LEQUAL);
   gl_.Enable(GL_BLEND);
   gl_.BlendEquation(GL_FUNC_ADD);
   gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(frame.background);
-  gl_.ClearColor(ground.x, ground.y, ground.z, 1);
-  gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  draw_faces(frame);
+  const bool glass = frame.scene.opacity < 1;
+  if (!glass) draw_faces(frame);
   draw_boxes(frame);
-  draw_lines(frame);
+  draw_sheet(frame);
+  if (glass) {
+    draw_lines(frame);
+    draw_faces(frame);
+  }
+  draw_outlines(frame);
+  if (!glass) draw_lines(frame);
   gl_.Disable(GL_DEPTH_TEST);
   gl_.Disable(GL_CULL_FACE);
-  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
-  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_);
-  gl_.BlitFramebuffer(0, 0, frame.width, frame.height, 0, 0, frame.width, frame.height, GL_COLOR_BUFFER_BIT,
-                      GL_NEAREST);
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_));
+  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(target_.finish()));
 }
 
 }  // namespace replan::ui

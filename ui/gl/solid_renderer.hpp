@@ -8,19 +8,25 @@
 
 #include <imgui.h>
 
+#include "core/scene/orbit.hpp"
 #include "core/scene/solid_mesh.hpp"
 #include "core/scene/solid_scene.hpp"
 #include "ui/gl/imgui_renderer.hpp"
+#include "ui/gl/solid_target.hpp"
 
 namespace replan::ui {
 
-/// What one frame is drawn of. The mesh's blocks are uploaded where they have changed since the frame before.
+/// What one frame is drawn of. The mesh's blocks are uploaded where they have changed since the frame before, the scene
+/// where its number is another one.
 struct SolidFrame {
   const SolidMesh& mesh;
   const SolidScene& scene;
-  std::array<float, 16> matrix;
+  std::uint64_t scene_number = 0;
+  const OrbitLens& lens;
   int width = 0, height = 0;  ///< pixels
+  float scale = 1;            ///< pixels of a line of the design's
   ImU32 background = 0;
+  ImU32 ink = 0;  ///< of outlines
 };
 
 /// Owns the GL objects. Needs its context current in every call, its destructor included. What it leaves bound, the
@@ -34,6 +40,11 @@ class SolidRenderer {
 
   /// The texture with the frame, as large as it: rows from below, as OpenGL has them. The error says why there is none.
   Result<ImTextureID> draw(const SolidFrame& frame);
+  /// What went to the graphics card, all frames together.
+  struct Uploads {
+    std::size_t blocks = 0, scenes = 0;
+  };
+  [[nodiscard]] const Uploads& uploads() const { return uploads_; }
 
  private:
   struct Buffer {
@@ -43,8 +54,6 @@ class SolidRenderer {
   };
 
   Result<void> build();
-  Result<void> resize(int width, int height);
-  void release_target();
   /// A part of what is drawn once for each instance, at the shader's location of its number in the list.
   struct Attribute {
     GLint count;
@@ -58,19 +67,32 @@ class SolidRenderer {
   template <class Item>
   void upload(Buffer& buffer, std::span<const Item> items);
   void upload_blocks(const SolidMesh& mesh);
+  void upload_scene(const SolidScene& scene);
+  void upload_sheet(const SolidSheet& sheet);
+  [[nodiscard]] GLint uniform(const char* name) const { return gl_.GetUniformLocation(program_, name); }
   void use(GLuint program, const SolidFrame& frame);
+  void set_depths(const OrbitLens& lens);
+  void set_cut(const SolidScene& scene);
+  void draw_blocks(const SolidFrame& frame);
   void draw_faces(const SolidFrame& frame);
+  void draw_glass(const SolidFrame& frame);
   void draw_boxes(const SolidFrame& frame);
+  void draw_sheet(const SolidFrame& frame);
+  void draw_outlines(const SolidFrame& frame);
   void draw_lines(const SolidFrame& frame);
   void release(Buffer& buffer);
 
   const Gl& gl_;
-  GLuint faces_program_ = 0, boxes_program_ = 0, lines_program_ = 0;
-  GLuint framebuffer_ = 0, colours_ = 0, depths_ = 0;  // drawn into, with several samples a pixel
-  GLuint resolved_ = 0, texture_ = 0;                  // and made one of
-  int width_ = 0, height_ = 0;
+  SolidTarget target_;
+  GLuint faces_program_ = 0, boxes_program_ = 0, lines_program_ = 0, sheet_program_ = 0,
+         outlines_program_ = 0;
+  GLuint program_ = 0;  // in use
   std::vector<Buffer> blocks_;
   Buffer cut_, boxes_, lines_;
+  GLuint corners_ = 0;  // an array without attributes
+  GLuint sheet_ = 0;    // texture
+  std::uint64_t scene_number_ = 0;
+  Uploads uploads_;
 };
 
 }  // namespace replan::ui

@@ -3,8 +3,8 @@
 #include <array>
 #include <string>
 
-#include "core/debug/offers.hpp"
 #include "core/scene/spline_marks.hpp"
+#include "ui/canvas/cell_words.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
@@ -74,14 +74,7 @@ std::string cell_state(const Frame& frame, Cell cell) {
   const auto& pointed = frame.view.pointed;
   const bool other = frame.view.view.hovered && pointed && pointed->pane < frame.session.runs().size();
   const Run& run = other ? *frame.session.runs()[pointed->pane] : frame.run();
-  const SearchState& state = run.timeline().state();
-  const NodeId node = run.lattice().node(cell);
-  const bool truth = state.truly_blocked(node), known = state.known_blocked(node);
-  const std::string what = truth                                   ? "obstacle"
-                           : too_near(run.log_view(), state, node) ? "free, but too near"
-                                                                   : "free";
-  if (truth == known) return what + " · known";
-  return what + (truth ? " · not seen yet" : " · believed blocked");
+  return cell_words(run, cell);
 }
 
 /// Writes items from the left until the room ends.

@@ -105,7 +105,9 @@ void RunStory::follow(const Run& run) {
   if (log_id_ != run.log_id()) *this = RunStory();
   log_id_ = run.log_id();
   for (; read_ < run.milestones().size(); ++read_)
-    if (run.milestones()[read_].kind != EventKind::move) milestones_.push_back(read_);
+    if (const EventKind kind = run.milestones()[read_].kind;
+        kind != EventKind::move && kind != EventKind::turn)
+      milestones_.push_back(read_);
 }
 
 void LogTab::draw_lines(Frame& frame) {

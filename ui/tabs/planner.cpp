@@ -292,6 +292,19 @@ void robot_settings(Frame& frame) {
                              "How far the robot sees, from its cell's centre to a cell's centre. The eight "
                              "cells around it, and what its body could touch in them, are always felt."},
                             robot.sensor_radius);
+  const Parameter angle{.key = "sensor angle",
+                        .label = "Sensor angle",
+                        .type = ParameterType::real,
+                        .initial = RobotSetup{}.sensor_angle,
+                        .low = 1,
+                        .high = 360,
+                        .unit = "°"};
+  changed |= number_setting(frame, angle,
+                            {"Sensor angle", "",
+                             "How wide the sensor looks ahead, the whole opening angle: a sector, in space a "
+                             "cone, about the robot's course, which is the direction of its last move. 360: "
+                             "all round."},
+                            robot.sensor_angle);
   changed |= toggle(look, "Obstacles block its view", robot.sensor_blocked);
   hint(look,
        {"Blocked view", "", "On: what stands behind an obstacle is hidden. Off: the sensor sees through."});

@@ -67,6 +67,18 @@ Cell size_of(const MovingObstacle& mover) {
   return {mover.width, mover.height, mover.depth};
 }
 
+/// The size of the next one, as large as the brush.
+Cell next_size(const Box& world, int brush) {
+  return {brush, brush, world.solid() ? std::min(brush, world.depth()) : 1};
+}
+
+/// Where a box of that size would stand with its middle at a cell, as a sheet shows it: where it is even, one half of it is
+/// larger, and on an upright sheet z grows against the rows.
+std::vector<CellSpan> spans_of_box(const Sheet& sheet, Cell middle, Cell size) {
+  const Cell low = box_corner(middle, size, sheet.box.box());
+  return rectangle_on(sheet, low, {low.x + size.x - 1, low.y + size.y - 1, low.z + size.z - 1});
+}
+
 /// A corner of the selected moving obstacle's way.
 class HeldCorner final : public HeldDrag {
  public:
@@ -159,15 +171,14 @@ void MoverTool::draw(const CellPen& pen, const ViewState& view, std::optional<Ce
   if (way_.empty() && view.editing.mover) return;
   const Look& look = pen.look();
   const ImU32 colour = look.theme.mover;
-  const Brush box{view.brush, false};
+  const Cell size = next_size(pen.sheet().box.box(), view.brush);
   for (std::size_t i = 1; i < way_.size(); ++i)
     pen.dashed(pen.middle(way_[i - 1]), pen.middle(way_[i]), colour);
   if (hovered && !way_.empty())
     pen.dashed(pen.middle(way_.back()), pen.middle(*hovered), with_alpha(colour, 0.6f));
   for (const Cell corner : way_) pen.list().AddCircleFilled(pen.middle(corner), look.px(3.5f), colour);
-  const SeenBox& seen = pen.sheet().box;
-  if (!way_.empty()) pen.area(brush_spans(box, seen.seen(way_.front())), colour, 0.25f);
-  if (hovered) pen.area(brush_spans(box, seen.seen(*hovered)), colour, 0);
+  if (!way_.empty()) pen.area(spans_of_box(pen.sheet(), way_.front(), size), colour, 0.25f);
+  if (hovered) pen.area(spans_of_box(pen.sheet(), *hovered, size), colour, 0);
 }
 
 void MoverTool::choose(ViewState& view) {
@@ -184,8 +195,10 @@ void MoverTool::finish(const Session& session, ViewState& view, std::vector<Comm
   if (way_.empty()) return;
   MovingObstacle mover;
   const Box world = session.scenario().map.box();
-  mover.width = mover.height = view.brush;
-  mover.depth = world.solid() ? std::min(view.brush, world.depth()) : 1;
+  const Cell size = next_size(world, view.brush);
+  mover.width = size.x;
+  mover.height = size.y;
+  mover.depth = size.z;
   for (const Cell corner : way_) mover.way.push_back(box_corner(corner, size_of(mover), world));
   mover.speed = next_.speed;
   mover.at_end = next_.at_end;

@@ -62,6 +62,12 @@ void draw_mark(const Look& look, ImDrawList& list, float x, float y, const Legen
     case LegendShape::dot:
       list.AddCircleFilled({x + half, y}, half, entry.colour);
       break;
+    case LegendShape::star:
+      draw_star(list, {x + half, y}, half * 1.25f, 5, 0.45f, entry.colour, entry.colour, look.px.hair);
+      break;
+    case LegendShape::diamond:
+      draw_star(list, {x + half, y}, half * 1.25f, 4, 0.72f, entry.colour, entry.colour, look.px.hair);
+      break;
     case LegendShape::ring:
       list.AddCircle({x + half, y}, half - stroke * 0.5f, entry.colour, 0, stroke * 1.6f);
       break;
@@ -229,6 +235,22 @@ ImVec2 legend(const Look& look, ImDrawList& list, ImVec2 pos, const LegendField&
   Pen pen{look, &list, min.x + look.px(10), min.y + look.px(8)};
   write_legend(pen, field, entries, boxes);
   return size;
+}
+
+void draw_star(ImDrawList& list, ImVec2 at, float radius, int tips, float inner, ImU32 fill, ImU32 rim,
+               float width) {
+  std::array<ImVec2, 16> points{};
+  const int count = std::min(tips * 2, 16);
+  for (int i = 0; i < count; ++i) {
+    const float angle = static_cast<float>(i) * 3.14159265f / static_cast<float>(tips) - 1.57079633f;
+    const float reach = i % 2 == 0 ? radius : radius * inner;
+    points[static_cast<std::size_t>(i)] = {at.x + reach * std::cos(angle), at.y + reach * std::sin(angle)};
+  }
+  // Not convex: from the middle out.
+  for (int i = 0; i < count; ++i)
+    list.AddTriangleFilled(at, points[static_cast<std::size_t>(i)],
+                           points[static_cast<std::size_t>((i + 1) % count)], fill);
+  list.AddPolyline(points.data(), count, rim, ImDrawFlags_Closed, width);
 }
 
 }  // namespace replan::ui

@@ -248,8 +248,15 @@ ImVec2 chip(const Look& look, ImDrawList& list, ImVec2 pos, std::span<const Text
 /// A chip with a sentence, its upper left corner at `pos`; on several lines if it is wider than `room`.
 ImVec2 chip_message(const Look& look, ImDrawList& list, ImVec2 pos, const TextRun& run, float room);
 
+/// A star with so many tips around a middle, filled and with a rim; its inner corners are `inner` times as far off as them.
+/// With four tips it is a diamond.
+void draw_star(ImDrawList& list, ImVec2 at, float radius, int tips, float inner, ImU32 fill, ImU32 rim,
+               float width);
+
 enum class LegendShape {
   dot,
+  star,
+  diamond,
   ring,
   square,
   tile,  ///< of a cell, with a rim

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/scene/overlay.hpp"
+#include "core/scene/solid_pen.hpp"
 
 namespace replan {
 namespace {
@@ -49,6 +50,30 @@ std::unique_ptr<CellMark> local_parents(SceneContext& context) {
   return std::make_unique<LocalParents>(context, strength);
 }
 
+/// In space of layers of no more cells.
+constexpr int kMostArrowsInSpace = 20'000;
+
+void parent_in_space(SolidPen& pen, NodeId node) {
+  const NodeId parent = pen.state().lp(node);
+  if (parent == kNoNode || parent == node || pen.state().known_blocked(node)) return;
+  const Point at = pen.context().centre(node), to = pen.context().centre(parent), from = pen.on_sheet(at);
+  const auto part = [&](double t) {
+    return Point{from.x + t * (to.x - at.x), from.y + t * (to.y - at.y), from.z + t * (to.z - at.z)};
+  };
+  pen.show(Sign::lp);
+  pen.line(part(-0.2), part(0.2), pen.palette().arrow, 1);
+  pen.line(part(0.2), part(0.32), pen.palette().arrow, 2.6f);
+}
+
+/// In the slice alone: everywhere they would hide each other.
+void parents_in_space(SolidPen& pen) {
+  const Sheet& slice = pen.slice();
+  if (static_cast<std::int64_t>(slice.box.width()) * slice.box.height() > kMostArrowsInSpace) return;
+  for (int row = 0; row < slice.box.height(); ++row)
+    for (int column = 0; column < slice.box.width(); ++column)
+      parent_in_space(pen, slice.box.node({column, row, slice.layer}));
+}
+
 }  // namespace
 
 OverlayKind overlay_lp() {
@@ -57,7 +82,8 @@ OverlayKind overlay_lp() {
                    .key = '8',
                    .at_first = true},
           .layer = Layer::arrows,
-          .each = local_parents};
+          .each = local_parents,
+          .draw_in_space = parents_in_space};
 }
 
 }  // namespace replan

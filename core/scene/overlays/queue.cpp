@@ -1,5 +1,6 @@
 #include "core/scene/numbers.hpp"
 #include "core/scene/overlay.hpp"
+#include "core/scene/solid_pen.hpp"
 
 namespace replan {
 namespace {
@@ -49,6 +50,15 @@ std::unique_ptr<CellMark> open_list_marks(SceneContext& context) {
   return context.zoom >= 1 ? std::make_unique<OpenListMarks>(context) : nullptr;
 }
 
+void open_list_in_space(SolidPen& pen) {
+  if (pen.slice_alone()) return;
+  OpenCells& open = pen.context().memory.open;
+  open.follow(pen.context().run);
+  if (pen.state().queue_size() > 0) pen.show(Sign::queue);
+  open.each(
+      [&](NodeId node) { return pen.cube(pen.context().centre(node), kWaitingHalf, pen.palette().accent); });
+}
+
 }  // namespace
 
 OverlayKind overlay_queue() {
@@ -57,7 +67,8 @@ OverlayKind overlay_queue() {
                    .key = '6',
                    .at_first = true},
           .layer = Layer::frames,
-          .each = open_list_marks};
+          .each = open_list_marks,
+          .draw_in_space = open_list_in_space};
 }
 
 }  // namespace replan

@@ -1,12 +1,15 @@
 #include <algorithm>
 
 #include "core/scene/overlay.hpp"
+#include "core/scene/solid_pen.hpp"
 
 namespace replan {
 namespace {
 
 /// How strongly the last replan, the one before that ... still shows.
 constexpr double kStrength[] = {1, 0.45, 0.25, 0.12};
+/// Half of the side of a cell's small cube in space: one that waits in the open list as well shows around it.
+constexpr double kTouchedHalf = 0.13;
 
 void draw_repairs(SceneContext& context) {
   const RunDigest& digest = context.memory.digest;
@@ -23,6 +26,17 @@ void draw_repairs(SceneContext& context) {
   }
 }
 
+/// Those of the last replan alone: in space older ones would hide them.
+void repair_in_space(SolidPen& pen) {
+  const RunDigest& digest = pen.context().memory.digest;
+  const std::size_t count = digest.plans_before(pen.context().cursor);
+  if (count < 2 || pen.slice_alone()) return;
+  for (const Touch& touch : digest.touches_before(digest.plans()[count - 1], pen.context().cursor)) {
+    pen.show(Sign::repair);
+    if (!pen.cube(pen.context().centre(touch.node), kTouchedHalf, pen.palette().warning)) return;
+  }
+}
+
 }  // namespace
 
 void show_last_repair(OverlaySet& overlays) {
@@ -34,7 +48,8 @@ OverlayKind overlay_repair() {
                    .help = "The cells that the last replans touched; older ones fade.",
                    .at_first = true},
           .layer = Layer::frames,
-          .draw = draw_repairs};
+          .draw = draw_repairs,
+          .draw_in_space = repair_in_space};
 }
 
 }  // namespace replan

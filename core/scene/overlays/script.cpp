@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/scene/overlay.hpp"
+#include "core/scene/solid_pen.hpp"
 
 namespace replan {
 namespace {
@@ -144,6 +145,36 @@ void draw_script(SceneContext& context) {
       ComingSurprise(context, scenario.surprises[i], context.view.selected_surprise == i).add();
 }
 
+void way_in_space(SolidPen& pen, const MovingObstacle& mover) {
+  pen.show(Sign::mover);
+  std::vector<Point> way = way_points(mover);
+  if (mover.at_end == WayEnd::loop && way.size() > 2) way.push_back(way.front());
+  pen.polyline(way, faded(pen.palette().mover, 0.7), 1.4f);
+}
+
+/// The box around its cells: they lie in many layers.
+void surprise_in_space(SolidPen& pen, const Surprise& surprise) {
+  if (surprise.cells.empty()) return;
+  CellBox box{surprise.cells.front().cell, surprise.cells.front().cell};
+  for (const CellChange& each : surprise.cells) {
+    box.low = box_of(box.low, each.cell).low;
+    box.high = box_of(box.high, each.cell).high;
+  }
+  const auto corner = [](Cell cell, int by) {
+    return Point{static_cast<double>(cell.x + by), static_cast<double>(cell.y + by),
+                 static_cast<double>(cell.z + by)};
+  };
+  pen.show(Sign::to_come);
+  pen.edges(corner(box.low, 0), corner(box.high, 1), pen.palette().surprise, 1.4f);
+}
+
+void script_in_space(SolidPen& pen) {
+  const Run& run = pen.context().run;
+  for (const MovingObstacle& mover : run.scenario().movers) way_in_space(pen, mover);
+  for (std::size_t i = 0; i < run.scenario().surprises.size(); ++i)
+    if (is_to_come(run, i)) surprise_in_space(pen, run.scenario().surprises[i]);
+}
+
 }  // namespace
 
 OverlayKind overlay_script() {
@@ -154,7 +185,8 @@ OverlayKind overlay_script() {
                    "obstacles.",
                .at_first = true},
       .layer = Layer::script,
-      .draw = draw_script};
+      .draw = draw_script,
+      .draw_in_space = script_in_space};
 }
 
 }  // namespace replan

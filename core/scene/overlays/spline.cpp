@@ -1,4 +1,5 @@
 #include "core/scene/overlay.hpp"
+#include "core/scene/solid_pen.hpp"
 #include "core/scene/spline_marks.hpp"
 
 namespace replan {
@@ -17,6 +18,17 @@ void draw_spline(SceneContext& context) {
     const Point at = context.seen(pull.at), obstacle = context.centre(context.seen(pull.cell));
     add_through_layers(context, {{at, obstacle}, palette.warning, context.pixels(1.2), 0});
     context.add(Ring{at, context.world(5), context.seen_at(at, palette.warning), context.pixels(2)});
+  }
+}
+
+void spline_in_space(SolidPen& pen) {
+  const Spline* spline = spline_at_cursor(pen.context().run);
+  if (spline == nullptr) return;
+  pen.show(Sign::control);
+  pen.polyline(spline->control, faded(pen.palette().dim, 0.8), 1.2f);
+  for (const PullIn& pull : spline->pulled_in) {
+    pen.show(Sign::pulled_in);
+    pen.line(pull.at, centre_of(pull.cell), pen.palette().warning, 2);
   }
 }
 
@@ -44,7 +56,8 @@ OverlayKind overlay_spline() {
                    "pulled in since it would have hit an obstacle.",
                .at_first = true},
       .layer = Layer::routes,
-      .draw = draw_spline};
+      .draw = draw_spline,
+      .draw_in_space = spline_in_space};
 }
 
 }  // namespace replan
