@@ -32,15 +32,15 @@ std::string candidate_text(const Event& event) {
   return "over vertex " + vertex + " the new place costs " + cost_text(sum);
 }
 
-std::string rejection_text(Rejection why, const std::string& at) {
+std::string fault_text(SampleFault why, const std::string& at) {
   switch (why) {
-    case Rejection::blocked:
+    case SampleFault::blocked:
       return "the sample is given up: " + at + " is in the way";
-    case Rejection::taken:
+    case SampleFault::taken:
       return "the sample is given up: there is a vertex already";
-    case Rejection::longer:
+    case SampleFault::longer:
       return "the sample is given up: the path would be no shorter over it";
-    case Rejection::path_end:
+    case SampleFault::path_end:
       break;
   }
   return "the sample is given up: it is nearest to an end of the path, which stays where it is";
@@ -93,7 +93,7 @@ std::string happening_text(const Box& lattice, const Event& event) {
       return "vertex " + std::to_string(event.node) + " hangs on the new vertex now, which saves " +
              cost_text({static_cast<std::int64_t>(event.delta)});
     case EventKind::rejected:
-      return rejection_text(static_cast<Rejection>(event.delta), at);
+      return fault_text(static_cast<SampleFault>(event.delta), at);
     default:
       return "";
   }
@@ -131,6 +131,7 @@ const char* value_name(Scalar scalar) {
       "the score of the chosen arc",
       "vertices",
       "the root",
+      "the goal's vertex",
       "x of the sample",
       "y of the sample",
       "z of the sample",

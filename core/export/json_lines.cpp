@@ -283,7 +283,7 @@ void JsonLines::payload(std::string& out, const Event& event) const {
       return cost(out, as_cost(event.delta));
     case EventKind::rejected:
       with("why");
-      ((out += '"') += rejection_name(static_cast<Rejection>(event.delta))) += '"';
+      ((out += '"') += fault_name(static_cast<SampleFault>(event.delta))) += '"';
       return;
     default:
       return;

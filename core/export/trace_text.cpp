@@ -18,14 +18,14 @@ std::string_view event_name(const SearchValues& values, EventKind kind) {
 
 std::string_view scalar_name(Scalar scalar) {
   static constexpr std::array<std::string_view, static_cast<std::size_t>(Scalar::count)> kNames = {
-      "km",         "start", "last",     "goal", "robot",       "moves",      "replans",  "wanted",
-      "weight",     "share", "x",        "y",    "heading",     "speed",      "turning",  "sub_goal",
-      "admissible", "score", "vertices", "root", "sample_x",    "sample_y",   "sample_z", "new_x",
-      "new_y",      "new_z", "nearest",  "best", "plan_sample", "gain_sample"};
+      "km",         "start", "last",     "goal",    "robot",       "moves",       "replans",    "wanted",
+      "weight",     "share", "x",        "y",       "heading",     "speed",       "turning",    "sub_goal",
+      "admissible", "score", "vertices", "root",    "goal_vertex", "sample_x",    "sample_y",   "sample_z",
+      "new_x",      "new_y", "new_z",    "nearest", "best",        "plan_sample", "gain_sample"};
   return kNames[static_cast<std::size_t>(scalar)];
 }
 
-std::string_view rejection_name(Rejection why) {
+std::string_view fault_name(SampleFault why) {
   static constexpr std::array<std::string_view, 4> kNames = {"blocked", "taken", "longer", "path_end"};
   return kNames[static_cast<std::size_t>(why)];
 }

@@ -18,7 +18,7 @@ std::string_view event_name(const SearchValues& values, EventKind kind);
 std::string_view scalar_name(Scalar scalar);
 
 /// The fixed name of why a sample was given up: "blocked".
-std::string_view rejection_name(Rejection why);
+std::string_view fault_name(SampleFault why);
 
 void append_whole(std::string& out, std::integral auto number) {
   char digits[24];

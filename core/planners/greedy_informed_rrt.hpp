@@ -56,7 +56,7 @@ class GreedyInformedRrt final : public Rrt<L, T> {
   void pull(const Place& sample) {
     tr_.line(20);
     if (const auto hit = space_.hit(sample, sample))
-      return this->reject(Rejection::blocked, space_.known().node(*hit));
+      return this->reject(SampleFault::blocked, space_.known().node(*hit));
     tr_.line(21);
     const std::uint32_t c = nearest_on_path(sample);
     this->tell_nearest(c);
@@ -64,16 +64,16 @@ class GreedyInformedRrt final : public Rrt<L, T> {
     const Place place = this->steer_from(c, sample);
     tr_.line(23);
     const std::uint32_t before = tree_.parent(c), after = below_on_path(c);
-    if (before == kNone || after == kNone) return this->reject(Rejection::path_end, space_.node(place));
+    if (before == kNone || after == kNone) return this->reject(SampleFault::path_end, space_.node(place));
     tr_.line(24);
     const Cost now = tree_.cost_over(before, tree_.place(c)) +
                      length_between(tree_.place(c), tree_.place(after)),
                then = tree_.cost_over(before, place) + length_between(place, tree_.place(after));
-    if (!(then < now) || tree_.full()) return this->reject(Rejection::longer, space_.node(place));
+    if (!(then < now) || tree_.full()) return this->reject(SampleFault::longer, space_.node(place));
     tr_.line(25);
     for (const std::uint32_t neighbour : {before, after})
       if (const auto hit = hit_from(neighbour, place))
-        return this->reject(Rejection::blocked, space_.known().node(*hit));
+        return this->reject(SampleFault::blocked, space_.known().node(*hit));
     tr_.line(26);
     tr_.note(EventKind::rewired, after, static_cast<std::uint64_t>(now.raw - then.raw));
     tree_.hang(after, tree_.grow(place, before));

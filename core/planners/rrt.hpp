@@ -52,6 +52,7 @@ inline PlannerInfo describe(RrtSwitches switches) {
     info.summary = "A random tree that grows from the start into the free space until it meets the goal.";
     info.source = "LaValle 1998, TR 98-11, Iowa State University";
   }
+  info.informed = switches.informed;
   info.parameters.insert(info.parameters.begin() + 1, {parameters::kGoalReach, parameters::kGoalBias});
   if (switches.rewire)
     info.parameters.insert(info.parameters.end(), {parameters::kBall, parameters::kNoGain});

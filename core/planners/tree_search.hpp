@@ -107,8 +107,8 @@ class TreeSearch : public Planner<L> {
     tree_.restore(state);
     root_ = static_cast<std::uint32_t>(state.scalar(Scalar::root)) - 1u;
     best_ = {static_cast<std::int64_t>(state.scalar(Scalar::best))};
-    goal_vertex_ = tree_.vertex_at(goal_place());
-    if (best_ == Cost::zero() && root_ != goal_vertex_) best_ = Cost::infinity();
+    goal_vertex_ = static_cast<std::uint32_t>(state.scalar(Scalar::goal_vertex)) - 1u;
+    if (goal_vertex_ == kNone) best_ = Cost::infinity();
     plan_sample_ = static_cast<std::int64_t>(state.scalar(Scalar::plan_sample));
     gain_sample_ = static_cast<std::int64_t>(state.scalar(Scalar::gain_sample));
     told_ = told_in(state);
@@ -141,12 +141,12 @@ class TreeSearch : public Planner<L> {
     tr_.line(5);
     const Place place = steer_from(nearest, sample);
     if (place == tree_.place(nearest)) {
-      reject(Rejection::taken, space_.node(place));
+      reject(SampleFault::taken, space_.node(place));
       return std::nullopt;
     }
     tr_.line(6);
     if (const auto hit = hit_from(nearest, place)) {
-      reject(Rejection::blocked, space_.known().node(*hit));
+      reject(SampleFault::blocked, space_.known().node(*hit));
       return std::nullopt;
     }
     return Offshoot{place, nearest};
@@ -160,7 +160,7 @@ class TreeSearch : public Planner<L> {
     tell_place(Scalar::new_x, told_.place, place);
     return place;
   }
-  void reject(Rejection why, NodeId cell) {
+  void reject(SampleFault why, NodeId cell) {
     tr_.note(EventKind::rejected, cell, static_cast<std::uint64_t>(why));
   }
 
@@ -179,7 +179,7 @@ class TreeSearch : public Planner<L> {
   }
   void reach_goal(std::uint32_t vertex) {
     tr_.line(12);
-    goal_vertex_ = vertex;
+    set_goal_vertex(vertex);
     take_gain();
   }
   /// The path is shorter than it was, if it is.
@@ -231,7 +231,7 @@ class TreeSearch : public Planner<L> {
       visits_.forget();
       tree_.clear();
     }
-    goal_vertex_ = kNone;
+    set_goal_vertex(kNone);
     set_best(Cost::infinity());
     set_root(ends_blocked() ? kNone : tree_.plant(start_place()));
     if (root_ != kNone && start_ == goal_) reach_goal(root_);
@@ -288,7 +288,7 @@ class TreeSearch : public Planner<L> {
     }
     if (root_ != kNone && tree_.cut_off(root_)) set_root(kNone);
     if (goal_vertex_ == kNone || !tree_.cut_off(goal_vertex_)) return;
-    goal_vertex_ = kNone;
+    set_goal_vertex(kNone);
     set_best(Cost::infinity());
   }
   /// Lines 16-18: the start is the root, and near vertices hang on it that are nearer by it. False if nothing sees it.
@@ -303,7 +303,7 @@ class TreeSearch : public Planner<L> {
       set_root(link);
       if (tree_.place(link) != start) hang_on_new_root(start);
     }
-    if (start_ == goal_) goal_vertex_ = root_;
+    if (start_ == goal_) set_goal_vertex(root_);
     take_change();
     return true;
   }
@@ -362,6 +362,10 @@ class TreeSearch : public Planner<L> {
   void set_end(Scalar which, NodeId& held, NodeId node) {
     tr_.change(which, std::uint64_t{held + 1u}, std::uint64_t{node + 1u});
     held = node;
+  }
+  void set_goal_vertex(std::uint32_t vertex) {
+    tell(Scalar::goal_vertex, std::uint64_t{goal_vertex_ + 1u}, std::uint64_t{vertex + 1u});
+    goal_vertex_ = vertex;
   }
   void set_root(std::uint32_t vertex) {
     tell(Scalar::root, std::uint64_t{root_ + 1u}, std::uint64_t{vertex + 1u});

@@ -52,6 +52,10 @@ class InformedSet {
   [[nodiscard]] double across() const { return across_; }
   [[nodiscard]] const Vector& centre() const { return centre_; }
   [[nodiscard]] const Vector& axis(std::size_t i) const { return axes_[i]; }
+  /// A direction that stands upright on the first axis: in space any, else the one in the plane.
+  [[nodiscard]] Vector upright(bool in_space) const {
+    return in_space ? axes_[1] : Vector{-axes_[0][1], axes_[0][0], 0};
+  }
 
  private:
   static Vector in_unit_ball(Random& random) {

@@ -54,12 +54,12 @@ enum class EventKind : std::uint8_t {
   // Of planners that grow a tree of places (core/planners/grown_tree.hpp)
   candidate,  ///< the new place could hang on the vertex `node`; payload: the cost by it, infinite if the way is blocked
   rewired,   ///< the vertex `node` hangs on the new one from now on; payload: the cost that this saves
-  rejected,  ///< the sample is given up; node: the obstacle in the way, if it is one; payload: a Rejection
+  rejected,  ///< the sample is given up; node: the obstacle in the way, if it is one; payload: a SampleFault
 };
 inline constexpr int kEventKinds = static_cast<int>(EventKind::rejected) + 1;
 
 /// Why a sample does not become a vertex.
-enum class Rejection : std::uint8_t {
+enum class SampleFault : std::uint8_t {
   blocked,   ///< an obstacle is in the way to it
   taken,     ///< there is a vertex already
   longer,    ///< the path would be no shorter over it
@@ -116,9 +116,10 @@ enum class Scalar : std::uint8_t {
   admissible,  ///< how many samples were, + 1; 0: it has decided nothing yet
   score,       ///< of the winner, as score_bits(); 0: there is none
   // Of a planner that grows a tree of places. Coordinates are in 2^-30 of a cell, as costs are.
-  vertices,  ///< how many there are, those that were cut off among them
-  root,      ///< the vertex that the others hang on, + 1
-  sample_x,  ///< of the latest sample
+  vertices,     ///< how many there are, those that were cut off among them
+  root,         ///< the vertex that the others hang on, + 1
+  goal_vertex,  ///< that of the goal, + 1; 0: the tree has not met it
+  sample_x,     ///< of the latest sample
   sample_y,
   sample_z,
   new_x,  ///< of what became of it: the place that it was steered to
@@ -174,6 +175,7 @@ constexpr ScalarType scalar_type(Scalar scalar) {
     case Scalar::score:
       return ScalarType::score;
     case Scalar::root:
+    case Scalar::goal_vertex:
     case Scalar::nearest:
       return ScalarType::vertex;
     default:
