@@ -6,7 +6,7 @@ namespace replan {
 namespace {
 
 /// A sample has no more events than this: a ball of thousands of vertices with their subtrees.
-constexpr std::size_t kLongest = std::size_t{1} << 20;
+constexpr std::size_t kLongestSample = std::size_t{1} << 20;
 
 /// Whether no sample is in hand any more behind such an event.
 bool parts(EventKind kind) {
@@ -25,10 +25,10 @@ Place read_place(const SearchState& state, Scalar first, bool in_space) {
 SampleInHand read_sample(const Timeline& log, std::size_t pop, std::size_t end, const SearchState& state,
                          bool in_space) {
   SampleInHand hand;
-  hand.sample = read_place(state, Scalar::sample_x, in_space);
   for (std::size_t i = pop; i < end; ++i) {
     const Event& event = log.event(i);
     const Cost cost{static_cast<std::int64_t>(event.delta)};
+    if (event.line >= 4) hand.sample = read_place(state, Scalar::sample_x, in_space);
     if (event.line >= 4) hand.nearest = static_cast<std::uint32_t>(state.scalar(Scalar::nearest)) - 1u;
     if (event.line >= 5) hand.place = read_place(state, Scalar::new_x, in_space);
     if (event.kind == EventKind::candidate) hand.candidates.push_back({event.node, cost});
@@ -45,7 +45,7 @@ SampleInHand read_sample(const Timeline& log, std::size_t pop, std::size_t end, 
 
 /// The `pop` before which no other one lies between it and `end`.
 std::optional<std::size_t> pop_before(const Timeline& log, std::size_t end) {
-  const std::size_t first = end > kLongest ? end - kLongest : 0;
+  const std::size_t first = end > kLongestSample ? end - kLongestSample : 0;
   for (std::size_t i = end; i-- > first;) {
     const EventKind kind = log.event(i).kind;
     if (kind == EventKind::pop) return i;

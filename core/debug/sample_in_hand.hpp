@@ -23,7 +23,7 @@ struct SampleInHand {
     Cost saves;
   };
 
-  Place sample{};                        ///< where it was drawn
+  std::optional<Place> sample;           ///< where it was drawn, once that is written
   std::optional<std::uint32_t> nearest;  ///< the vertex that it was steered from, once that is found
   std::optional<Place> place;            ///< where it was steered to, once that is known
   std::vector<Candidate> candidates;     ///< in the order in which they were tried

@@ -71,8 +71,9 @@ class SampleMarks {
       : context_(context), hand_(hand), solid_(context.run.lattice().solid()) {}
 
   void add() {
+    if (!hand_.sample) return;
     add_candidates();
-    const Point sample = seen(hand_.sample);
+    const Point sample = seen(*hand_.sample);
     const Palette& palette = context_.palette;
     const Colour colour = hand_.rejected ? palette.bad : palette.accent;
     if (hand_.nearest && hand_.place) {
