@@ -53,7 +53,8 @@ inline PlannerInfo describe(RrtSwitches switches) {
     info.source = "LaValle 1998, TR 98-11, Iowa State University";
   }
   info.informed = switches.informed;
-  info.parameters.insert(info.parameters.begin() + 1, {parameters::kGoalReach, parameters::kGoalBias});
+  info.parameters.insert(info.parameters.begin() + 1, parameters::kGoalBias);
+  if (!switches.greedy) info.parameters.insert(info.parameters.begin() + 1, parameters::kGoalReach);
   if (switches.rewire)
     info.parameters.insert(info.parameters.end(), {parameters::kBall, parameters::kNoGain});
   return info;
@@ -96,7 +97,7 @@ class Rrt : public TreeSearch<L, T> {
     tr_.line(9);
     const std::uint32_t added = tree_.grow(place, parent);
     for (const std::uint32_t v : near)
-      if (v != parent) this->hang_if_shorter(v, added);
+      if (v != parent) this->hang_if_shorter(v, added, 11);
     this->join_goal(added, goal_reach_);
     this->take_gain();
   }

@@ -37,12 +37,23 @@ inline const Parameter kSamples{
     .key = "samples",
     .label = "Samples",
     .type = ParameterType::whole,
-    .initial = 5000,
+    .initial = 2000,
     .low = 1,
     .high = 1'000'000,
     .help =
         "How many samples are drawn for a plan. Without a path by then the planner says "
         "that it found none, which does not mean that there is none."};
+inline const Parameter kSamplesAgain{
+    .key = "samples_again",
+    .label = "Samples after a change",
+    .type = ParameterType::whole,
+    .initial = 200,
+    .low = 0,
+    .high = 1'000'000,
+    .help =
+        "How many samples are drawn for a new plan after a change of the map that has left it a path. One "
+        "that has lost "
+        "its path draws until it has one, or has drawn as many as for the first plan."};
 inline const Parameter kNoGain{
     .key = "no_gain",
     .label = "Stop without gain",

@@ -37,7 +37,8 @@ inline PlannerInfo describe_tree() {
   info.any_angle = info.sight = info.sampling = true;
   info.eight_neighbours = true;
   info.incremental = true;
-  info.parameters = {parameters::kStep, parameters::kSamples, parameters::kSampleRule, parameters::kSeed};
+  info.parameters = {parameters::kStep, parameters::kSamples, parameters::kSamplesAgain,
+                     parameters::kSampleRule, parameters::kSeed};
   info.length_bound = [](const Settings&) { return std::numeric_limits<double>::infinity(); };
   return info;
 }
@@ -54,7 +55,8 @@ class TreeSearch : public Planner<L> {
         step_(units(settings.get(parameters::kStep))),
         visits_(lattice.node_count()),
         goal_bias_(settings.get(parameters::kGoalBias)),
-        samples_(static_cast<std::int64_t>(settings.get(parameters::kSamples))) {}
+        samples_(static_cast<std::int64_t>(settings.get(parameters::kSamples))),
+        again_(static_cast<std::int64_t>(settings.get(parameters::kSamplesAgain))) {}
 
   void begin(NodeId start, NodeId goal) final {
     tr_.line(1);
@@ -189,11 +191,11 @@ class TreeSearch : public Planner<L> {
     set_count(Scalar::gain_sample, gain_sample_, counters_.expansions);
   }
 
-  /// Lines 10 and 11: a vertex hangs on another one if the way to it is shorter so, and free.
-  void hang_if_shorter(std::uint32_t v, std::uint32_t added) {
+  /// A vertex hangs on another one if the way to it is shorter so, and free; that is on such a line.
+  void hang_if_shorter(std::uint32_t v, std::uint32_t added, int line) {
     const Cost sum = tree_.cost_over(added, tree_.place(v)), before = tree_.cost(v);
     if (!(sum < before) || hit_from(added, tree_.place(v))) return;
-    tr_.line(11);
+    tr_.line(line);
     tr_.note(EventKind::rewired, v, static_cast<std::uint64_t>(before.raw - sum.raw));
     tree_.hang(v, added);
   }
@@ -247,9 +249,8 @@ class TreeSearch : public Planner<L> {
   [[nodiscard]] bool search_needed() const {
     if (ends_blocked() || start_ == goal_ || tree_.full()) return false;
     const std::int64_t drawn = counters_.expansions - plan_sample_;
-    if (drawn >= samples_) return false;
-    if (best_.is_infinite()) return true;
-    return path_could_gain();
+    if (best_.is_infinite()) return drawn < samples_;
+    return drawn < (plan_sample_ == 0 ? samples_ : again_) && path_could_gain();
   }
 
   // Lines 2-12: one sample.
@@ -312,9 +313,8 @@ class TreeSearch : public Planner<L> {
     const std::uint32_t added = tree_.grow(start, root_);
     tree_.make_root(added);
     set_root(added);
-    tr_.line(18);
     for (const std::uint32_t v : tree_.within(start, step_))
-      if (v != added) hang_if_shorter(v, added);
+      if (v != added) hang_if_shorter(v, added, 18);
   }
   /// The nearest vertex, or of those within a step the nearest that the way is free to.
   std::uint32_t vertex_seen_from(const Place& start) {
@@ -408,7 +408,7 @@ class TreeSearch : public Planner<L> {
 
   Visits<T> visits_;
   const double goal_bias_;
-  const std::int64_t samples_;
+  const std::int64_t samples_, again_;
   NodeId start_ = kNoNode, goal_ = kNoNode;
   std::uint32_t root_ = kNone, goal_vertex_ = kNone;
   Cost best_ = Cost::infinity();
