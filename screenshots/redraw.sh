@@ -62,7 +62,7 @@ world=office draw spline.png --theme light --planner astar --stage bspline --set
   --overlay path,spline,grid --canvas-only --at plan --camera 50,27,28 --size 960x600
 
 # In three dimensions: a vehicle that knows its world by sonar alone, with plain D* and with the threat cost and a spline.
-world=auv draw auv.gif --canvas-only --panes all --size 840x400 --orbit 25,32 --slice robot --fps 12 --speed 6/s --hold 0.1 \
+world=auv draw auv.gif --canvas-only --panes all --size 1080x400 --orbit 25,32 --slice robot --fps 12 --speed 10/s --hold 0.1 \
   --from plan --theme dark
 world=auv draw auv.png --orbit 25,32 --at move:20 --panes all --theme light --size 1280x800
 

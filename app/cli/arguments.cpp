@@ -69,6 +69,53 @@ void ReadingArguments::declare(CLI::App& command) {
                   "Of a file of numbers: the one that is the obstacle (default: 1, or of 0 and another "
                   "number that one)")
       ->type_name("VALUE");
+  command.add_flag(
+      "--height-map", height_map,
+      "Of a picture: it is a height map, white is high (with --invert black), and becomes a world of "
+      "layers, as a grid of heights (.asc) always does");
+  command
+      .add_option("--layers", layers,
+                  "Of heights: how many layers there are, " + std::to_string(kLeastHeightLayers) + " to " +
+                      std::to_string(kMostHeightLayers) + " (64)")
+      ->type_name("N");
+  command
+      .add_option("--heights", heights,
+                  "Of heights: the lowest and the highest of the layers (default: the deepest place, and sea "
+                  "level or, "
+                  "with nothing below it, the highest place); of a picture 0, black, to 255, white")
+      ->type_name("LOW,HIGH");
+  command
+      .add_option(
+          "--reduce", reduce,
+          "Of heights: so many columns each way are read as one (default: as few as there is room for)")
+      ->type_name("N");
+}
+
+Result<HeightReading> ReadingArguments::height_reading() const {
+  HeightReading reading;
+  if (!layers.empty()) {
+    const auto count = number_from<int>(layers).value_or(0);
+    if (count < kLeastHeightLayers || count > kMostHeightLayers)
+      return Error{"--layers cannot be '" + layers + "': give a whole number from " +
+                   std::to_string(kLeastHeightLayers) + " to " + std::to_string(kMostHeightLayers)};
+    reading.layers = count;
+  }
+  if (!heights.empty()) {
+    const std::string_view typed = heights;
+    const std::size_t comma = std::min(typed.find(','), typed.size());
+    const auto low = number_from<double>(typed.substr(0, comma)),
+               high = number_from<double>(typed.substr(std::min(comma + 1, typed.size())));
+    if (!low || !high || !(*low < *high) || std::abs(*low) > kMaxHeight || std::abs(*high) > kMaxHeight)
+      return Error{"--heights cannot be '" + heights +
+                   "': give the lower and the higher one, such as -4000,0"};
+    reading.low = *low;
+    reading.high = *high;
+  }
+  if (reduce.empty()) return reading;
+  reading.reduce = number_from<int>(reduce).value_or(0);
+  if (reading.reduce >= 1 && reading.reduce <= kMostReduced) return reading;
+  return Error{"--reduce cannot be '" + reduce + "': give a whole number from 1 to " +
+               std::to_string(kMostReduced)};
 }
 
 Result<std::optional<double>> ReadingArguments::occupied_number() const {
@@ -90,6 +137,11 @@ Result<MapReading> ReadingArguments::reading() const {
   const auto obstacle = occupied_number();
   if (!obstacle) return Error{obstacle.error()};
   result.occupied = *obstacle;
+  if (of_heights()) {
+    const auto heights_read = height_reading();
+    if (!heights_read) return Error{heights_read.error()};
+    result.heights = *heights_read;
+  }
   if (unknown.empty()) return result;
   const auto found = std::find(std::begin(kUnknown), std::end(kUnknown), unknown);
   if (found == std::end(kUnknown))
@@ -97,6 +149,19 @@ Result<MapReading> ReadingArguments::reading() const {
                  suggestion(unknown, kUnknown, ": give blocked, free or unmapped")};
   result.unknown = static_cast<UnknownCells>(found - std::begin(kUnknown));
   return result;
+}
+
+Result<void> ReadingArguments::check_unused_by(const std::string& source) const {
+  if (!given()) return {};
+  const std::string options =
+      "options that say how a map is read (--threshold, --invert, --unknown, --occupied, --height-map, "
+      "--layers, --heights, --reduce) are for a map";
+  if (!is_generator_spec(source)) return Error{options + "; a scenario says itself how its map is read"};
+  const bool told = source.find("layers=") != std::string::npos;
+  const std::string before = told ? "" : source.find('?') == std::string::npos ? "?" : "&";
+  return Error{
+      options + " file, and a generator has settings of its own: " +
+      (layers.empty() ? "leave them out" : "say " + before + "layers=" + layers + " in the generator")};
 }
 
 void WorldArguments::declare(CLI::App& command) {
@@ -128,12 +193,14 @@ void WorldArguments::declare(CLI::App& command) {
 }
 
 Result<MapFile> WorldArguments::load_map() const {
+  if (is_generator_spec(map))
+    if (const auto unused = reading.check_unused_by(map); !unused) return Error{unused.error()};
   const auto how = reading.reading();
   if (!how) return Error{how.error()};
-  std::vector<Cell> ends;  // a generated map, which is a plane, leaves them free
+  std::vector<Cell> ends;  // a generated map leaves them free
   for (const auto& [option, text] : {std::pair{"--start", &start}, std::pair{"--goal", &goal}}) {
     if (text->empty() || !is_generator_spec(map)) continue;
-    const auto cell = parse_cell(option, *text, false);
+    const auto cell = parse_cell(option, *text, std::count(text->begin(), text->end(), ',') > 1);
     if (!cell) return Error{cell.error()};
     ends.push_back(*cell);
   }
@@ -156,10 +223,8 @@ Result<Scenario> WorldArguments::load() const {
                      : "give either a scenario file or --map, not both"};
   if (map.empty() && file_extension(scenario) != ".json")
     return Error{"'" + scenario + "' is no scenario file (.json); give a map with --map FILE"};
-  if (map.empty() && reading.given())
-    return Error{
-        "--threshold, --invert, --unknown and --occupied are for a map; "
-        "a scenario says itself how its map is read"};
+  if (map.empty())
+    if (const auto unused = reading.check_unused_by(scenario); !unused) return Error{unused.error()};
   Result<Scenario> world = map.empty() ? read_scenario(scenario) : plain_world(*this);
   if (!world) return world;
   for (const auto& [option, text, cell] :

@@ -32,21 +32,32 @@ struct PlannerArguments {
                                                           double radius = 0) const;
 };
 
-/// `--threshold`, `--invert`, `--unknown` and `--occupied`: how a map file is read, as typed.
+/// `--threshold`, `--invert`, `--unknown`, `--occupied`, and of heights `--height-map`, `--layers`, `--heights` and
+/// `--reduce`: how a map file is read, as typed.
 struct ReadingArguments {
   std::string threshold;
   bool invert = false;
   std::string unknown;
   std::string occupied;
+  bool height_map = false;
+  std::string layers;
+  std::string heights;
+  std::string reduce;
 
   void declare(CLI::App& command);
   [[nodiscard]] Result<MapReading> reading() const;
   [[nodiscard]] bool given() const {
-    return invert || !threshold.empty() || !unknown.empty() || !occupied.empty();
+    return invert || !threshold.empty() || !unknown.empty() || !occupied.empty() || of_heights();
   }
+  /// An error if any of them is given for what is no map file: a scenario, or a generator.
+  [[nodiscard]] Result<void> check_unused_by(const std::string& source) const;
 
  private:
+  [[nodiscard]] bool of_heights() const {
+    return height_map || !layers.empty() || !heights.empty() || !reduce.empty();
+  }
   [[nodiscard]] Result<std::optional<double>> occupied_number() const;
+  [[nodiscard]] Result<HeightReading> height_reading() const;
 };
 
 /// A scenario, or a map with `--start` and `--goal`, as typed.

@@ -124,22 +124,27 @@ Result<int> from_scenario(ConvertArguments& arguments) {
 }
 
 /// One plane of a box of voxels becomes a map.
-Result<int> from_slice(const ConvertArguments& arguments) {
-  const std::string in = is_generator_spec(arguments.in) ? "" : file_extension(arguments.in);
-  auto scenario = in == ".json" ? read_scenario(arguments.in) : Scenario{};
+Result<int> from_slice(ConvertArguments& arguments) {
+  const bool in_scenario = !is_generator_spec(arguments.in) && file_extension(arguments.in) == ".json";
+  if (in_scenario)
+    if (const auto unused = arguments.world.reading.check_unused_by(arguments.in); !unused)
+      return Error{unused.error()};
+  auto scenario = in_scenario ? read_scenario(arguments.in) : Scenario{};
   if (!scenario) return Error{scenario.error()};
-  auto voxels = in == ".3dmap" ? read_map(arguments.in) : std::move(scenario->map);
-  if (!voxels) return Error{voxels.error()};
-  if (in != ".3dmap" && voxels->depth <= 1)
-    return Error{"--slice is for a box of voxels (.3dmap, or a scenario's), not for '" + arguments.in + "'"};
+  arguments.world.map = arguments.in;
+  auto file = in_scenario ? Result<MapFile>(MapFile{std::move(scenario->map)}) : arguments.world.load_map();
+  if (!file) return Error{file.error()};
+  const GridMap& voxels = file->map;
+  if (voxels.depth <= 1 && file_extension(arguments.in) != ".3dmap")
+    return Error{"--slice is for a world of several layers, and '" + arguments.in + "' has one"};
   const auto z = parse_count("--slice", arguments.slice, 0);
   if (!z) return Error{z.error()};
-  auto slice = voxel_slice(*voxels, static_cast<int>(std::min<std::int64_t>(*z, kMaxVoxels)));
+  auto slice = voxel_slice(voxels, static_cast<int>(std::min<std::int64_t>(*z, kMaxVoxels)));
   if (!slice) return Error{"--slice " + arguments.slice + ": " + slice.error()};
   const std::string extension = file_extension(arguments.out);
   if (extension == ".json" || extension == ".scen")
     return Error{"a slice becomes a map, not a scenario: convert it to .map first, then that one"};
-  return write_as_map(arguments, {std::move(slice.value())}, {});
+  return write_as_map(arguments, {std::move(slice.value())}, file->found.notes);
 }
 
 Result<int> convert(ConvertArguments& arguments) {
@@ -166,6 +171,8 @@ std::string convert_footer() {
          "      Of numpy's array, the cells that are 254 become obstacles.\n"
          "  replan convert Complex.3dmap floor.map --slice 40\n"
          "      One plane of a box of voxels.\n"
+         "  replan convert hawaii.asc sea.3dmap --layers 32 --reduce 2\n"
+         "      A sea floor from its heights, in 32 layers, two columns each way as one.\n"
          "  replan convert Complex.3dmap complex.json --start 4,4,40 --goal 90,60,12\n"
          "      A scenario in the box, its layers inside.\n"
          "  replan convert maps/demo.json demo.txt\n"
@@ -191,8 +198,7 @@ Command add_convert(CLI::App& program) {
       ->type_name("X,Y[,Z]");
   app->add_option("--goal", arguments->world.goal, "Where it is to go")->type_name("X,Y[,Z]");
   arguments->world.reading.declare(*app);
-  app->add_option("--slice", arguments->slice,
-                  "Of a .3dmap, or of a scenario in one: the plane of voxels with this z")
+  app->add_option("--slice", arguments->slice, "Of a world of several layers: the layer with this z")
       ->type_name("Z");
   arguments->world.planners.declare(*app);
   app->footer(convert_footer);

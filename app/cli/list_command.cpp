@@ -130,11 +130,14 @@ Result<Listing> list_generators() {
   for (const GeneratorInfo& info : generators()) {
     table.add({std::string(info.id), std::string(info.name), std::string(info.summary)});
     settings += "  " + std::string(info.id) + "\n";
+    if (info.solid) settings += parameter_line(generator_layers_parameter(info));
     for (const Parameter& parameter : info.parameters) settings += parameter_line(parameter);
     listing.json["generators"].push_back({{"id", info.id},
                                           {"name", info.name},
                                           {"summary", info.summary},
                                           {"settings", settings_json(info.parameters)}});
+    listing.json["generators"].back()["layers"] = info.layers;
+    listing.json["generators"].back()["solid"] = info.solid;
   }
   listing.json["all"] = settings_json(generator_size_parameters());
   listing.text = table.text() + settings;

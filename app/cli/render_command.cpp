@@ -103,12 +103,14 @@ Result<void> read_looks(const RenderArguments& arguments, app::RenderRequest& re
   return {};
 }
 
-/// All numbers of a list such as 12,8.5,48; nothing if it has other parts, or another number of them.
+/// All numbers of a list such as 12,8.5,48; nothing if it has other parts (nan and inf are such), or another number of
+/// them.
 std::optional<std::vector<double>> numbers_in(const std::string& list, std::size_t count) {
   const std::vector<std::string> parts = split_list(std::vector{list});
   std::vector<double> numbers;
   for (const std::string& part : parts)
-    if (const auto number = number_from<double>(part)) numbers.push_back(*number);
+    if (const auto number = number_from<double>(part); number && std::isfinite(*number))
+      numbers.push_back(*number);
   if (parts.size() != count || numbers.size() != count) return std::nullopt;
   return numbers;
 }

@@ -34,23 +34,23 @@ _replan_settings() {
 
 _replan_options() {
   case "$1" in
-    run) echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --planner --set --stage --json --csv --markdown --latex --cells --check --trace --trace-map --break" ;;
-    batch) echo "-h --help --map --threshold --invert --unknown --occupied --planner --set --stage --limit --json" ;;
+    run) echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --json --csv --markdown --latex --cells --check --trace --trace-map --break" ;;
+    batch) echo "-h --help --map --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --limit --json" ;;
     barn) echo "-h --help --global --set --world --csv" ;;
     render)
-      echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --planner --set --stage -o --output --size --scale" \
+      echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage -o --output --size --scale" \
         "--at --at-end --at-plan" \
         "--overlay --theme --action --dialog --pin --arc --camera --slice --orbit --cut --glass --range --colours --canvas-only --panes --fps --speed --hold --from --to"
       ;;
-    convert) echo "-h --help --start --goal --threshold --invert --unknown --occupied --slice --planner --set --stage" ;;
-    show) echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --planner --set --stage --at --cell" ;;
+    convert) echo "-h --help --start --goal --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --slice --planner --set --stage" ;;
+    show) echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --at --cell" ;;
     list) echo "-h --help --json" ;;
     *) echo "-h --help --version" ;;
   esac
 }
 
 _replan() {
-  local maps="map yaml yml cfg txt csv npy png bmp tga pgm ppm pbm pnm gif jpg jpeg" commands="run batch barn render convert show list"
+  local maps="map yaml yml cfg txt csv npy asc png bmp tga pgm ppm pbm pnm gif jpg jpeg" commands="run batch barn render convert show list"
   local cur="${COMP_WORDS[COMP_CWORD]}" before="${COMP_WORDS[COMP_CWORD - 1]}" command=""
   COMPREPLY=()
   [ "$COMP_CWORD" -gt 1 ] && command="${COMP_WORDS[1]}"
@@ -77,7 +77,7 @@ _replan() {
     -o | --output) _replan_files png svg gif webp mp4; return ;;
     --dialog) COMPREPLY=($(compgen -W "new_world open worlds opening save_as figures film film_window film_run picture trace unsaved changed overwrite recover generate resize edits keys about menu_file menu_edit menu_world menu_planner menu_run menu_view menu_overlays menu_tabs menu_panes menu_record menu_help" -- "$cur")); return ;;
     --action) _replan_list "$(_replan_ids actions)"; return ;;
-    --start | --goal | --radius | --world | --break | --cell | --pin | --arc | --orbit | --camera | --size | --scale | --limit | --threshold | --occupied | --slice | --fps | --hold) return ;;
+    --start | --goal | --radius | --world | --break | --cell | --pin | --arc | --orbit | --camera | --size | --scale | --limit | --threshold | --occupied | --layers | --heights | --reduce | --slice | --fps | --hold) return ;;
     --panes) COMPREPLY=($(compgen -W "1 2 4 all" -- "$cur")); return ;;
     --colours) COMPREPLY=($(compgen -W "viridis cividis grey" -- "$cur")); return ;;
     --range) COMPREPLY=($(compgen -W "whole-run so-far" -- "$cur")); return ;;

@@ -22,7 +22,7 @@ std::span<const ConditionName> condition_names() {
       {Op::consistent, truth, "consistent", "consistent(x, y)", "The cell has g = rhs. With A* all have."},
       {Op::km, number, "km", "km", "What moves of the robot have added to new keys."},
       {Op::queue_size, number, "size", "size(U)", "How many cells the open list U holds."},
-      {Op::moves, number, "moves", "moves", "The robot's clock: its moves and waits so far."},
+      {Op::moves, number, "moves", "moves", "The robot's clock: its moves, turns on the spot and waits so far."},
       {Op::replans, number, "replans", "replans", "How often it has replanned."},
       {Op::expansions, number, "expansions", "expansions", "Expansions so far, all plans together."},
       {Op::robot, cell, "robot", "robot", "Where the robot stands."},

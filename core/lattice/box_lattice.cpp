@@ -10,6 +10,15 @@ std::uint64_t new_revision() {
   return latest.fetch_add(1, std::memory_order_relaxed) + 1;
 }
 
+/// Of each direction the cells that a move along it squeezes past, worked out once: a large box asks for millions.
+template <int D>
+constexpr auto kSqueezedPast = [] {
+  std::array<std::uint32_t, Directions<D>::kCount> masks{};
+  for (int d = 0; d < Directions<D>::kCount; ++d)
+    masks[static_cast<std::size_t>(d)] = Directions<D>::squeezed(d);
+  return masks;
+}();
+
 /// The moves out of a free cell whose surroundings are blocked as in `blocked` (bit d: the cell in direction
 /// d).
 template <int D>
@@ -19,7 +28,8 @@ std::uint32_t moves_given(std::uint32_t blocked, MoveRules rules) {
   for (int d = 0; d < Directions<D>::kCount; ++d) {
     if ((blocked >> d & 1u) != 0) continue;
     if (!rules.diagonals && Directions<D>::axes(d) > 1) continue;
-    if (std::popcount(blocked & Directions<D>::squeezed(d)) <= allowed) moves |= 1u << d;
+    const std::uint32_t past = blocked & kSqueezedPast<D>[static_cast<std::size_t>(d)];
+    if (past == 0 || (allowed > 0 && std::popcount(past) <= allowed)) moves |= 1u << d;
   }
   return moves;
 }

@@ -72,6 +72,7 @@ concept Lattice = requires(const L lattice, NodeId node, int direction, Heuristi
   { lattice.node_count() } -> std::same_as<std::size_t>;
   { lattice.blocked(node) } -> std::same_as<bool>;
   { lattice.moves(node) } -> std::convertible_to<std::uint32_t>;
+  lattice.fetch_moves(node);
   { lattice.neighbour(node, direction) } -> std::same_as<NodeId>;
   { L::reverse(direction) } -> std::same_as<int>;
   { L::step_cost(direction) } -> std::same_as<Cost>;

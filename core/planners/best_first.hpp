@@ -172,6 +172,8 @@ class BestFirst : public SearchRecord<L, T, NumberedTable<Node>> {
   bool step() {
     if (!search_needed()) return false;
     tr_.line(5);
+    // On a large map its moves are far away in memory: they come while the heap is put in order.
+    lattice_.fetch_moves(open_.top().node);
     const NodeId u = this->take_out_top();
     if (!self().confirm(u)) return true;
     this->count_expansion(u);

@@ -61,7 +61,8 @@ RobotInfo DwaRobot::describe() {
           .parameters = parameters_of_drive(),
           .planar = true,
           .drives = true,
-          .heading = kHeading.key};
+          .heading = kHeading.key,
+          .own_pace = true};
 }
 
 DwaRobot::DwaRobot(const Scenario& scenario, const PlannerChoice& choice, Recorder* recorder)

@@ -10,6 +10,16 @@
 
 namespace replan {
 
+/// The cells that some surprise blocks without telling the robot, ascending.
+inline std::vector<NodeId> surprising_cells(const Run& run) {
+  std::vector<NodeId> cells;
+  for (const Surprise& surprise : run.scenario().surprises)
+    for (const CellChange& change : surprise.cells)
+      if (change.blocked && !surprise.announced) cells.push_back(run.lattice().node(change.cell));
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
 /// The colours of one view's cells.
 class CellColours {
  public:
@@ -18,6 +28,7 @@ class CellColours {
         map_(context.run.scenario().map),
         original_(map_.blocked),
         found_(context.run.scenario().map_found),
+        surprises_(surprising_cells(context.run)),
         shows_unknown_(context.has(Overlay::unknown)),
         settled_alone_(context.scene.field && shows_settled_alone(context.run, *context.scene.field)) {
     const Palette& palette = context.palette;
@@ -27,11 +38,6 @@ class CellColours {
     gone_ = mix(palette.free, palette.obstacle, 0.3f);
     for (std::size_t i = 0; i < ramp_.size(); ++i)
       ramp_[i] = mix(palette.free, palette.field[i], palette.field_opacity);
-    for (const Surprise& surprise : context.run.scenario().surprises)
-      for (const CellChange& change : surprise.cells)
-        if (change.blocked && !surprise.announced)
-          surprises_.push_back(context.run.lattice().node(change.cell));
-    std::sort(surprises_.begin(), surprises_.end());
     if (!context.scene.range) return;
     reader_ = FieldReader::of(*context.scene.field);
     low_ = context.scene.range->low / reader_.unit;

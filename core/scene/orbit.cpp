@@ -108,7 +108,7 @@ std::optional<OrbitLens::Pixel> OrbitLens::pixel(const Point& point) const {
   return Pixel{width_ / 2.0 + dot(way, right_) * scale, height_ / 2.0 - dot(way, up_) * scale, depth};
 }
 
-Ray OrbitLens::ray(double x, double y) const {
+EyeRay OrbitLens::ray(double x, double y) const {
   const double scale = std::tan(kFieldOfView / 2) / (height_ / 2.0);
   const Point aside = along(ahead_, (x - width_ / 2.0) * scale, right_);
   return {eye_, along(aside, -(y - height_ / 2.0) * scale, up_)};

@@ -39,7 +39,7 @@ constexpr Orbit near_view(const Orbit& now, const Point& middle) {
 }
 
 /// A half-line.
-struct Ray {
+struct EyeRay {
   Point from, direction;
   [[nodiscard]] Point at(double t) const {
     return {from.x + t * direction.x, from.y + t * direction.y, from.z + t * direction.z};
@@ -60,7 +60,7 @@ class OrbitLens {
   };
   /// Where a point is seen; nothing behind the eye.
   [[nodiscard]] std::optional<Pixel> pixel(const Point& point) const;
-  [[nodiscard]] Ray ray(double x, double y) const;
+  [[nodiscard]] EyeRay ray(double x, double y) const;
   /// With the point and the distance that the orbit leaves open.
   [[nodiscard]] const Orbit& orbit() const { return orbit_; }
   [[nodiscard]] Point eye() const { return eye_; }
@@ -96,7 +96,7 @@ class OrbitLens {
 };
 
 /// Whether it meets a cube around a point, with sides of twice that.
-inline bool meets_cube(const Ray& ray, const Point& middle, double half) {
+inline bool meets_cube(const EyeRay& ray, const Point& middle, double half) {
   double enter = 0, leave = HUGE_VAL;
   const auto clip = [&](double from, double way, double at) {
     const double a = (at - half - from) / way, b = (at + half - from) / way;
@@ -113,7 +113,7 @@ inline bool meets_cube(const Ray& ray, const Point& middle, double half) {
 /// lie beside the world; nothing if there is none in the world. Cell by cell
 /// along the ray: Amanatides & Woo, "A fast voxel traversal algorithm for ray tracing", Eurographics 1987.
 template <class Solid>
-std::optional<Cell> first_on_ray(const Box& world, const Ray& ray, Solid&& solid) {
+std::optional<Cell> first_on_ray(const Box& world, const EyeRay& ray, Solid&& solid) {
   const std::array<double, 3> from = {ray.from.x, ray.from.y, ray.from.z},
                               way = {ray.direction.x, ray.direction.y, ray.direction.z};
   const std::array<int, 3> size = {world.width(), world.height(), world.depth()};

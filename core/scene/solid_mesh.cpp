@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/scene/cell_colours.hpp"
 #include "core/session/run.hpp"
 
 namespace replan {
@@ -41,6 +42,9 @@ void join(std::vector<Colour>& layer, int width, int height, Take&& take) {
       take(column, row, right - column, bottom - row, colour);
     }
 }
+
+/// What the 16 bits of a face's place can tell.
+constexpr int kLongestSide = 65'535;
 
 SolidFace face(const std::array<int, 3>& at, std::size_t side, int across, int on, Colour colour) {
   const auto narrow = [](int value) { return static_cast<std::uint16_t>(value); };
@@ -148,6 +152,7 @@ class SolidMesh::Reader {
     const bool appeared = truth != 0 && !surprising_.empty() && original_[node] == kFree;
     if (appeared && std::binary_search(surprising_.begin(), surprising_.end(), node))
       return colours_.surprise;
+    if (truth == 0) return colours_.gone;
     return known ? colours_.obstacle : colours_.unknown;
   }
 
@@ -160,9 +165,15 @@ class SolidMesh::Reader {
   const std::uint8_t* known_ = nullptr;
 };
 
-void SolidMesh::follow(const Run& run, const RunDigest& digest, const Palette& palette) {
-  const Colours colours{palette.obstacle, palette.mover, palette.surprise,
-                        mix(palette.free, palette.obstacle, 0.5f)};
+SolidMesh::Colours::Colours(const Palette& palette, bool shows_unknown)
+    : obstacle(palette.obstacle),
+      mover(palette.mover),
+      surprise(palette.surprise),
+      unknown(shows_unknown ? mix(palette.free, palette.obstacle, 0.5f) : 0),
+      gone(shows_unknown ? mix(palette.free, palette.obstacle, 0.3f) : palette.obstacle) {}
+
+void SolidMesh::follow(const Run& run, const RunDigest& digest, const Palette& palette, bool shows_unknown) {
+  const Colours colours(palette, shows_unknown);
   const bool other_world = world_ != run.lattice();
   if (other_world) begin(run);
   // Of another log of the same world the faces stay until they are made anew: most are as they were.
@@ -186,11 +197,7 @@ void SolidMesh::begin(const Run& run) {
 
 /// Cells of surprises that came or went with another log look otherwise, though nothing stands there that did not.
 void SolidMesh::note_surprises(const Run& run) {
-  std::vector<NodeId> now, other;
-  for (const Surprise& surprise : run.scenario().surprises)
-    for (const CellChange& change : surprise.cells)
-      if (change.blocked && !surprise.announced) now.push_back(world_.node(change.cell));
-  std::sort(now.begin(), now.end());
+  std::vector<NodeId> now = surprising_cells(run), other;
   std::set_symmetric_difference(now.begin(), now.end(), surprising_.begin(), surprising_.end(),
                                 std::back_inserter(other));
   for (const NodeId node : other)
@@ -277,6 +284,7 @@ SignSet SolidMesh::signs_of(std::span<const SolidFace> faces) const {
     if (face.colour == colours_.mover) show(Sign::mover);
     if (face.colour == colours_.surprise) show(Sign::surprise);
     if (face.colour == colours_.unknown) show(Sign::unknown);
+    if (face.colour == colours_.gone && face.colour != colours_.obstacle) show(Sign::gone);
   }
   return signs;
 }
@@ -287,21 +295,24 @@ SignSet SolidMesh::signs() const {
   return all;
 }
 
-std::vector<SolidFace> cut_faces(const Run& run, Axis across, int layer, bool towards_higher, Colour colour) {
+std::vector<SolidFace> cut_faces(const Run& run, Axis across, int layer, bool towards_higher,
+                                 const Palette& palette, bool shows_unknown) {
   const Box& world = run.lattice();
-  const SearchState& state = run.timeline().state();
   const auto axis = static_cast<std::size_t>(across);
   const std::size_t a = kBeside[axis][0], b = kBeside[axis][1];
   const std::array<int, 3> size = coordinates({world.width(), world.height(), world.depth()});
+  if (*std::max_element(size.begin(), size.end()) > kLongestSide) return {};
+  const SolidMesh::Colours colours(palette, shows_unknown);
+  const std::vector<NodeId> surprising = surprising_cells(run);
+  SolidMesh::Reader reader(run, colours, surprising);
   std::vector<Colour> cells(static_cast<std::size_t>(size[a]) * static_cast<std::size_t>(size[b]));
   std::array<int, 3> at{};
   at[axis] = layer;
   std::size_t next = 0;
   for (at[b] = 0; at[b] < size[b]; ++at[b])
-    for (at[a] = 0; at[a] < size[a]; ++at[a]) {
-      const NodeId node = world.node({at[0], at[1], at[2]});
-      cells[next++] = state.truly_blocked(node) || state.known_blocked(node) ? colour : 0;
-    }
+    for (at[a] = 0; at[a] < size[a]; ++at[a], ++next)
+      if (reader.row(world.node({at[0], at[1], at[2]}), 1, &cells[next]) && cells[next] != 0)
+        cells[next] = mix(cells[next], palette.text, 0.22f);
   std::vector<SolidFace> faces;
   join(cells, size[a], size[b], [&](int i, int j, int columns, int rows, Colour of) {
     at[axis] = layer;

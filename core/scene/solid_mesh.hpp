@@ -32,8 +32,9 @@ class SolidMesh {
  public:
   static constexpr int kBlock = 32;  ///< cells along each side of a block
 
-  /// Learns which blocks are no longer as the run's cursor has them.
-  void follow(const Run& run, const RunDigest& digest, const Palette& palette);
+  /// Learns which blocks are no longer as the run's cursor has them. What the robot does not know of may be left out, as
+  /// on slices without Overlay::unknown.
+  void follow(const Run& run, const RunDigest& digest, const Palette& palette, bool shows_unknown = true);
   /// Makes such blocks anew, those nearest to the eye first, until the time is up; one in any case.
   void make(const Run& run, const Point& eye, const Deadline& deadline);
   /// How many blocks wait to be made.
@@ -59,10 +60,14 @@ class SolidMesh {
   };
   /// What colours depend on.
   struct Colours {
-    Colour obstacle = 0, mover = 0, surprise = 0, unknown = 0;
+    Colours(const Palette& palette, bool shows_unknown);
+    Colours() = default;
+    Colour obstacle = 0, mover = 0, surprise = 0, unknown = 0, gone = 0;
     friend bool operator==(const Colours&, const Colours&) = default;
   };
   class Reader;
+  friend std::vector<SolidFace> cut_faces(const Run& run, Axis across, int layer, bool towards_higher,
+                                          const Palette& palette, bool shows_unknown);
 
   void begin(const Run& run);
   void note_surprises(const Run& run);
@@ -84,7 +89,10 @@ class SolidMesh {
   MapFollower follower_;
 };
 
-/// The faces of one layer of obstacles that look along an axis towards a viewer: what a cut through the world shows.
-std::vector<SolidFace> cut_faces(const Run& run, Axis across, int layer, bool towards_higher, Colour colour);
+/// The faces of one layer of obstacles that look along an axis towards a viewer: what a cut through the world shows. Their
+/// colours are those of the obstacles, a little off, so that a cut is seen to be one. None where the world is longer than a
+/// face can tell.
+std::vector<SolidFace> cut_faces(const Run& run, Axis across, int layer, bool towards_higher,
+                                 const Palette& palette, bool shows_unknown);
 
 }  // namespace replan

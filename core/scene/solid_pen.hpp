@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/base/deadline.hpp"
 #include "core/scene/context.hpp"
 #include "core/scene/solid_scene.hpp"
 
@@ -12,8 +13,9 @@ namespace replan {
 class SolidPen {
  public:
   /// `context` is of a view along z, whose coordinates are the world's. What belongs to a layer lies on `slice`.
-  SolidPen(SceneContext& context, const Sheet& slice, bool slice_alone, SolidScene& scene)
-      : context_(context), slice_(slice), slice_alone_(slice_alone), scene_(scene) {}
+  SolidPen(SceneContext& context, const Sheet& slice, bool slice_alone, const Deadline& deadline,
+           SolidScene& scene)
+      : context_(context), slice_(slice), slice_alone_(slice_alone), deadline_(deadline), scene_(scene) {}
 
   [[nodiscard]] const SceneContext& context() const { return context_; }
   [[nodiscard]] const Palette& palette() const { return context_.palette; }
@@ -21,6 +23,9 @@ class SolidPen {
   [[nodiscard]] const Sheet& slice() const { return slice_; }
   /// Whether the world is too large for more than the slice.
   [[nodiscard]] bool slice_alone() const { return slice_alone_; }
+  /// By when all should be drawn; what takes longer goes on when the scene is built next.
+  [[nodiscard]] const Deadline& deadline() const { return deadline_; }
+  void go_on() { scene_.behind = true; }
   void show(Sign sign) { context_.scene.show(sign); }
 
   /// Where what belongs to the slice lies: in the middle of its layer, or, cut there, on the cut.
@@ -44,6 +49,7 @@ class SolidPen {
   SceneContext& context_;
   const Sheet& slice_;
   bool slice_alone_;
+  const Deadline& deadline_;
   SolidScene& scene_;
 };
 

@@ -7,6 +7,7 @@
 #include "core/scene/overlay.hpp"
 #include "core/scene/routes.hpp"
 #include "core/scene/solid_pen.hpp"
+#include "core/scene/sonar.hpp"
 
 namespace replan {
 namespace {
@@ -46,7 +47,9 @@ void add_marks(SolidPen& pen, SolidScene& scene) {
   scene.marks.push_back({diamond, goal_point(context), pen.palette().goal});
   if (!robot_has_set_out(context)) return;
   pen.show(Sign::robot);
-  scene.marks.push_back({robot, robot_point(context), pen.palette().robot});
+  const Point at = robot_point(context);
+  scene.marks.push_back({robot, at, pen.palette().robot});
+  if (shows_course(context)) pen.polyline(nose_of(at, course_of_robot(context)), pen.palette().robot, 3.5f);
 }
 
 }  // namespace
@@ -59,15 +62,16 @@ SolidCut cut_at(const Sheet& slice, const Point& eye) {
 }
 
 SolidScene build_solid_scene(const Run& run, const View& view, const SolidOptions& options, const Point& eye,
-                             const Palette& palette, SceneMemory& memory) {
+                             const Palette& palette, SceneMemory& memory, const Deadline& deadline) {
   const Sheet slice = sheet_of(run.lattice(), view.slice);
   SolidScene scene;
   scene.slice = slice;
+  scene.shows_unknown = view.overlays.has(Overlay::unknown);
   if (options.see_through) scene.opacity = 0.3f;
   if (options.cut || options.slice_alone) {
     scene.cut = cut_at(slice, eye);
-    scene.cut_faces = cut_faces(run, slice.box.along(), slice.layer, scene.cut->keeps_lower,
-                                mix(palette.obstacle, palette.text, 0.22f));
+    scene.cut_faces = cut_faces(run, slice.box.along(), slice.layer, scene.cut->keeps_lower, palette,
+                                view.overlays.has(Overlay::unknown));
   }
   Scene plane;
   plane.camera.zoom = 1;
@@ -75,7 +79,7 @@ SolidScene build_solid_scene(const Run& run, const View& view, const SolidOption
   View upright = view;
   upright.slice.along = Axis::z;
   SceneContext context{run, upright, palette, memory.of(run), plane};
-  SolidPen pen(context, slice, options.slice_alone, scene);
+  SolidPen pen(context, slice, options.slice_alone, deadline, scene);
   add_world(pen);
   add_slice(pen);
   build_in_space(pen);
@@ -95,7 +99,7 @@ struct Met {
 };
 
 /// Where a ray enters a cell.
-double depth_of(const Ray& ray, Cell cell) {
+double depth_of(const EyeRay& ray, Cell cell) {
   double enter = 0;
   const auto clip = [&](double from, double way, int at) {
     if (way != 0) enter = std::max(enter, std::min((at - from) / way, (at + 1 - from) / way));
@@ -107,7 +111,7 @@ double depth_of(const Ray& ray, Cell cell) {
 }
 
 /// The nearest place of a line that a ray passes at less than `reach` times its depth.
-std::optional<Met> met_path(const std::vector<Point>& path, const Ray& ray, double reach) {
+std::optional<Met> met_path(const std::vector<Point>& path, const EyeRay& ray, double reach) {
   std::optional<Met> first;
   const auto dot = [](const Point& a, const Point& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
   const auto minus = [](const Point& a, const Point& b) { return Point{a.x - b.x, a.y - b.y, a.z - b.z}; };
@@ -130,17 +134,28 @@ std::optional<Met> met_path(const std::vector<Point>& path, const Ray& ray, doub
   return first;
 }
 
+/// Whether a cube was made for the cell: of a long open list not all are.
+bool has_cube(const SolidScene& scene, Cell cell) {
+  const auto in = [](const float* low, const float* high, int x, std::size_t axis) {
+    return static_cast<float>(x) < high[axis] && low[axis] < static_cast<float>(x + 1);
+  };
+  return std::any_of(scene.boxes.begin(), scene.boxes.end(), [&](const SolidBox& box) {
+    return in(box.low, box.high, cell.x, 0) && in(box.low, box.high, cell.y, 1) &&
+           in(box.low, box.high, cell.z, 2);
+  });
+}
+
 /// The cell of the picture on the slice that a ray meets, where it has a colour.
-std::optional<Met> met_sheet(const Box& world, const SolidScene& scene, const Sheet& slice, const Ray& ray) {
+std::optional<Met> met_sheet(const SolidScene& scene, const Sheet& slice, const EyeRay& ray) {
   const SolidSheet& sheet = scene.sheet;
   if (sheet.texels.empty()) return std::nullopt;
   const Axis axis = slice.box.along();
   const double way = along_axis(axis, ray.direction);
   const double depth = (along_axis(axis, sheet.corner) - along_axis(axis, ray.from)) / way;
-  if (!(depth > 0)) return std::nullopt;
+  if (!(depth > 0) || std::isinf(depth)) return std::nullopt;
   const Point at = slice.box.seen(ray.at(depth));
+  if (!(at.x >= 0 && at.x < slice.box.width() && at.y >= 0 && at.y < slice.box.height())) return std::nullopt;
   const Cell cell = slice.cell(static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)));
-  if (!world.contains(cell)) return std::nullopt;
   const Cell seen = slice.box.seen(cell);
   const auto texel = static_cast<std::size_t>(seen.y) * static_cast<std::size_t>(sheet.columns) +
                      static_cast<std::size_t>(seen.x);
@@ -149,15 +164,19 @@ std::optional<Met> met_sheet(const Box& world, const SolidScene& scene, const Sh
 
 }  // namespace
 
-std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const Ray& ray, double reach) {
+std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const EyeRay& ray, double reach) {
   const SearchState& state = run.timeline().state();
   const Box& world = run.lattice();
   const bool waiting_show = !scene.boxes.empty() && scene.signs[static_cast<std::size_t>(Sign::queue)];
   const auto shown = [&](Cell cell) { return !scene.cut || scene.cut->shows(centre_of(cell)); };
-  const auto solid = [&](NodeId node) { return state.truly_blocked(node) || state.known_blocked(node); };
+  const auto solid = [&](NodeId node) {
+    if (state.known_blocked(node)) return true;
+    if (!state.truly_blocked(node)) return false;
+    return scene.shows_unknown || state.moving(node) || run.scenario().map.blocked[node] == kFree;
+  };
   const auto waits = [&](Cell cell) {
     return waiting_show && shown(cell) && state.queued(world.node(cell)) &&
-           meets_cube(ray, centre_of(cell), kWaitingHalf);
+           meets_cube(ray, centre_of(cell), kWaitingHalf) && has_cube(scene, cell);
   };
   const auto wall = [&](Cell cell, Cell before) {
     if (!shown(cell) || !solid(world.node(cell)) || !world.contains(before)) return false;
@@ -173,7 +192,7 @@ std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const R
     first = met->cell;
     depth = met->depth;
   };
-  take(met_sheet(world, scene, scene.slice, ray));
+  take(met_sheet(scene, scene.slice, ray));
   take(met_path(scene.path, ray, reach));
   if (first || !glass) return first;
   return first_on_ray(world, ray, wall);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/deadline.hpp"
 #include "core/scene/orbit.hpp"
 #include "core/scene/scene.hpp"
 #include "core/scene/solid_mesh.hpp"
@@ -70,22 +71,25 @@ struct SolidScene {
   std::optional<FieldRange> range;
   std::string field_words;
   std::optional<SolidCut> cut;
-  float opacity = 1;      ///< of the obstacles
-  bool left_out = false;  ///< some of the open list: it is too long
-  SignSet signs;          ///< of a legend, as in Scene
+  float opacity = 1;          ///< of the obstacles
+  bool shows_unknown = true;  ///< obstacles that the robot does not know of too
+  bool left_out = false;      ///< some of the open list: it is too long
+  bool behind = false;        ///< some of it is not there yet: built once more it has more of it
+  SignSet signs;              ///< of a legend, as in Scene
 };
 
 /// Where a world is cut by a slice, seen from `eye`: what is on the eye's side of it is left out.
 SolidCut cut_at(const Sheet& slice, const Point& eye);
 
 /// What `view` shows of the run at its cursor in an orbit view; `eye` is where it is seen from, and matters for the side
-/// that a cut leaves out alone. The slice is drawn as a frame, and is where a cut is made.
+/// that a cut leaves out alone. Built with a deadline, some of a long open list may be missing. The slice is drawn as a frame, and is where a cut is made.
 SolidScene build_solid_scene(const Run& run, const View& view, const SolidOptions& options, const Point& eye,
-                             const Palette& palette, SceneMemory& memory);
+                             const Palette& palette, SceneMemory& memory,
+                             const Deadline& deadline = Deadline::never());
 
 /// The cell of what a ray meets first of what the scene shows: an obstacle, a small cube of the open list, the path, or a
 /// value of the field on the slice. The path is met from `reach` beside it on, in cells at a depth of one. Where one sees
 /// through obstacles, they come last.
-std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const Ray& ray, double reach = 0);
+std::optional<Cell> cell_on_ray(const Run& run, const SolidScene& scene, const EyeRay& ray, double reach = 0);
 
 }  // namespace replan

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/scene/routes.hpp"
 #include "core/world/choices.hpp"
@@ -10,7 +11,7 @@
 namespace replan {
 namespace {
 
-constexpr double kPiScene = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 constexpr int kRingPieces = 48;
 
 Course scaled(const Course& a, double by) {
@@ -24,14 +25,15 @@ Course unit(const Course& a) {
 /// How far to either side of the axis's own direction in the plane a sensor sees at that distance from the foot of its
 /// place: 0, nothing, to pi, all round.
 double half_width(const SonarReach& reach, double off, double distance) {
+  if (reach.course.none()) return kHalfTurn;  // as Cone has it
   const Course axis = unit(reach.course);
   const double flat = distance * std::hypot(axis.x, axis.y);
-  const double needed = std::cos(reach.angle * kPiScene / 360) * std::hypot(distance, off) - off * axis.z;
-  if (needed <= -flat) return kPiScene;
+  const double needed = std::cos(reach.angle * kHalfTurn / 360) * std::hypot(distance, off) - off * axis.z;
+  if (needed <= -flat) return kHalfTurn;
   return needed >= flat ? 0 : std::acos(needed / flat);
 }
 
-/// The half circle or the arc of a ring that begins at direction `a` and turns towards `b`, both of the ring's radius.
+/// A part of the ring whose radii `a` and `b` are, at right angles: from one angle to another, counted from `a` towards `b`.
 std::vector<Point> arc(const Point& centre, const Course& a, const Course& b, double from, double to) {
   std::vector<Point> points;
   for (int i = 0; i <= kRingPieces; ++i) {
@@ -43,7 +45,7 @@ std::vector<Point> arc(const Point& centre, const Course& a, const Course& b, do
   return points;
 }
 
-/// Two directions across another one, as long as it, all three at right angles.
+/// Two directions of length 1 across an axis of that length, all three at right angles.
 std::pair<Course, Course> across(const Course& axis) {
   const Course one = std::hypot(axis.x, axis.y) > 1e-9 ? unit({-axis.y, axis.x, 0}) : Course{1, 0, 0};
   return {
@@ -55,12 +57,12 @@ std::vector<std::vector<Point>> wires_of_cone(const SonarReach& reach) {
   constexpr int kEdges = 8;
   const Course axis = unit(reach.course);
   const auto [a, b] = across(axis);
-  const double half = reach.angle * kPiScene / 360, radius = reach.radius;
+  const double half = reach.angle * kHalfTurn / 360, radius = reach.radius;
   const double forwards = radius * std::cos(half), sideways = radius * std::sin(half);
   const Point middle{reach.at.x + forwards * axis.x, reach.at.y + forwards * axis.y,
                      reach.at.z + forwards * axis.z};
   std::vector<std::vector<Point>> wires = {
-      arc(middle, scaled(a, sideways), scaled(b, sideways), 0, 2 * kPiScene),
+      arc(middle, scaled(a, sideways), scaled(b, sideways), 0, 2 * kHalfTurn),
       arc(reach.at, scaled(axis, radius), scaled(a, radius), -half, half),
       arc(reach.at, scaled(axis, radius), scaled(b, radius), -half, half)};
   const std::vector<Point> rim = wires.front();
@@ -81,7 +83,7 @@ Course course_of_robot(const SceneContext& context) {
 bool shows_course(const SceneContext& context) {
   const Decision* decision = context.run.decision_at(context.cursor);
   return context.run.scenario().robot.sensor_angle < 360 ||
-         (decision != nullptr && decision->figures.spot_turns.has_value());
+         (decision != nullptr && decision->figures.kept.has_value());
 }
 
 std::vector<Point> outline_in_plane(const SonarReach& reach, double off) {
@@ -99,7 +101,7 @@ std::vector<Point> outline_in_plane(const SonarReach& reach, double off) {
     rim.clear();
     for (int k = 0; k <= 2 * kRingPieces; ++k)
       rim.push_back(place(distance, half * (k - kRingPieces) / kRingPieces));
-    if (half >= kPiScene) continue;
+    if (half >= kHalfTurn) continue;
     one.push_back(place(distance, -half));
     other.push_back(place(distance, half));
   }
@@ -109,12 +111,19 @@ std::vector<Point> outline_in_plane(const SonarReach& reach, double off) {
   return one;
 }
 
+std::vector<Point> nose_of(const Point& at, const Course& course) {
+  constexpr double kLength = 1.5;  // cells
+  if (course.none()) return {at, at};
+  const Course nose = scaled(unit(course), kLength);
+  return {at, {at.x + nose.x, at.y + nose.y, at.z + nose.z}};
+}
+
 std::vector<std::vector<Point>> wires_of(const SonarReach& reach) {
   if (reach.angle < 360 && !reach.course.none()) return wires_of_cone(reach);
   const double radius = reach.radius;
   const Course x{radius, 0, 0}, y{0, radius, 0}, z{0, 0, radius};
-  return {arc(reach.at, x, y, 0, 2 * kPiScene), arc(reach.at, x, z, 0, 2 * kPiScene),
-          arc(reach.at, y, z, 0, 2 * kPiScene)};
+  return {arc(reach.at, x, y, 0, 2 * kHalfTurn), arc(reach.at, x, z, 0, 2 * kHalfTurn),
+          arc(reach.at, y, z, 0, 2 * kHalfTurn)};
 }
 
 }  // namespace replan

@@ -24,6 +24,8 @@ struct SonarReach {
 
 /// The outline of what it sees of the plane that lies `off` above it along z, closed; empty if it sees nothing of that.
 std::vector<Point> outline_in_plane(const SonarReach& reach, double off);
+/// A line from the robot's place to where it looks, longer than its mark is wide; without a course of no length.
+std::vector<Point> nose_of(const Point& at, const Course& course);
 /// The lines that show it in space: three rings if it looks all round, else its cone.
 std::vector<std::vector<Point>> wires_of(const SonarReach& reach);
 

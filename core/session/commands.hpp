@@ -94,6 +94,7 @@ struct GenerateWorld {
   Settings settings;
   int width = 0, height = 0;
   std::uint64_t seed = 1;
+  int layers = 1;
 };
 struct ChoosePlanner {
   std::size_t pane = 0;

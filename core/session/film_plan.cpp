@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/words.hpp"
+#include "core/session/player.hpp"
 #include "core/session/stepping.hpp"
 
 namespace replan {
@@ -141,13 +142,12 @@ class Cutter {
   /// How long the film shows a step of the robot; 0: for one frame.
   [[nodiscard]] double seconds_of(const Milestone& milestone) const {
     if (options_.speed.kind == FilmSpeed::Kind::moves_per_second) return 1 / options_.speed.number;
-    const bool timed =
-        options_.speed.kind == FilmSpeed::Kind::automatic && run_.scenario().robot.motion == Motion::smooth;
+    const bool timed = options_.speed.kind == FilmSpeed::Kind::automatic && is_smooth(run_);
     const auto after = decision_after(run_, milestone.event);
     const Decision* before = run_.decision_at(milestone.event);
     if (!timed || after == run_.decisions().end() || before == nullptr) return 0;
     const double seconds = static_cast<double>(after->time - before->time) / static_cast<double>(kSecond);
-    return std::min(seconds, kLongestWait);
+    return milestone.kind == EventKind::waiting ? std::min(seconds, kLongestWait) : seconds;
   }
 
   const Run& run_;

@@ -4,16 +4,11 @@
 
 namespace replan {
 
-namespace {
-
-/// Whether a robot's step is shown for as long as it takes.
 bool is_smooth(const Run& run) {
   const auto decisions = run.decisions();
   return run.scenario().robot.motion == Motion::smooth ||
-         (!decisions.empty() && decisions.front().figures.spot_turns);
+         (!decisions.empty() && decisions.front().figures.kept);
 }
-
-}  // namespace
 
 /// How long playing shows what lies between two stops.
 double Player::seconds_of(const Run& run, std::size_t from, std::size_t to) const {

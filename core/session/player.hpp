@@ -12,6 +12,9 @@ struct Playback {
   double expansions_per_second = 240;
 };
 
+/// Whether a robot's step is shown for as long as it takes: it goes at a steady speed, or at its own pace.
+bool is_smooth(const Run& run);
+
 /// Plays a run: how far the cursor gets in a stretch of time, however many stops that is.
 class Player {
  public:

@@ -23,8 +23,9 @@ Result<void> check_surprise(const Surprise& surprise, const GridMap& map) {
 }
 
 /// Of sides that may be wrong still.
-std::size_t cells_of(int width, int height) {
-  return static_cast<std::size_t>(std::max(width, 0)) * static_cast<std::size_t>(std::max(height, 0));
+std::size_t cells_of(int width, int height, int depth) {
+  const auto side = [](int length) { return static_cast<std::size_t>(std::max(length, 0)); };
+  return side(width) * side(height) * side(depth);
 }
 
 }  // namespace
@@ -147,8 +148,9 @@ Result<void> Session::run_command(const TurnWorld& command) {
 
 Result<void> Session::run_command(const ResizeWorld& command) {
   const GridMap& map = scenario_->map;
-  if (command.size.width == map.width && command.size.height == map.height) return {};
-  return edit_world(command, cells_of(command.size.width, command.size.height));
+  const NewSize& size = command.size;
+  if (size.width == map.width && size.height == map.height && size.depth == map.depth) return {};
+  return edit_world(command, cells_of(size.width, size.height, size.depth));
 }
 
 Result<void> Session::run_command(const InvertWorld& command) {
@@ -175,7 +177,7 @@ Result<void> Session::run_command(const ReplaceMap& command) {
 
 Result<void> Session::run_command(const GenerateWorld& command) {
   player_.stop();
-  return edit_world(command, cells_of(command.width, command.height));
+  return edit_world(command, cells_of(command.width, command.height, command.layers));
 }
 
 }  // namespace replan

@@ -26,6 +26,16 @@ const char* turn_text(Turn turn) {
       return "mirror the world left to right";
     case Turn::top_bottom:
       return "mirror the world top to bottom";
+    case Turn::upside_down:
+      return "turn the world upside down";
+    case Turn::tip_back:
+      return "tip the world back";
+    case Turn::tip_forward:
+      return "tip the world forward";
+    case Turn::tip_left:
+      return "tip the world to the left";
+    case Turn::tip_right:
+      return "tip the world to the right";
   }
   return "";
 }
@@ -35,15 +45,19 @@ struct NewMap {
   std::optional<Cell> start, goal;
 };
 
+/// Whether the scenario's planners and its robot can do with a world of that size.
+Result<void> check_dwellers(const Scenario& scenario, const Box& world) {
+  for (const PlannerChoice& choice : scenario.planners)
+    if (const auto fit = fits(info_of(choice), world, scenario.robot.radius); !fit) return Error{fit.error()};
+  if (const auto robot = require_robot(scenario.robot.kind, world); !robot) return Error{robot.error()};
+  return {};
+}
+
 Result<WorldEdit> with_map(const Scenario& scenario, std::string label, std::string name, NewMap made) {
   if (made.map.blocked.empty()) return Error{"a world has at least one cell"};
   for (const auto& end : {made.start, made.goal})
     if (end && !made.map.contains(*end)) return Error{"start and goal must lie on the map"};
-  for (const PlannerChoice& choice : scenario.planners)
-    if (const auto fit = fits(info_of(choice), made.map.box(), scenario.robot.radius); !fit)
-      return Error{fit.error()};
-  if (const auto robot = require_robot(scenario.robot.kind, made.map.box()); !robot)
-    return Error{robot.error()};
+  if (const auto able = check_dwellers(scenario, made.map.box()); !able) return Error{able.error()};
   Scenario changed = scenario;
   changed.map = std::move(made.map);
   changed.map_file.clear();
@@ -127,12 +141,16 @@ Scenario tidied(const Scenario& scenario, std::size_t scripted) {
 }
 
 Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const TurnWorld& command) {
+  const Box size = turned_size(scenario.map.box(), command.turn);
+  if (const auto fits_in = check_world_size(size); !fits_in) return Error{fits_in.error()};
+  if (const auto able = check_dwellers(scenario, size); !able) return Error{able.error()};
   return WorldEdit{turn_text(command.turn), turned(scenario, command.turn), scripted};
 }
 
 Result<WorldEdit> edited(const Scenario& scenario, std::size_t scripted, const ResizeWorld& command) {
   Result<Resized> done = resized(scenario, command.size);
   if (!done) return Error{done.error()};
+  if (const auto able = check_dwellers(scenario, done->scenario.map.box()); !able) return Error{able.error()};
   const auto lost = std::count_if(done->surprises_lost.begin(), done->surprises_lost.end(),
                                   [scripted](std::size_t index) { return index < scripted; });
   WorldEdit edit{"resize to " + sides_text(done->scenario.map.box()), std::move(done->scenario),
@@ -197,8 +215,8 @@ Result<WorldEdit> edited(const Scenario& scenario, std::size_t, const ReplaceMap
 Result<WorldEdit> edited(const Scenario& scenario, std::size_t, const GenerateWorld& command) {
   const auto info = require_generator(command.generator);
   if (!info) return Error{info.error()};
-  Result<GridMap> map =
-      generate(command.generator, command.settings, command.width, command.height, command.seed);
+  Result<GridMap> map = generate(command.generator, command.settings,
+                                 {command.width, command.height, command.layers}, command.seed);
   if (!map) return Error{map.error()};
   const std::string size = sides_text(map->box());
   return with_map(

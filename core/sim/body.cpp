@@ -36,8 +36,14 @@ double squared_distance(const Point& a, const Point& b, Cell square) {
 
 bool hits(const Box& world, std::span<const std::uint8_t> truth, double radius, const Point& from,
           const Point& to) {
-  const double before = Body(world, radius, from, from).nearest(truth);
-  const double after = Body(world, radius, from, to).nearest(truth);
+  return hits(world, truth, radius, std::array{from, to});
+}
+
+bool hits(const Box& world, std::span<const std::uint8_t> truth, double radius, std::span<const Point> way) {
+  const double before = Body(world, radius, way.front(), way.front()).nearest(truth);
+  double after = before;
+  for (std::size_t i = 1; i < way.size(); ++i)
+    after = std::min(after, Body(world, radius, way[i - 1], way[i]).nearest(truth));
   return after < before && std::sqrt(before) - std::sqrt(after) > Body::kTouch;
 }
 

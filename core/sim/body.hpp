@@ -64,5 +64,7 @@ class Body {
 /// than it stood before. So one that something came too near to may drive away from it.
 bool hits(const Box& world, std::span<const std::uint8_t> truth, double radius, const Point& from,
           const Point& to);
+/// The same of a way with corners.
+bool hits(const Box& world, std::span<const std::uint8_t> truth, double radius, std::span<const Point> way);
 
 }  // namespace replan

@@ -41,11 +41,14 @@ const char* mission_state_name(MissionState state);
 /// for what is scripted.
 inline constexpr std::int64_t kMovesPerCell = 10, kMostWaits = 1'000'000;
 
-/// What a robot that keeps to its plan has turned on the spot, at corners too sharp to be taken under way.
-struct SpotTurns {
-  std::int64_t count = 0;
-  SimTime time = 0;
-  friend bool operator==(const SpotTurns&, const SpotTurns&) = default;
+/// How a robot has gone that keeps to its plan and turns no faster than it can.
+struct KeptWay {
+  static constexpr double kFarthest = 8;  ///< cells: so far around it looks for its clearance
+  std::int64_t stops = 0;                 ///< at corners too sharp to be taken under way
+  SimTime turning = 0;                    ///< on the spot, at these
+  double turned = 0;                      ///< rad, all changes of its course, under way too
+  double clearance = kFarthest;  ///< cells, of its centre from what stood in the world, where it came nearest
+  friend bool operator==(const KeptWay&, const KeptWay&) = default;
 };
 
 /// What a mission has come to so far.
@@ -54,14 +57,13 @@ struct MissionFigures {
   double travelled = 0;  ///< cells, along the route
   std::int64_t collisions = 0;
   std::int64_t replans = 0;
-  double plan_ms = 0;          ///< wall time of the first plan
-  double replan_ms = 0;        ///< of all replans together: taking in the changes and the search
-  Counters counters;           ///< of the planner, all plans together
-  Counters last_plan;          ///< of the latest plan or replan alone
-  std::size_t peak_bytes = 0;  ///< held by the planner at most, the map not counted
-  DriveFigures drive;          ///< of a robot that drives
-  std::optional<SpotTurns>
-      spot_turns;  ///< of a robot whose course turns no faster than it can; others have none
+  double plan_ms = 0;           ///< wall time of the first plan
+  double replan_ms = 0;         ///< of all replans together: taking in the changes and the search
+  Counters counters;            ///< of the planner, all plans together
+  Counters last_plan;           ///< of the latest plan or replan alone
+  std::size_t peak_bytes = 0;   ///< held by the planner at most, the map not counted
+  DriveFigures drive;           ///< of a robot that drives
+  std::optional<KeptWay> kept;  ///< of a robot whose course turns no faster than it can
 };
 
 /// What the log says of the latest decision of a robot that drives, as scalars (core/trace/event.hpp).
@@ -90,7 +92,7 @@ struct Drive {
 /// there.
 struct Decision {
   std::size_t event = 0;    ///< position in the event log
-  std::int64_t clock = 0;   ///< steps of the robot: moves, and waits while there is no path
+  std::int64_t clock = 0;   ///< steps of the robot: moves, turns on the spot, and waits
   SimTime time = 0;         ///< that these took
   std::vector<bool> fired;  ///< which surprises have happened
   MissionState state = MissionState::driving;
@@ -230,6 +232,8 @@ class Mission {
   /// The robot's map: nonzero = obstacle.
   [[nodiscard]] std::span<const std::uint8_t> known() const { return navigator_->known(); }
   [[nodiscard]] NodeId robot() const { return robot_; }
+  /// How near a way comes to what stands in the world, in cells; `farthest` if no nearer.
+  [[nodiscard]] double clearance_of(std::span<const Point> way, double farthest) const;
   [[nodiscard]] NodeId aim() const { return aim_; }
   [[nodiscard]] Decision& moment() { return now_; }
   [[nodiscard]] const Drive& driving() const { return now_.drive; }
@@ -264,14 +268,14 @@ class Mission {
   void wait_for_movers();
   void wait_on_goal(std::int64_t clock);
   void wait_until(std::int64_t clock);
-  void advance_clock(std::int64_t steps, SimTime time, NodeId left);
-  [[nodiscard]] std::vector<Cell> covered_cells(NodeId left) const;
+  void advance_clock(std::int64_t steps, SimTime time, NodeId left, std::span<const Point> along = {});
+  [[nodiscard]] std::vector<Cell> covered_cells(NodeId left, std::span<const Point> along) const;
   [[nodiscard]] SimTime step_time(double way) const;
   void put_robot(NodeId cell);
   void follow(const Path& path, PlanStatus status);
   [[nodiscard]] Point point_ahead() const;
   void collide(NodeId cell);
-  void enter(std::size_t on_route, std::optional<SimTime> time);
+  void enter(std::size_t on_route, std::span<const Point> along, std::optional<SimTime> time);
   [[nodiscard]] bool goes_on_for_ever() const;
   void look_ahead();
 

@@ -84,13 +84,13 @@ SimTime Mission::step_time(double way) const {
 }
 
 /// Lets time go by while the robot goes over from the cell `left`.
-void Mission::advance_clock(std::int64_t steps, SimTime time, NodeId left) {
+void Mission::advance_clock(std::int64_t steps, SimTime time, NodeId left, std::span<const Point> along) {
   tr_.change(Scalar::moves, static_cast<std::uint64_t>(now_.clock),
              static_cast<std::uint64_t>(now_.clock + steps));
   now_.clock += steps;
   now_.time += std::min(time, kEndOfTime - now_.time);
   if (crowd_.empty()) return;
-  const std::vector<Cell> keep_clear = covered_cells(left);
+  const std::vector<Cell> keep_clear = covered_cells(left, along);
   for (const Crowd::Change& change : crowd_.advance(now_.movers, now_.time, now_.clock, keep_clear)) {
     const NodeId node = box_.node(change.cell);
     const auto value = static_cast<std::uint8_t>(truth_[node] + change.by * kMoverUnit);
@@ -99,8 +99,14 @@ void Mission::advance_clock(std::int64_t steps, SimTime time, NodeId left) {
   }
 }
 
+double Mission::clearance_of(std::span<const Point> way, double farthest) const {
+  for (std::size_t i = 1; i < way.size(); ++i)
+    farthest = std::sqrt(Body(box_, farthest, way[i - 1], way[i]).nearest(truth_));
+  return farthest;
+}
+
 bool Mission::goes_on_for_ever() const {
-  const std::int64_t turns = now_.figures.spot_turns.value_or(SpotTurns{}).count;
+  const std::int64_t turns = now_.figures.kept.value_or(KeptWay{}).stops;
   return !crowd_.empty() &&
          now_.figures.moves + turns > kMovesPerCell * static_cast<std::int64_t>(truth_.size());
 }
@@ -111,30 +117,35 @@ void Mission::step_along(std::size_t cells, std::optional<SimTime> time) {
   if (goes_on_for_ever()) return give_up(MissionState::endless);
   const std::size_t last = std::min(now_.next + cells, route_.cells.size()) - 1;
   tr_.line(107);
-  Point at = now_.at;
-  for (std::size_t i = now_.next; i <= last; at = route_.points[i++])
-    if (truth_[route_.cells[i]] != 0 || hits(box_, truth_, robot_setup_.radius, at, route_.points[i]))
+  std::vector<Point> way = {now_.at};
+  for (std::size_t i = now_.next; i <= last; ++i) {
+    const std::vector<Point> part = route_.way_to(*now_.plan->path, i, way.back()).points;
+    if (truth_[route_.cells[i]] != 0 || hits(box_, truth_, robot_setup_.radius, part))
       return collide(route_.cells[i]);
-  enter(last, time);
+    way.insert(way.end(), part.begin() + 1, part.end());
+  }
+  enter(last, way, time);
 }
 
 void Mission::turn_on_the_spot(const Course& course, SimTime time) {
   if (goes_on_for_ever()) return give_up(MissionState::endless);
   tr_.line(107);
-  const double degrees = angle_between(now_.course, course) * 180 / kPi;
-  tr_.note(EventKind::turn, robot_, static_cast<std::uint64_t>(std::llround(degrees)));
-  SpotTurns turns = now_.figures.spot_turns.value_or(SpotTurns{});
-  ++turns.count;
-  turns.time += time;
-  now_.figures.spot_turns = turns;
+  const double angle = angle_between(now_.course, course);
+  tr_.note(EventKind::turn, robot_, static_cast<std::uint64_t>(std::llround(angle * 180 / kPi)));
+  KeptWay kept = now_.figures.kept.value_or(KeptWay{});
+  ++kept.stops;
+  kept.turning += time;
+  kept.turned += angle;
+  now_.figures.kept = kept;
   now_.course = course;
   now_.before = now_.at;
   advance_clock(1, time, robot_);
 }
 
-/// The cells that the robot takes up on its way from the cell `left` to its own: nothing comes onto them. It may plan
-/// from the middle of its cell next, so that its body there is counted too, and exactly, as its map is grown.
-std::vector<Cell> Mission::covered_cells(NodeId left) const {
+/// The cells that the robot takes up on its way from the cell `left` to its own, which has the corners of `along`:
+/// nothing comes onto them. It may plan from the middle of its cell next, so that its body there is counted too, and
+/// exactly, as its map is grown.
+std::vector<Cell> Mission::covered_cells(NodeId left, std::span<const Point> along) const {
   std::vector<Cell> cells = {box_.position(robot_), box_.position(left)};
   const auto add = [&](const Point& from, const Point& to) {
     Body(box_, robot_setup_.radius, from, to).each_cell([&](NodeId node, double) {
@@ -142,6 +153,7 @@ std::vector<Cell> Mission::covered_cells(NodeId left) const {
     });
   };
   add(now_.before, now_.at);
+  for (std::size_t i = 1; i < along.size(); ++i) add(along[i - 1], along[i]);
   Point at = now_.at;
   for (const Point& next : stopping_way()) {
     cells.push_back(cell_of(next));
@@ -188,7 +200,7 @@ void Mission::collide(NodeId cell) {
 }
 
 // Lines 6 and 7: the robot goes on to a cell of its route.
-void Mission::enter(std::size_t on_route, std::optional<SimTime> time) {
+void Mission::enter(std::size_t on_route, std::span<const Point> along, std::optional<SimTime> time) {
   const NodeId cell = route_.cells[on_route], left = robot_;
   tr_.note(EventKind::move, cell);
   put_robot(cell);
@@ -202,7 +214,7 @@ void Mission::enter(std::size_t on_route, std::optional<SimTime> time) {
   now_.next = on_route + 1;
   now_.after = point_ahead();
   now_.waited = 0;
-  advance_clock(1, time.value_or(step_time(way)), left);
+  advance_clock(1, time.value_or(step_time(way)), left, along);
 }
 
 void Mission::put_robot(NodeId cell) {

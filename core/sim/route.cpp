@@ -61,6 +61,19 @@ double projection(const Point& a, const Point& b, double length, const Point& c)
 
 }  // namespace
 
+Route::Way Route::way_to(const Path& path, std::size_t i, const Point& at) const {
+  Way way{{at}, {}};
+  const auto add = [&way](const Point& point, std::size_t piece) {
+    if (point == way.points.back()) return;
+    way.points.push_back(point);
+    way.pieces.push_back(piece);
+  };
+  for (std::size_t piece = i == 0 ? 1 : pieces[i - 1]; piece < pieces[i]; ++piece)
+    add(path.point(piece), piece);
+  add(points[i], pieces[i]);
+  return way;
+}
+
 Route lay_out(const Box& box, std::span<const std::uint8_t> known, const Path& path) {
   Route route;
   double walked = 0;
@@ -72,6 +85,7 @@ Route lay_out(const Box& box, std::span<const std::uint8_t> known, const Path& p
       const double way = projection(a, b, length, centre_of(box.position(node)));
       const double share = way / length;
       route.cells.push_back(node);
+      route.pieces.push_back(i);
       route.along.push_back(walked + way);
       route.points.push_back(
           {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)});
@@ -80,6 +94,7 @@ Route lay_out(const Box& box, std::span<const std::uint8_t> known, const Path& p
     if (!route.cells.empty()) in = route.cells.back();
     if (!path.nodes().empty() || route.cells.empty()) continue;
     route.along.back() = walked;
+    route.pieces.back() = i;
     route.points.back() = b;
   }
   return route;

@@ -24,6 +24,15 @@ struct Route {
   std::vector<NodeId> cells;
   std::vector<double> along;  ///< way from the path's start to each of them, projected on its segment
   std::vector<Point> points;  ///< the projections: where on the path the robot is while it is in the cell
+  std::vector<std::size_t> pieces;  ///< which of the path's segments that is on: number i ends at its point i
+
+  /// The way along the path to the i-th of the cells from `at`, where the robot is in the one before: with all corners
+  /// that it has in between. A body that cut them would come nearer to obstacles than the path does.
+  struct Way {
+    std::vector<Point> points;        // the first is `at`
+    std::vector<std::size_t> pieces;  // which of the path's segments leads to each of the others
+  };
+  [[nodiscard]] Way way_to(const Path& path, std::size_t i, const Point& at) const;
 };
 
 /// Lays the path out in the cells of its world. Between two nodes these are, under the supercover rule, the cells

@@ -53,10 +53,16 @@ constexpr FigureInfo kFigures[] = {
      "The way that the robot has gone, along its paths. Drives are compared once all robots have arrived."},
     {"seconds", robot, "time", "s", lower, 1, false,
      "Of the world's own time since the robot set out, waiting counted."},
-    {"spot_turns", robot, "stops to turn", "", lower, 0, false,
+    {"way_min_clearance", robot, "least clearance on its way", "cells", higher, 3, false,
+     "From the vehicle's centre, anywhere on its way, to the nearest edge of what stood in the world as it "
+     "set out on "
+     "that step, known to it or not; 8 if it came no nearer than that."},
+    {"stops", robot, "stops to turn", "", lower, 0, false,
      "Corners that were too sharp for the vehicle: it stopped there and turned on the spot."},
-    {"spot_turn_seconds", robot, "time turning on the spot", "s", lower, 1, false,
+    {"turning_seconds", robot, "time turning on the spot", "s", lower, 1, false,
      "Of its time. A path without sharp corners needs none."},
+    {"course_turned_deg", robot, "course turned", "°", lower, 1, false,
+     "The sum of all changes of the vehicle's course, under way and on the spot."},
     {"mean_speed", robot, "mean speed", "m/s", neither, 3, false,
      "Of a robot that drives: its way by its time under way, waiting not counted."},
     {"top_speed", robot, "top speed", "m/s", neither, 3, false, "The fastest that it has driven."},
@@ -91,7 +97,7 @@ std::vector<NamedFigure> all_figures(const RunReport& report) {
   if (report.robot)
     for (const NamedFigure& figure : drive_figures(*report.robot)) figures.push_back(figure);
   if (report.robot)
-    for (const NamedFigure& figure : turn_figures(*report.robot)) figures.push_back(figure);
+    for (const NamedFigure& figure : kept_figures(*report.robot)) figures.push_back(figure);
   return figures;
 }
 

@@ -54,7 +54,7 @@ RobotReport robot_report(const Decision& decision) {
           .drive = decision.drive.begun || decision.figures.drive.time > 0
                        ? std::optional(decision.figures.drive)
                        : std::nullopt,
-          .spot_turns = decision.figures.spot_turns};
+          .kept = decision.figures.kept};
 }
 
 /// Why the robot did not arrive, where its ending alone does not say it: how things stood in the end.
@@ -223,15 +223,19 @@ std::vector<NamedFigure> drive_figures(const RobotReport& robot) {
           of_drive("max_off_plan", [](const DriveFigures& all) { return all.most_off_plan; })};
 }
 
-std::vector<NamedFigure> turn_figures(const RobotReport& robot) {
-  const auto of_turns = [&robot](std::string_view key, auto&& value, bool whole) {
-    return NamedFigure{key, robot.spot_turns ? std::optional(value(*robot.spot_turns)) : std::nullopt, whole};
+std::vector<NamedFigure> kept_figures(const RobotReport& robot) {
+  const auto of_way = [&robot](std::string_view key, auto&& value) {
+    return NamedFigure{key, robot.kept ? std::optional(value(*robot.kept)) : std::nullopt, false};
   };
-  const auto count = [](const SpotTurns& all) { return static_cast<double>(all.count); };
-  const auto seconds = [](const SpotTurns& all) {
-    return static_cast<double>(all.time) / static_cast<double>(kSecond);
-  };
-  return {of_turns("spot_turns", count, true), of_turns("spot_turn_seconds", seconds, false)};
+  std::vector<NamedFigure> figures = {
+      of_way("stops", [](const KeptWay& way) { return static_cast<double>(way.stops); }),
+      of_way(
+          "turning_seconds",
+          [](const KeptWay& way) { return static_cast<double>(way.turning) / static_cast<double>(kSecond); }),
+      of_way("course_turned_deg", [](const KeptWay& way) { return way.turned * 180 / kPi; }),
+      of_way("way_min_clearance", [](const KeptWay& way) { return way.clearance; })};
+  figures.front().whole = true;
+  return figures;
 }
 
 std::vector<NamedFigure> in_metres(std::span<const NamedFigure> figures, const MapFrame& frame) {

@@ -28,7 +28,7 @@ struct RobotReport {
   double seconds = 0;                            ///< of the world's time, waiting counted
   PlanStatus last_plan = PlanStatus::searching;  ///< how the latest plan stands
   std::optional<DriveFigures> drive = {};        ///< of a robot on wheels
-  std::optional<SpotTurns> spot_turns = {};      ///< of a robot that turns on the spot
+  std::optional<KeptWay> kept = {};              ///< of a robot that turns no faster than it can
   bool covered = false;                          ///< an obstacle stands on its cell
   std::optional<double> short_of_goal = {};      ///< cells from where it ends to its goal, as the crow flies
   [[nodiscard]] bool reached() const { return ending == MissionState::arrived; }
@@ -90,9 +90,9 @@ std::vector<NamedFigure> named_figures(const RobotReport& robot);
 /// What there is to say of a way on wheels besides: mean_speed, top_speed (m/s), mean_curvature (1/m), turned_deg,
 /// mean_off_plan and max_off_plan, the distance to the first plan's path (m). Without values where nothing drives.
 std::vector<NamedFigure> drive_figures(const RobotReport& robot);
-/// spot_turns and spot_turn_seconds, the corners at which it stopped to turn and the time that this took. Without values
-/// for a robot that turns in no time.
-std::vector<NamedFigure> turn_figures(const RobotReport& robot);
+/// stops, turning_seconds, course_turned_deg and way_min_clearance: how a robot that keeps to its plan has gone (KeptWay).
+/// Without values for one that turns in no time.
+std::vector<NamedFigure> kept_figures(const RobotReport& robot);
 /// Those of the figures that are lengths, in metres: length_m, min_clearance_m ...
 std::vector<NamedFigure> in_metres(std::span<const NamedFigure> figures, const MapFrame& frame);
 

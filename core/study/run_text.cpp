@@ -73,7 +73,7 @@ std::string runs_json(std::span<const RunReport> reports) {
       if (report.robot->short_of_goal) run["robot"]["short_of_goal"] = *report.robot->short_of_goal;
       run["robot"].update(figures_json(named_figures(*report.robot)));
       if (report.robot->drive) run["robot"].update(figures_json(drive_figures(*report.robot)));
-      if (report.robot->spot_turns) run["robot"].update(figures_json(turn_figures(*report.robot)));
+      if (report.robot->kept) run["robot"].update(figures_json(kept_figures(*report.robot)));
       if (report.frame)
         run["robot"].update(figures_json(in_metres(named_figures(*report.robot), *report.frame)));
     }
@@ -87,8 +87,8 @@ std::string runs_csv(std::span<const RunReport> reports) {
   const bool metric = !reports.empty() && reports.front().frame.has_value();
   const bool drives = std::any_of(reports.begin(), reports.end(),
                                   [](const RunReport& each) { return each.robot && each.robot->drive; });
-  const bool turns = std::any_of(reports.begin(), reports.end(),
-                                 [](const RunReport& each) { return each.robot && each.robot->spot_turns; });
+  const bool keeps = std::any_of(reports.begin(), reports.end(),
+                                 [](const RunReport& each) { return each.robot && each.robot->kept; });
   std::string names = "planner,status", lines;
   RunReport some;
   if (!reports.empty()) some.radius = reports.front().radius;  // one robot has one size, whoever plans for it
@@ -101,8 +101,8 @@ std::string runs_csv(std::span<const RunReport> reports) {
   if (drives)
     for (const NamedFigure& figure : drive_figures(RobotReport{}))
       names += ",robot_" + std::string(figure.key);
-  if (turns)
-    for (const NamedFigure& figure : turn_figures(RobotReport{}))
+  if (keeps)
+    for (const NamedFigure& figure : kept_figures(RobotReport{}))
       names += ",robot_" + std::string(figure.key);
   if (metric)
     for (const auto& [name, figure] : metric_columns(reports.front())) names += "," + name;
@@ -115,8 +115,8 @@ std::string runs_csv(std::span<const RunReport> reports) {
       for (const NamedFigure& figure : named_figures(*report.robot)) lines += "," + csv_number(figure);
       if (drives)
         for (const NamedFigure& figure : drive_figures(*report.robot)) lines += "," + csv_number(figure);
-      if (turns)
-        for (const NamedFigure& figure : turn_figures(*report.robot)) lines += "," + csv_number(figure);
+      if (keeps)
+        for (const NamedFigure& figure : kept_figures(*report.robot)) lines += "," + csv_number(figure);
     }
     if (metric)
       for (const auto& [name, figure] : metric_columns(report)) lines += "," + csv_number(figure);

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/base/cell.hpp"
+#include "core/base/result.hpp"
 #include "core/base/shared_array.hpp"
 #include "core/lattice/box.hpp"
 
@@ -51,6 +52,9 @@ struct GridMap {
   void set(Cell c, bool value) { blocked[index(c)] = value ? kObstacle : kFree; }
   friend bool operator==(const GridMap&, const GridMap&) = default;
 };
+
+/// Whether a world can have that size: the error names the limits, which are others for several layers.
+Result<void> check_world_size(const Box& size);
 
 /// Whether a stretch of cells has kUnmapped in it.
 bool has_unmapped(std::span<const std::uint8_t> cells);

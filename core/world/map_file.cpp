@@ -5,6 +5,7 @@
 
 #include "core/base/file.hpp"
 #include "core/world/formats/ascii_map.hpp"
+#include "core/world/formats/esri_grid.hpp"
 #include "core/world/formats/image_map.hpp"
 #include "core/world/formats/movingai.hpp"
 #include "core/world/formats/npy_map.hpp"
@@ -21,6 +22,7 @@ Result<MapFile> alone(Result<GridMap> map) {
 }
 
 Result<MapFile> read_picture(const std::string& path, const MapReading& reading) {
+  if (reading.heights) return read_height_picture(path, *reading.heights, reading.image.invert);
   return alone(read_image_map(path, reading.image));
 }
 Result<void> write_picture(const MapFile& file, const std::string& path) {
@@ -47,6 +49,9 @@ Result<MapFile> read_letters(const std::string& path, const MapReading&) {
 Result<void> write_letters(const MapFile& file, const std::string& path) {
   return write_movingai_map(file.map, path);
 }
+Result<MapFile> read_heights(const std::string& path, const MapReading& reading) {
+  return read_esri_grid(path, reading.heights.value_or(HeightReading{}));
+}
 Result<MapFile> read_voxels(const std::string& path, const MapReading&) {
   return alone(read_voxel_map(path));
 }
@@ -59,7 +64,8 @@ constexpr MapFormat picture(std::string_view extension, bool writes) {
           .name = "picture",
           .read = read_picture,
           .write = writes ? write_picture : nullptr,
-          .picture = true};
+          .picture = true,
+          .heights = true};
 }
 constexpr MapFormat ros(std::string_view extension) {
   return {.extension = extension,
@@ -95,6 +101,7 @@ constexpr std::array kFormats = {
               .read = read_voxels,
               .write = write_voxels,
               .solid = true},
+    MapFormat{.extension = ".asc", .name = "grid of heights", .read = read_heights, .heights = true},
     picture(".png", true),
     picture(".bmp", true),
     picture(".tga", true),
@@ -136,6 +143,10 @@ Result<void> check_reading(const std::string& path, const MapReading& reading) {
   const bool image = reading.image != ImageMapOptions{};
   if (image && !format->picture)
     return Error{"threshold and inversion are for pictures; '" + path + "' is none"};
+  if (reading.heights && !format->heights)
+    return Error{"heights and layers are for a grid of heights (.asc) or a picture; '" + path + "' is none"};
+  if (reading.heights && reading.image.threshold != ImageMapOptions{}.threshold)
+    return Error{"a picture that is read as heights has no threshold: '" + path + "'"};
   if (reading.unknown != UnknownCells::blocked && !format->unknown)
     return Error{"only a ROS map (.yaml) has unknown cells; '" + path + "' is none"};
   if (reading.occupied && !format->numbers)

@@ -23,6 +23,7 @@ struct MapFormat {
   Result<void> (*write)(const MapFile& file, const std::string& path) = nullptr;  ///< nullptr: only read
   bool solid = false;       ///< holds more than one layer
   bool picture = false;     ///< MapReading::image applies
+  bool heights = false;     ///< MapReading::heights applies
   bool unknown = false;     ///< MapReading::unknown applies
   bool numbers = false;     ///< MapReading::occupied applies
   bool resolution = false;  ///< holds resolution and origin

@@ -29,6 +29,24 @@ enum class UnknownCells : std::uint8_t {
   unmapped,  ///< kUnmapped: obstacles that the robot takes for free until it senses them
 };
 
+/// How heights become layers: a voxel is an obstacle where the floor reaches into it, so the deepest place is free
+/// down to the lowest layer.
+struct HeightReading {
+  int layers = 64;  ///< 2 to 512
+  /// The heights between which the layers lie, in the file's own unit (of a picture: 0 black to 255 white). Nothing:
+  /// from the deepest place to sea level, 0, or to the highest place of a file with nothing below 0.
+  std::optional<double> low = std::nullopt, high = std::nullopt;
+  /// So many columns each way are read as one, as high as the highest of them. 0: as few as a world has room for.
+  int reduce = 0;
+  friend bool operator==(const HeightReading&, const HeightReading&) = default;
+};
+struct HeightRange {
+  double low = 0, high = 0;
+};
+inline constexpr int kLeastHeightLayers = 2, kMostHeightLayers = 512, kMostReduced = 1024;
+/// The largest height that counts as one, above and below 0.
+inline constexpr double kMaxHeight = 1e9;
+
 /// The largest number that MapReading::occupied can be, above and below 0: that of 64 bits.
 inline constexpr double kMaxOccupied = 18446744073709551615.0;
 
@@ -38,6 +56,9 @@ struct MapReading {
   UnknownCells unknown = UnknownCells::blocked;  ///< for ROS maps
   /// For files of numbers: the one that is the obstacle. Nothing: see number_cells.hpp.
   std::optional<double> occupied = std::nullopt;
+  /// For height maps, and for pictures that are to be read as one: bright is high, and ImageMapOptions::invert turns
+  /// that round. Nothing: a picture is a map of the plane.
+  std::optional<HeightReading> heights = std::nullopt;
   friend bool operator==(const MapReading&, const MapReading&) = default;
 };
 
@@ -49,6 +70,8 @@ struct MapFindings {
   std::shared_ptr<const std::vector<bool>> unknown = nullptr;
   std::uint8_t unknown_as = kObstacle;  ///< what these were read as
   std::vector<double> numbers = {};     ///< where the cells are numbers: those there are, the smallest first
+  std::optional<HeightRange> heights =
+      std::nullopt;  ///< of a height map: from its deepest to its highest place
 
   /// Whether a cell is unknown still: nobody has made it anything else since.
   [[nodiscard]] bool is_unknown(const GridMap& map, std::size_t cell) const {

@@ -44,6 +44,7 @@ struct RobotInfo {
   /// The parameter that says which way it looks when it sets out, in degrees from the right, upwards; none: towards its
   /// goal.
   std::string_view heading = {};
+  bool own_pace = false;  ///< how long a step takes it works out itself: RobotSetup::motion says nothing to it
 };
 
 /// All kinds, in the order of robots.def. The first is the usual one.

@@ -40,7 +40,7 @@ struct MovingObstacle {
 /// first in the list happens first, and the next one once the plan stands again.
 struct Trigger {
   std::optional<std::int64_t>
-      move;                  ///< after that many steps of the robot: moves, and waits while there is no path
+      move;                  ///< after that many steps of the robot: moves, turns on the spot, and waits
   std::optional<Cell> near;  ///< when the robot is within `within` cells (centre to centre) of it
   double within = 0;
   friend bool operator==(const Trigger&, const Trigger&) = default;

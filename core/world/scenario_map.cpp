@@ -12,13 +12,36 @@ namespace {
 
 using Rows = std::vector<JsonNode>;
 
+HeightReading read_height_reading(const JsonNode& node) {
+  HeightReading reading;
+  if (!node.expect_object({"layers", "low", "high", "reduce"})) return reading;
+  const auto layers = node.find("layers"), low = node.find("low"), high = node.find("high"),
+             reduce = node.find("reduce");
+  if (layers) reading.layers = static_cast<int>(layers->whole(kLeastHeightLayers, kMostHeightLayers));
+  if (low) reading.low = low->number(-kMaxHeight, kMaxHeight);
+  if (high) reading.high = high->number(-kMaxHeight, kMaxHeight);
+  if (reduce) reading.reduce = static_cast<int>(reduce->whole(0, kMostReduced));
+  return reading;
+}
+
+Json height_reading_json(const HeightReading& reading) {
+  Json json = Json::object();
+  if (reading.layers != HeightReading{}.layers) json["layers"] = reading.layers;
+  if (reading.low) json["low"] = plain_number(*reading.low);
+  if (reading.high) json["high"] = plain_number(*reading.high);
+  if (reading.reduce != 0) json["reduce"] = reading.reduce;
+  return json;
+}
+
 /// How a map file is to be read.
 MapReading read_reading(const JsonNode& node, bool inline_map) {
   MapReading reading;
   const auto threshold = node.find("threshold"), invert = node.find("invert"), unknown = node.find("unknown"),
              occupied = node.find("occupied");
-  for (const auto& option : {threshold, invert, unknown, occupied})
+  const auto heights = node.find("heights");
+  for (const auto& option : {threshold, invert, unknown, occupied, heights})
     if (inline_map && option) option->fail("goes with 'file'");
+  if (heights) reading.heights = read_height_reading(*heights);
   if (threshold) reading.image.threshold = static_cast<int>(threshold->whole(1, 255));
   if (invert) reading.image.invert = invert->toggle();
   if (unknown) reading.unknown = static_cast<UnknownCells>(unknown->one_of({"blocked", "free", "unmapped"}));
@@ -107,8 +130,8 @@ Json rows_json(const GridMap& map, int z) {
 }  // namespace
 
 void read_map_of(const JsonNode& node, const std::string& folder, Scenario& scenario) {
-  if (!node.expect_object(
-          {"file", "rows", "layers", "resolution", "origin", "threshold", "invert", "unknown", "occupied"}))
+  if (!node.expect_object({"file", "rows", "layers", "resolution", "origin", "threshold", "invert", "unknown",
+                           "occupied", "heights"}))
     return;
   const auto file = node.find("file"), rows = node.find("rows"), layers = node.find("layers");
   const auto resolution = node.find("resolution"), origin = node.find("origin");
@@ -138,6 +161,7 @@ Json map_json(const Scenario& scenario) {
     if (reading.unknown != UnknownCells::blocked)
       map["unknown"] = kUnknown[static_cast<std::size_t>(reading.unknown)];
     if (reading.occupied) map["occupied"] = plain_number(*reading.occupied);
+    if (reading.heights) map["heights"] = height_reading_json(*reading.heights);
     return map;
   }
   if (scenario.map.depth == 1)

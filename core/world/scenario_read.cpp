@@ -221,9 +221,21 @@ class ScenarioReader {
       for (const JsonNode& item : watches->items(0, kMaxWatches, "a list of at most 16 watches")) {
         scenario_.debug.watches.push_back(item.text());
         if (!item.value().is_string()) continue;
-        if (const auto read = parse_quantity(scenario_.debug.watches.back(), scenario_.map.box()); !read)
-          item.fail(read.error());
+        if (const auto error = error_anywhere(scenario_.debug.watches.back(), parse_quantity))
+          item.fail(*error);
       }
+  }
+
+  /// Why a condition makes no sense in any world. One that was written when the world was larger, or had more layers or
+  /// none, stays: it may be so again, and whoever looks for it is told.
+  template <class Parse>
+  [[nodiscard]] std::optional<std::string> error_anywhere(const std::string& text, const Parse& parse) const {
+    const auto here = parse(text, scenario_.map.box(), own_fields());
+    if (here) return std::nullopt;
+    constexpr int kAnySide = static_cast<int>(kMaxCells);
+    for (const Box& other : {Box(kAnySide, kAnySide), Box(kAnySide, kAnySide, kAnySide)})
+      if (parse(text, other, own_fields())) return std::nullopt;
+    return here.error();
   }
 
   void read_breakpoint(const JsonNode& node) {
@@ -233,8 +245,7 @@ class ScenarioReader {
     Breakpoint breakpoint{condition->text(), true};
     if (const auto enabled = node.find("enabled")) breakpoint.enabled = enabled->toggle();
     if (condition->value().is_string())
-      if (const auto read = parse_condition(breakpoint.condition, scenario_.map.box()); !read)
-        condition->fail(read.error());
+      if (const auto error = error_anywhere(breakpoint.condition, parse_condition)) condition->fail(*error);
     scenario_.debug.breakpoints.push_back(std::move(breakpoint));
   }
 

@@ -1,14 +1,14 @@
 #include "core/world/transform.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 namespace replan {
 namespace {
 
-/// Every place of a scenario but its map, as told by `move`, a function from Cell to Cell.
+/// Every place of a scenario but its map and what moves, as told by `move`, a function from Cell to Cell.
 template <class Move>
 void move_places(Scenario& scenario, const Move& move) {
   scenario.start = move(scenario.start);
@@ -19,8 +19,6 @@ void move_places(Scenario& scenario, const Move& move) {
     if (surprise.goal) surprise.goal = move(*surprise.goal);
     if (surprise.robot) surprise.robot = move(*surprise.robot);
   }
-  for (MovingObstacle& mover : scenario.movers)
-    for (Cell& corner : mover.way) corner = move(corner);
 }
 
 void sort_rows(std::vector<CellChange>& cells) {
@@ -33,8 +31,64 @@ bool has_frame(const GridMap& map) {
   return map.resolution != 1 || map.origin != std::array<double, 3>{};
 }
 
-bool quarter(Turn turn) {
+/// What a turn does to the three coordinates: new coordinate i is old coordinate from[i], counted from the other end
+/// if flip[i].
+struct AxisSwap {
+  std::array<Axis, 3> from;
+  std::array<bool, 3> flip;
+};
+
+AxisSwap axis_swap(Turn turn) {
+  using enum Axis;
+  switch (turn) {
+    case Turn::left:
+      return {{y, x, z}, {false, true, false}};
+    case Turn::right:
+      return {{y, x, z}, {true, false, false}};
+    case Turn::left_right:
+      return {{x, y, z}, {true, false, false}};
+    case Turn::top_bottom:
+      return {{x, y, z}, {false, true, false}};
+    case Turn::upside_down:
+      return {{x, y, z}, {false, false, true}};
+    case Turn::tip_back:
+      return {{x, z, y}, {false, true, false}};
+    case Turn::tip_forward:
+      return {{x, z, y}, {false, false, true}};
+    case Turn::tip_left:
+      return {{z, y, x}, {true, false, false}};
+    case Turn::tip_right:
+      return {{z, y, x}, {false, false, true}};
+  }
+  return {{x, y, z}, {}};
+}
+
+int along(Cell cell, Axis axis) {
+  return axis == Axis::x ? cell.x : axis == Axis::y ? cell.y : cell.z;
+}
+
+/// The lengths along x, y and z of something that has these before the turn.
+Cell turned_size(Cell size, Turn turn) {
+  const auto& from = axis_swap(turn).from;
+  return {along(size, from[0]), along(size, from[1]), along(size, from[2])};
+}
+
+Cell size_of(const Box& box) {
+  return {box.width(), box.height(), box.depth()};
+}
+
+bool about_z(Turn turn) {
   return turn == Turn::left || turn == Turn::right;
+}
+
+/// Whether layers are layers no more.
+bool tips(Turn turn) {
+  return axis_swap(turn).from[2] != Axis::z;
+}
+
+Cell clamped(Cell cell, const Box& world) {
+  return {std::clamp(cell.x, 0, world.width() - 1), std::clamp(cell.y, 0, world.height() - 1),
+          std::clamp(cell.z, 0, world.depth() - 1)};
 }
 
 /// The pose of the lower left corner if that lies so many cells to the right of the old one, and above it.
@@ -76,94 +130,59 @@ std::shared_ptr<std::vector<bool>> emptied_unknown(Scenario& after) {
   return unknown;
 }
 
-}  // namespace
-
-Cell turned(Cell cell, int width, int height, Turn turn) {
-  switch (turn) {
-    case Turn::left:
-      return {cell.y, width - 1 - cell.x, cell.z};
-    case Turn::right:
-      return {height - 1 - cell.y, cell.x, cell.z};
-    case Turn::left_right:
-      return {width - 1 - cell.x, cell.y, cell.z};
-    case Turn::top_bottom:
-      return {cell.x, height - 1 - cell.y, cell.z};
-  }
-  return cell;
+/// How many layers a moving obstacle has that had `layers`: no more than its world, or it would be another one when it is
+/// read again, since files do not tell it of planes.
+int fitting_depth(int layers, const GridMap& world) {
+  return std::min(layers, world.depth);
 }
 
-Scenario turned(const Scenario& scenario, Turn turn) {
-  const GridMap& map = scenario.map;
-  Scenario after = scenario;
-  after.map_file.clear();
-  if (quarter(turn)) {
-    std::swap(after.map.width, after.map.height);
-    if (has_frame(map)) after.map.origin = turned_origin(map, turn);
-  }
-  const auto move = [&](Cell cell) { return turned(cell, map.width, map.height, turn); };
-  const auto unknown = emptied_unknown(after);
-  for (NodeId from = 0; from < map.blocked.size(); ++from) {
-    const std::size_t to = after.map.index(move(map.box().position(from)));
-    after.map.blocked[to] = map.blocked[from];
-    if (unknown) (*unknown)[to] = scenario.map_found.is_unknown(map, from);
-  }
-  move_places(after, move);
-  for (std::size_t i = 0; i < after.surprises.size(); ++i) {
-    Surprise& surprise = after.surprises.edit(i);
-    for (CellChange& change : surprise.cells) change.cell = move(change.cell);
-    sort_rows(surprise.cells);
-  }
+/// The moving obstacles of a world that was `before`. The way of one is that of its lowest cell, which is another cell
+/// of the box after the turn.
+void turn_movers(Scenario& after, const Box& before, Turn turn) {
   for (MovingObstacle& mover : after.movers) {
-    // The way is that of the upper left cell: another corner of the box after the turn.
-    if (quarter(turn)) std::swap(mover.width, mover.height);
-    const int left = turn == Turn::right || turn == Turn::left_right ? mover.width - 1 : 0;
-    const int up = turn == Turn::left || turn == Turn::top_bottom ? mover.height - 1 : 0;
-    for (Cell& corner : mover.way)
-      corner = {std::clamp(corner.x - left, 0, after.map.width - 1),
-                std::clamp(corner.y - up, 0, after.map.height - 1), corner.z};
+    const Cell size{mover.width, mover.height, mover.depth}, now = turned_size(size, turn);
+    for (Cell& corner : mover.way) {
+      const Cell last{corner.x + size.x - 1, corner.y + size.y - 1, corner.z + size.z - 1};
+      corner = clamped(box_of(turned(corner, before, turn), turned(last, before, turn)).low, after.map.box());
+    }
+    mover.width = now.x;
+    mover.height = now.y;
+    mover.depth = fitting_depth(now.z, after.map);
   }
-  if (auto& camera = after.view.camera) {
-    const double x = camera->x, y = camera->y;
-    camera->x = turn == Turn::left         ? y
-                : turn == Turn::right      ? map.height - y
-                : turn == Turn::left_right ? map.width - x
-                                           : x;
-    camera->y = turn == Turn::left         ? map.width - x
-                : turn == Turn::right      ? x
-                : turn == Turn::top_bottom ? map.height - y
-                                           : y;
-  }
-  return after;
 }
 
-Result<Resized> resized(const Scenario& scenario, const NewSize& size) {
-  const GridMap& map = scenario.map;
-  const std::int64_t most = map.depth == 1 ? kMaxCells : kMaxVoxels / map.depth;
-  if (size.width < 1 || size.height < 1 || std::int64_t{size.width} * size.height > most)
-    return Error{"a world cannot have " + std::to_string(size.width) + " x " + std::to_string(size.height) +
-                 " cells: give sides from 1 and at most " + std::to_string(most) + " cells in all"};
-  const Cell by{shift(size.across, map.width, size.width), shift(size.down, map.height, size.height)};
-  Resized done{scenario, 0, {}, false};
-  Scenario& after = done.scenario;
-  after.map_file.clear();
+/// The camera looks at the same place of a layer still; of a world that was tipped at all of it.
+void turn_camera(ViewSetup& view, const GridMap& before, Turn turn) {
+  if (!view.camera) return;
+  const double x = view.camera->x, y = view.camera->y;
+  const auto look_at = [&](double at_x, double at_y) { view.camera->x = at_x, view.camera->y = at_y; };
+  if (turn == Turn::left) return look_at(y, before.width - x);
+  if (turn == Turn::right) return look_at(before.height - y, x);
+  if (turn == Turn::left_right) return look_at(before.width - x, y);
+  if (turn == Turn::top_bottom) return look_at(x, before.height - y);
+  if (turn != Turn::upside_down) view.camera.reset();
+}
+
+/// Gives the map its new size; a cell of the one before comes to lie where `shifted` says, if that is inside.
+template <class Shifted>
+void resize_map(Scenario& after, const Scenario& before, const NewSize& size, const Shifted& shifted) {
+  const GridMap& map = before.map;
   after.map.width = size.width;
   after.map.height = size.height;
+  after.map.depth = size.depth;
   after.map.blocked.assign(after.map.box().node_count(), size.blocked ? kObstacle : kFree);
   const auto unknown = emptied_unknown(after);
-  const auto shifted = [by](Cell cell) { return Cell{cell.x + by.x, cell.y + by.y, cell.z}; };
   for (NodeId from = 0; from < map.blocked.size(); ++from)
     if (const Cell to = shifted(map.box().position(from)); after.map.contains(to)) {
       after.map.blocked[after.map.index(to)] = map.blocked[from];
-      if (unknown) (*unknown)[after.map.index(to)] = scenario.map_found.is_unknown(map, from);
+      if (unknown) (*unknown)[after.map.index(to)] = before.map_found.is_unknown(map, from);
     }
-  if (has_frame(map)) after.map.origin = moved_origin(map, -by.x, map.height - size.height + by.y);
-  const auto move = [&](Cell cell) {
-    return Cell{std::clamp(cell.x + by.x, 0, size.width - 1), std::clamp(cell.y + by.y, 0, size.height - 1),
-                cell.z};
-  };
-  const auto falls_off = [&](Cell cell) { return !after.map.contains(shifted(cell)); };
-  done.ends_moved = falls_off(scenario.start) || falls_off(scenario.goal);
-  move_places(after, move);
+}
+
+/// Moves the cells of surprises, and drops those that fall off, with the surprises of which nothing is left.
+template <class Shifted>
+void shift_surprises(Resized& done, const Shifted& shifted) {
+  Scenario& after = done.scenario;
   for (std::size_t i = 0; i < after.surprises.size(); ++i) {
     Surprise& surprise = after.surprises.edit(i);
     const std::size_t before = surprise.cells.size();
@@ -177,6 +196,74 @@ Result<Resized> resized(const Scenario& scenario, const NewSize& size) {
     done.surprises_lost.insert(done.surprises_lost.begin(), i);
     after.surprises.erase(i);
   }
+}
+
+}  // namespace
+
+Cell turned(Cell cell, const Box& world, Turn turn) {
+  const AxisSwap swap = axis_swap(turn);
+  const auto coordinate = [&](std::size_t i) {
+    const int value = along(cell, swap.from[i]);
+    return swap.flip[i] ? along(size_of(world), swap.from[i]) - 1 - value : value;
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
+
+Box turned_size(const Box& world, Turn turn) {
+  const Cell size = turned_size(size_of(world), turn);
+  return {size.x, size.y, size.z};
+}
+
+Scenario turned(const Scenario& scenario, Turn turn) {
+  const GridMap& map = scenario.map;
+  Scenario after = scenario;
+  after.map_file.clear();
+  const Box size = turned_size(map.box(), turn);
+  after.map.width = size.width();
+  after.map.height = size.height();
+  after.map.depth = size.depth();
+  if (about_z(turn) && has_frame(map)) after.map.origin = turned_origin(map, turn);
+  if (tips(turn)) after.map.origin = {};  // what was up is none of the frame's directions
+  const auto move = [&](Cell cell) { return turned(cell, map.box(), turn); };
+  const auto unknown = emptied_unknown(after);
+  for (NodeId from = 0; from < map.blocked.size(); ++from) {
+    const std::size_t to = after.map.index(move(map.box().position(from)));
+    after.map.blocked[to] = map.blocked[from];
+    if (unknown) (*unknown)[to] = scenario.map_found.is_unknown(map, from);
+  }
+  turn_movers(after, map.box(), turn);
+  move_places(after, move);
+  for (std::size_t i = 0; i < after.surprises.size(); ++i) {
+    Surprise& surprise = after.surprises.edit(i);
+    for (CellChange& change : surprise.cells) change.cell = move(change.cell);
+    sort_rows(surprise.cells);
+  }
+  turn_camera(after.view, map, turn);
+  return after;
+}
+
+Result<Resized> resized(const Scenario& scenario, const NewSize& size) {
+  const GridMap& map = scenario.map;
+  if (const auto checked = check_world_size({size.width, size.height, size.depth}); !checked)
+    return Error{checked.error()};
+  const Cell by{shift(size.across, map.width, size.width), shift(size.down, map.height, size.height),
+                shift(size.up, map.depth, size.depth)};
+  Resized done{scenario, 0, {}, false};
+  Scenario& after = done.scenario;
+  after.map_file.clear();
+  const auto shifted = [by](Cell cell) { return Cell{cell.x + by.x, cell.y + by.y, cell.z + by.z}; };
+  resize_map(after, scenario, size, shifted);
+  if (has_frame(map)) after.map.origin = moved_origin(map, -by.x, map.height - size.height + by.y);
+  const Box world = after.map.box();
+  const auto falls_off = [&](Cell cell) { return !world.contains(shifted(cell)); };
+  done.ends_moved = falls_off(scenario.start) || falls_off(scenario.goal);
+  const auto move = [&](Cell cell) { return clamped(shifted(cell), world); };
+  move_places(after, move);
+  for (MovingObstacle& mover : after.movers) {
+    for (Cell& corner : mover.way) corner = move(corner);
+    mover.depth = fitting_depth(mover.depth, after.map);
+  }
+  shift_surprises(done, shifted);
   if (auto& camera = after.view.camera) {
     camera->x += by.x;
     camera->y += by.y;

@@ -11,22 +11,30 @@
 
 namespace replan {
 
-/// A way to turn or mirror a world, each of its layers likewise.
+/// A way to turn or mirror a world. Seen from above, with y down the page and z towards the eye: the back of a world
+/// is where y is 0, its top where z is highest. The last five need more than one layer to do anything useful.
 enum class Turn : std::uint8_t {
-  left,        ///< a quarter turn against the clock
-  right,       ///< a quarter turn with the clock
-  left_right,  ///< mirrored: what was left is right
-  top_bottom,  ///< mirrored: what was at the top is at the bottom
+  left,         ///< a quarter turn about z, against the clock
+  right,        ///< a quarter turn about z, with the clock
+  left_right,   ///< mirrored along x: what was left is right
+  top_bottom,   ///< mirrored along y: what was at the top of a layer is at its bottom
+  upside_down,  ///< mirrored along z: the lowest layer is the highest
+  tip_back,     ///< a quarter turn about x: what was on top is at the back
+  tip_forward,  ///< a quarter turn about x: what was on top is at the front
+  tip_left,     ///< a quarter turn about y: what was on top is at the left
+  tip_right,    ///< a quarter turn about y: what was on top is at the right
 };
 
 /// Where the old world lies in the new one, along one axis.
 enum class Side : std::uint8_t { low, middle, high };
 
-/// Another size of the world's layers.
+/// Another size of the world.
 struct NewSize {
   int width = 1, height = 1;                  ///< cells
   Side across = Side::low, down = Side::low;  ///< low: what is at the left (top) stays there
   bool blocked = false;                       ///< new cells are obstacles
+  int depth = 1;                              ///< layers
+  Side up = Side::low;                        ///< low: what is in the lowest layer stays there
   friend bool operator==(const NewSize&, const NewSize&) = default;
 };
 
@@ -38,10 +46,13 @@ struct Resized {
   bool ends_moved = false;  ///< the start or a goal was outside and moved to the nearest cell inside
 };
 
-/// Where a cell of a world of this size comes to lie.
-Cell turned(Cell cell, int width, int height, Turn turn);
-/// Turns the map with start, goal, surprises, the ways of moving obstacles and the camera. The map keeps its
-/// place in its own frame (GridMap::origin) when it is turned; a mirrored one has none.
+/// Where a cell of such a world comes to lie.
+Cell turned(Cell cell, const Box& world, Turn turn);
+/// The size of such a world then. Tipping may give a plane that is too large for one: see check_world_size().
+Box turned_size(const Box& world, Turn turn);
+/// Turns the map with start, goal, surprises, the ways of moving obstacles and the camera. In the
+/// map's own frame (GridMap::origin) each cell keeps its place when the map is turned about z, and mirrored the map covers
+/// the same ground; tipped it has a place no more, only the length of its cells.
 Scenario turned(const Scenario& scenario, Turn turn);
 
 /// Gives the map another size. Start, goal, triggers and ways that would fall off move to the nearest cell;

@@ -116,6 +116,7 @@ int main(int argc, char** argv) {
   replan::bench::register_plans();
   replan::bench::register_checks();
   replan::bench::register_sight();
+  replan::bench::register_voxels();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

@@ -17,6 +17,7 @@ namespace bench {
 void register_plans();
 void register_checks();
 void register_sight();
+void register_voxels();
 }  // namespace bench
 
 /// Some worlds of one kind, and where to go in them.

@@ -149,6 +149,67 @@ TEST_F(Convert, makesMaps) {
   }
 }
 
+TEST_F(Convert, makesWorldsOfLayersOfHeights) {
+  const std::string sea = folder_.with("sea.asc",
+                                       "NCOLS 3\nnrows 1\ncellsize 1\nnodata_value -99\n-40 -20 -99\n"),
+                    grey = folder_.with("grey.pgm", std::string("P5\n2 1\n255\n\x00\xFF", 13)),
+                    out = folder_.file("o.3dmap"), text = folder_.file("o.txt");
+  expect_notes({sea, out, "--layers", "4"},
+               {"heights go from -40 to -20; the 4 layers reach from -40 up to 0, 10 each",
+                "1 column has no height and is an obstacle in all layers",
+                "where the grid lies (its south-west corner at nothing, nothing) and how large its cells are "
+                "(1 x 1) is "
+                "not kept, since it does not say in which unit"});
+  EXPECT_EQ(whole_file(out), "voxel 3 1 4\n1 0 0\n1 0 1\n2 0 0\n2 0 1\n2 0 2\n2 0 3\n");
+  EXPECT_EQ(run_program({"convert", sea, text, "--layers", "4", "--slice", "1"}).code, 0);
+  EXPECT_EQ(whole_file(text), ".@@\n");
+  EXPECT_EQ(run_program({"convert", sea, text, "--heights", "-60,-10", "--layers", "5", "--slice", "1"}).code,
+            0);
+  EXPECT_EQ(whole_file(text), "@@@\n");
+  EXPECT_EQ(run_program({"convert", grey, text}).code, 0);
+  EXPECT_EQ(whole_file(text), "@.\n");
+  EXPECT_EQ(run_program({"convert", grey, text, "--height-map", "--slice", "63"}).code, 0);
+  EXPECT_EQ(whole_file(text), ".@\n");
+  EXPECT_EQ(run_program({"convert", grey, text, "--height-map", "--invert", "--slice", "63"}).code, 0);
+  EXPECT_EQ(whole_file(text), "@.\n");
+  const Outcome run =
+      run_program({"run", "--map", sea, "--start", "0,0,0", "--goal", "1,0,63", "--planner", "astar"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  expect_complaint({"convert", sea, out, "--layers", "1"}, {"--layers cannot be '1'", "from 2 to 512"});
+  expect_complaint({"convert", sea, out, "--heights", "5"}, {"--heights cannot be '5'", "-4000,0"});
+  expect_complaint({"convert", sea, out, "--heights", "5,-5"}, {"--heights cannot be '5,-5'"});
+  expect_complaint({"convert", sea, out, "--reduce", "0"}, {"--reduce cannot be '0'", "from 1 to 1024"});
+  expect_complaint({"convert", map_, out, "--height-map"}, {"heights and layers are for", "a.map' is none"});
+  expect_complaint({"convert", sea, text}, {"three dimensions", "--slice Z with Z from 0 to 63"});
+}
+
+TEST_F(Convert, makesWorldsInSpace) {
+  const std::string spec = "generator:pillars?width=20&height=15&layers=6&seed=5",
+                    out = folder_.file("p.3dmap");
+  EXPECT_EQ(run_program({"convert", spec, out}).code, 0);
+  EXPECT_EQ(*read_map(out), *generate_from_spec(spec));
+  EXPECT_EQ(
+      run_program({"run", "--map", spec, "--start", "0,0,0", "--goal", "19,14,5", "--planner", "astar"}).code,
+      0);
+  const std::string slice = folder_.file("s.map");
+  EXPECT_EQ(run_program({"convert", spec, slice, "--slice", "2"}).code, 0);
+  EXPECT_EQ(*read_map(slice), *voxel_slice(*read_map(out), 2));
+  expect_complaint({"convert", spec, out, "--layers", "4"},
+                   {"how a map is read", "--layers", "say layers=4 in the generator"});
+  expect_complaint({"convert", "generator:pillars?seed=5", out, "--layers", "4"},
+                   {"say &layers=4 in the generator"});
+  expect_complaint({"convert", "generator:pillars", slice, "--layers", "4", "--slice", "2"},
+                   {"say ?layers=4 in the generator"});
+  for (const std::vector<std::string>& option :
+       {std::vector<std::string>{"--heights", "-4,0"}, {"--reduce", "2"}, {"--height-map"}, {"--invert"}}) {
+    std::vector<std::string> arguments = {"convert", spec, out};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    expect_complaint(arguments, {"a generator has settings of its own: leave them out"});
+  }
+  expect_complaint({"run", "--map", spec, "--start", "0,0,0", "--goal", "19,14,5", "--reduce", "2"},
+                   {"a generator has settings of its own"});
+}
+
 TEST_F(Convert, slicesVoxels) {
   const std::string box = folder_.with("b.3dmap", "voxel 3 2 4\n2 1 3\n0 0 0\n"), out = folder_.file("o.txt");
   EXPECT_EQ(run_program({"convert", box, out, "--slice", "3"}).code, 0);
@@ -160,7 +221,7 @@ TEST_F(Convert, slicesVoxels) {
   expect_complaint({"convert", box, out, "--slice", "4"}, {"z goes from 0 to 3"});
   expect_complaint({"convert", box, out, "--slice", "-1"}, {"--slice cannot be '-1'"});
   expect_complaint({"convert", box, out, "--slice", "99999999999"}, {"z goes from 0 to 3"});
-  expect_complaint({"convert", map_, out, "--slice", "0"}, {"--slice is for a box of voxels"});
+  expect_complaint({"convert", map_, out, "--slice", "0"}, {"--slice is for a world of several layers"});
 }
 
 TEST_F(Convert, brokenFilesAreNamedWithTheirPlace) {

@@ -146,6 +146,8 @@ TEST_F(Voxels, convertGoesBothWaysAndTakesALayer) {
   EXPECT_EQ(whole_file(layer), ".@..\n.@..\n.@..\n");
   expect_complaint({"convert", world, layer}, {"three dimensions", "--slice Z with Z from 0 to 1"});
   expect_complaint({"convert", world, layer, "--slice", "2"}, {"z goes from 0 to 1"});
+  expect_complaint({"convert", world, layer, "--slice", "0", "--layers", "4"},
+                   {"a scenario says itself how its map is read"});
 }
 
 TEST_F(Voxels, renderShowsOneLayer) {
@@ -184,6 +186,8 @@ TEST_F(Voxels, renderShowsTheWorldFromEverySide) {
                                                {"--slice", "y=1"},
                                                {"--orbit", "30,35"},
                                                {"--orbit", "30,35", "--slice", "x=1", "--cut"},
+                                               {"--orbit", "30,35", "--glass"},
+                                               {"--orbit", "30,35,6,3,2,1"},
                                                {"--orbit", "-120,80"}}) {
     const std::string file = folder_.file("view.png");
     std::vector<std::string> arguments = {"render", scenario_, "-o",           file,
@@ -202,6 +206,12 @@ TEST_F(Voxels, renderShowsTheWorldFromEverySide) {
   expect_complaint({"render", scenario_, "-o", out, "--orbit", "30"},
                    {"--orbit cannot be '30': give YAW,PITCH"});
   expect_complaint({"render", scenario_, "-o", out, "--orbit", "30,95"}, {"at most 89"});
+  expect_complaint({"render", scenario_, "-o", out, "--orbit", "30,35,0,1,1,1"}, {"how many cells away"});
+  for (const std::string endless : {"nan,35", "30,nan", "inf,35", "30,35,inf,1,1,1", "30,35,9,1,nan,1"})
+    expect_complaint({"render", scenario_, "-o", out, "--orbit", endless},
+                     {"--orbit cannot be '" + endless + "': give YAW,PITCH"});
+  expect_complaint({"render", scenario_, "-o", out, "--glass"},
+                   {"--glass is for a world from outside: add --orbit"});
   expect_complaint({"render", scenario_, "-o", out, "--cut"},
                    {"--cut is for a world from outside: add --orbit"});
   expect_complaint({"render", scenario_, "-o", folder_.file("x.svg"), "--orbit", "30,35"},

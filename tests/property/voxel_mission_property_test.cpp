@@ -9,6 +9,7 @@
 #include "core/debug/law_checker.hpp"
 #include "core/debug/plan_oracle.hpp"
 #include "tests/support/mission_witness.hpp"
+#include "tests/support/taking_up.hpp"
 
 namespace replan::test::voxel_mission_property_test {
 namespace {
@@ -61,33 +62,6 @@ void check_laws(const LogView& view, Tally& tally) {
   ++tally.laws;
 }
 
-std::vector<Event> driven_on(Mission& mission, Recorder& recorder) {
-  for (int slices = 0; mission.advance(64) && slices < 300'000; ++slices) {
-  }
-  return recorder.take();
-}
-
-/// Stops somewhere, and goes on with another mission from there.
-void take_up(Random& random, const Scenario& scenario, const std::vector<Event>& whole, Tally& tally) {
-  Recorder first, second;
-  const PlannerChoice& choice = scenario.planners.front();
-  const auto mission = make_mission(scenario, choice, &first);
-  for (int slices = random.between(1, 60); slices > 0 && mission->advance(64); --slices) {
-  }
-  const std::vector<Event> before = first.take();
-  ASSERT_TRUE(before.size() <= whole.size() && std::equal(before.begin(), before.end(), whole.begin()));
-  SearchState state = initial_state(scenario, choice);
-  for (const Event& event : before) state.apply(event);
-  const auto again = make_mission(scenario, choice, &second);
-  again->restore(mission->checkpoint(), state);
-  second.line(first.current_line());
-  const std::vector<Event> rest = driven_on(*again, second);
-  ASSERT_TRUE(std::equal(rest.begin(), rest.end(), whole.begin() + static_cast<std::ptrdiff_t>(before.size()),
-                         whole.end()))
-      << "from event " << before.size();
-  ++tally.taken_up;
-}
-
 void drive(Random& random, const Scenario& scenario, const PlannerInfo& info, Tally& tally) {
   MissionWitness witness(scenario, info);
   const std::string fault = witness.run(tally.missions);
@@ -102,7 +76,9 @@ void drive(Random& random, const Scenario& scenario, const PlannerInfo& info, Ta
   const LogView view{log, world, info, scenario.planners.front().settings, scenario.robot.radius};
   ask_all(view, tally);
   if (!::testing::Test::HasFatalFailure()) check_laws(view, tally);
-  if (!::testing::Test::HasFatalFailure()) take_up(random, scenario, witness.log(), tally);
+  if (::testing::Test::HasFatalFailure()) return;
+  ASSERT_EQ(taken_up(random, scenario, witness.log()), "");
+  ++tally.taken_up;
   const auto back = parse_scenario(scenario_text(scenario), "s.json", ".");
   ASSERT_TRUE(back.ok()) << back.error();
   ASSERT_EQ(*back, scenario);

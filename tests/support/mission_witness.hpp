@@ -11,6 +11,7 @@
 #include "core/sim/mission.hpp"
 #include "core/trace/search_state.hpp"
 #include "tests/support/missions.hpp"
+#include "tests/support/sensor_witness.hpp"
 
 namespace replan::test {
 
@@ -18,7 +19,8 @@ namespace replan::test {
 struct MissionTotals {
   std::int64_t missions = 0, arrived = 0, no_path = 0, moves = 0, replans = 0, waits = 0, forgotten = 0,
                put_down = 0, new_goals = 0, endless = 0, beside_movers = 0, nearest = 0, nearest_plans = 0,
-               goal_again = 0, drove_out = 0, left_zone = 0, in_zone = 0, along_zone = 0;
+               goal_again = 0, drove_out = 0, left_zone = 0, in_zone = 0, along_zone = 0, turns = 0,
+               better_known = 0;
 };
 
 /// Where a moving obstacle is after that many steps, by walking.
@@ -51,6 +53,7 @@ class MissionWitness {
       : scenario_(scenario),
         info_(info),
         rules_(oracle_rules(scenario)),
+        sensor_(scenario),
         mission_(make_mission(scenario, scenario.planners[0], &recorder_)),
         state_(initial_state(scenario, scenario.planners[0])) {
     if (info.any_angle || !scenario.planners[0].stages.empty()) rules_.diagonals = true;
@@ -66,6 +69,7 @@ class MissionWitness {
     for (int slices = 0;; ++slices) {
       if (slices > 300000) return "the mission does not end";
       const std::int64_t moves = mission_->now().figures.moves;
+      sensor_.look(mission_->now());
       const bool more = mission_->advance(64);
       went_ = mission_->now().figures.moves > moves;
       for (const Event& event : recorder_.take()) {
@@ -74,6 +78,7 @@ class MissionWitness {
         log_.push_back(event);
       }
       if (const std::string fault = world_fault(); !fault.empty()) return fault;
+      if (const std::string fault = sensor_.limit_fault(mission_->now()); !fault.empty()) return fault;
       if (!more) break;
     }
     ++totals.missions;
@@ -122,8 +127,8 @@ class MissionWitness {
   /// Its body on the way, against all that stands in the world: sampled, by the distance of points from squares.
   std::string body_fault() {
     const double radius = scenario_.robot.radius;
-    const Point from = mission_->now().before, to = mission_->now().at;
-    const auto clearance = [&](double t) {
+    const std::vector<Point> way = sensor_.way_of(mission_->now());
+    const auto clearance = [&](const Point& from, const Point& to, double t) {
       const double at[] = {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y),
                            from.z + t * (to.z - from.z)};
       double least = radius;
@@ -139,9 +144,12 @@ class MissionWitness {
       }
       return least;
     };
-    const double before = clearance(0);
-    for (int k = 1; k <= 8; ++k)
-      if (clearance(k / 8.0) < before - 1e-7) return "the robot's body touches an obstacle";
+    const double before = clearance(way.front(), way.front(), 0);
+    const int parts = way.size() > 2 ? 2 : 8;
+    for (std::size_t i = 1; i < way.size(); ++i)
+      for (int k = 1; k <= parts; ++k)
+        if (clearance(way[i - 1], way[i], double(k) / parts) < before - 1e-7)
+          return "the robot's body touches an obstacle";
     return "";
   }
 
@@ -150,6 +158,7 @@ class MissionWitness {
       case EventKind::move:
         return move_fault(event.node, totals);
       case EventKind::surprise:
+        sensor_.is_told();
         for (const CellChange& change : scenario_.surprises[event.delta].cells)
           walls_[scenario_.map.index(change.cell)] = change.blocked ? 1 : 0;
         // A wall that comes onto its cell does not hold it; one that it was in before does.
@@ -171,6 +180,11 @@ class MissionWitness {
       case EventKind::waiting:
         ++totals.waits;
         break;
+      case EventKind::sensed:
+        return sensor_.sensed_fault(robot_, event.node);
+      case EventKind::turn:
+        ++totals.turns;
+        return sensor_.sight_fault(state_, robot_);
       case EventKind::forgotten:
         ++totals.forgotten;
         break;
@@ -182,6 +196,7 @@ class MissionWitness {
 
   std::string move_fault(NodeId to, MissionTotals& totals) {
     if (state_.truly_blocked(to)) return "the robot enters an obstacle";
+    if (const std::string fault = sensor_.sight_fault(state_, robot_); !fault.empty()) return fault;
     if (scenario_.robot.radius > 0 && went_)
       for (const std::string& fault : {zone_fault(to, totals), body_fault()})
         if (!fault.empty()) return fault;
@@ -256,6 +271,7 @@ class MissionWitness {
   std::string end_fault(MissionTotals& totals) {
     const NodeId goal = state_.wanted_goal();
     if (state_.node(Scalar::robot) != robot_) return "the robot is not where it drove";
+    if (const std::string fault = sensor_.sight_fault(state_, robot_); !fault.empty()) return fault;
     if (mission_->state() == MissionState::arrived) {
       ++totals.arrived;
       return robot_ == goal ? "" : "it has arrived somewhere else";
@@ -276,7 +292,23 @@ class MissionWitness {
       return "it did not look for the nearest cell";
     if (world_.blocked[goal] != 0) return "";
     const MoveRules rules = oracle_rules(scenario_);
-    return oracle::costs_to(world_, rules, closed(), goal)[robot_] == oracle::kNever ? "" : "there is a path";
+    if (oracle::costs_to(world_, rules, closed(), goal)[robot_] != oracle::kNever) return "there is a path";
+    return truth_fault(goal, totals);
+  }
+
+  /// Where a fresh plan on the world as it is would find a path, the robot holds something for an obstacle that it has
+  /// seen, cannot see now, and that has gone since.
+  std::string truth_fault(NodeId goal, MissionTotals& totals) {
+    bool gone = false;
+    for (NodeId n = 0; n < walls_.size(); ++n) {
+      world_.blocked[n] = state_.truly_blocked(n) && n != robot_ ? 1 : 0;
+      gone = gone || (state_.known_blocked(n) && !state_.truly_blocked(n));
+    }
+    if (scenario_.robot.radius > 0) world_.blocked = oracle::grown(world_, scenario_.robot.radius);
+    if (oracle::costs_to(world_, oracle_rules(scenario_), closed(), goal)[robot_] == oracle::kNever)
+      return "";
+    ++totals.better_known;
+    return gone ? "" : "its map is right, and there is a path";
   }
 
   [[nodiscard]] std::vector<oracle::Raw> closed() const {
@@ -287,6 +319,7 @@ class MissionWitness {
   const PlannerInfo& info_;
   MoveRules rules_;
   Recorder recorder_;
+  SensorWitness sensor_;
   std::unique_ptr<Mission> mission_;
   SearchState state_;
   oracle::World world_;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "core/base/random.hpp"
 #include "ui/shell/actions.hpp"
 
 namespace replan::ui::clipboard_test {
@@ -127,6 +128,78 @@ TEST_F(ClipboardTest, MatricesArePastedAndWhatPartsThemIsTold) {
   perform(ActionId::paste);
   EXPECT_EQ(panels_.tone, Tone::bad);
   EXPECT_NE(panels_.said.find("there are the numbers 0, 1 and 2"), std::string::npos) << panels_.said;
+}
+
+class ClipboardInSpaceTest : public ClipboardTest {
+ protected:
+  void SetUp() override {
+    Scenario scenario;
+    scenario.map = GridMap(7, 6, 5);
+    Random random(3);
+    for (NodeId node = 0; node < scenario.map.blocked.size(); ++node)
+      if (random.chance(0.4)) scenario.map.blocked[node] = kObstacle;
+    for (NodeId node = 0; node < 8; ++node)
+      scenario.map.set(
+          {static_cast<int>(node & 1), static_cast<int>(node >> 1 & 1), static_cast<int>(node >> 2)},
+          (node & 3) == 0);
+    scenario.start = {1, 1, 1};
+    scenario.goal = {6, 5, 4};
+    for (const Cell end : {scenario.start, scenario.goal}) scenario.map.set(end, false);
+    scenario.planners = {{"dstar-lite", {}, {}}};
+    session_ = std::make_unique<Session>(scenario);
+    session_->settle();
+  }
+  /// Copies a box, pastes it where the pin is, and looks at every cell of the world; then takes it back.
+  void expect_copied(const CellBox& from, Cell to) {
+    const GridMap before = session_->world();
+    view_.editing.region = from;
+    perform(ActionId::copy);
+    view_.editing.region.reset();
+    view_.view.pinned = to;
+    perform(ActionId::paste);
+    const GridMap after = session_->world();
+    const Scenario& scenario = session_->scenario();
+    std::size_t changed = 0;
+    for (NodeId node = 0; node < before.blocked.size(); ++node) {
+      const Cell cell = before.box().position(node);
+      const Cell source{cell.x - to.x + from.low.x, cell.y - to.y + from.low.y, cell.z - to.z + from.low.z};
+      const bool pasted = cell.x >= to.x && cell.y >= to.y && cell.z >= to.z && source.x <= from.high.x &&
+                          source.y <= from.high.y && source.z <= from.high.z;
+      const bool kept = cell == scenario.start || cell == scenario.goal;
+      ASSERT_EQ(after.at(cell), pasted && !kept ? before.at(source) : before.at(cell))
+          << cell.x << ", " << cell.y << ", " << cell.z;
+      changed += after.at(cell) != before.at(cell) ? 1 : 0;
+    }
+    EXPECT_GT(changed, 0u);
+    perform(ActionId::undo);
+    EXPECT_EQ(session_->world(), before);
+    perform(ActionId::redo);
+    EXPECT_EQ(session_->world(), after);
+    perform(ActionId::undo);
+  }
+};
+
+TEST_F(ClipboardInSpaceTest, ARegionOfSeveralLayersIsPastedAnywhere) {
+  view_.editing.region = CellBox{{0, 0, 0}, {1, 1, 1}};
+  perform(ActionId::copy);
+  EXPECT_EQ(clipboard(), "@.\n..\n\n@.\n..\n");
+  expect_copied({{0, 0, 0}, {2, 1, 2}}, {1, 3, 1});
+  expect_copied({{0, 0, 0}, {2, 3, 4}}, {3, 1, 0});
+  expect_copied({{1, 2, 1}, {3, 4, 3}}, {0, 0, 0});  // the start lies there and stays free
+}
+
+TEST_F(ClipboardInSpaceTest, ARegionAcrossAnyAxisIsABoxOfTheWorld) {
+  expect_copied({{2, 0, 0}, {2, 4, 3}}, {4, 1, 1});  // as selected on a slice across x
+  expect_copied({{0, 3, 1}, {4, 3, 3}}, {1, 1, 0});  // across y
+  expect_copied({{0, 0, 2}, {3, 3, 2}}, {1, 2, 4});  // across z
+}
+
+TEST_F(ClipboardInSpaceTest, LayersOverTheTopAreLeftOut) {
+  expect_copied({{0, 0, 0}, {1, 1, 3}}, {4, 1, 3});
+  view_.view.pinned = Cell{4, 1, 3};
+  perform(ActionId::paste);
+  EXPECT_EQ(view_.editing.region, (CellBox{{4, 1, 3}, {5, 2, 4}}));
+  EXPECT_NE(panels_.said.find("left out"), std::string::npos);
 }
 
 }  // namespace

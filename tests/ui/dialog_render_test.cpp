@@ -65,6 +65,36 @@ INSTANTIATE_TEST_SUITE_P(Some, DialogRenderGoldenToo,
                          testing::Values("film_window", "open", "keys", "unsaved", "menu_view"),
                          [](const auto& name) { return name.param; });
 
+/// Of a world of several layers, of which these dialogs show more.
+RenderRequest in_space(const std::string& name) {
+  RenderRequest request = with_dialog(name);
+  GridMap& map = request.scenario.map;
+  map = GridMap(24, 16, 8);
+  for (int z = 0; z < 6; ++z)
+    for (int y = 2; y < 12 - z; ++y) map.set({8 + z, y, z}, true);
+  request.scenario.start = {1, 8, 1};
+  request.scenario.goal = {22, 8, 6};
+  return request;
+}
+
+class DialogRenderGoldenInSpace : public testing::TestWithParam<std::string> {};
+
+TEST_P(DialogRenderGoldenInSpace, Dark) {
+  compare_with_golden(in_space(GetParam()), "dialog_" + GetParam() + "_space_dark");
+}
+
+TEST_P(DialogRenderGoldenInSpace, LightAndTwiceTheSize) {
+  RenderRequest request = in_space(GetParam());
+  request.theme = "light";
+  request.width *= 2;
+  request.height *= 2;
+  request.scale = 2;
+  compare_with_golden(request, "dialog_" + GetParam() + "_space_light_2x");
+}
+
+INSTANTIATE_TEST_SUITE_P(Worlds, DialogRenderGoldenInSpace, testing::Values("resize", "generate"),
+                         [](const auto& name) { return name.param; });
+
 TEST(DialogRender, AWrongNameShowsThoseThereAre) {
   RenderRequest request = with_dialog("abuot");
   request.output = "/tmp/never.png";

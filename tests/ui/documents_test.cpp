@@ -218,6 +218,41 @@ TEST(Previews, ShowWhatIsInAFileOrWhyNot) {
   EXPECT_NE(make_preview(folder.file("huge.map"), {}, {}).error.find("Too large"), std::string::npos);
 }
 
+TEST(Previews, OfHeightsAreOfTheirLayers) {
+  const test::TemporaryFolder folder;
+  const std::string sea = folder.with("sea.asc", "ncols 2\nnrows 1\n-40 -20\n"),
+                    grey = folder.with("grey.pgm", std::string("P5\n2 1\n255\n\x00\xFF", 13));
+  const Preview deep = make_preview(sea, {}, {});
+  EXPECT_EQ(deep.error, "");
+  EXPECT_EQ(deep.depth, 64);
+  ASSERT_TRUE(deep.heights.has_value());
+  EXPECT_EQ(deep.heights->low, -40);
+  EXPECT_EQ(deep.heights->high, -20);
+  EXPECT_EQ(deep.thumbnail.walls[1], 127) << "half of its layers";
+  EXPECT_EQ(make_preview(grey, {}, {}).depth, 1);
+  EXPECT_EQ(make_preview(grey, {.image = {}, .heights = HeightReading{.layers = 8}}, {}).depth, 8);
+  const Preview none = make_preview(sea, {.image = {}, .heights = HeightReading{.low = 5}}, {});
+  EXPECT_NE(none.error.find("no layers fit"), std::string::npos) << none.error;
+  Scenario current;
+  current.planners = {{"jps", {}, {}}, {"astar", {}, {}}};
+  const auto opened = open_document(grey, current, {.image = {}, .heights = HeightReading{.layers = 8}});
+  ASSERT_TRUE(opened.ok()) << opened.error();
+  EXPECT_EQ(opened->map.box(), Box(2, 1, 8));
+  EXPECT_EQ(opened->planners.at(0).id, "astar");
+  EXPECT_FALSE(opened->map.at(opened->start) || opened->map.at(opened->goal));
+}
+
+TEST(NewWorld, HasTheLayersThatAreAskedFor) {
+  Scenario current;
+  current.planners = {{"jps", {}, {}}, {"astar", {}, {}}};
+  EXPECT_EQ(empty_world({16, 9}, current).planners.size(), 2u);
+  const Scenario world = empty_world({16, 9, 5}, current);
+  EXPECT_EQ(world.map.box(), Box(16, 9, 5));
+  EXPECT_EQ(world.planners.size(), 1u) << "the one that plans in space";
+  EXPECT_EQ(world.start, (Cell{2, 4, 2}));
+  EXPECT_EQ(world.goal, (Cell{13, 4, 2}));
+}
+
 std::string repeated(const std::string& row, int times) {
   std::string text;
   for (int i = 0; i < times; ++i) text += row;

@@ -1,6 +1,9 @@
 // OpenGL functions that do nothing but claim to have worked: what is left of a frame is the time of our own code.
 #pragma once
 
+#include <cstddef>
+#include <type_traits>
+
 #include "ui/gl/gl.hpp"
 
 namespace replan::ui {

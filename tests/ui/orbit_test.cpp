@@ -50,11 +50,11 @@ class OrbitPaneTest : public CanvasTest {
   }
   /// What goes to the graphics card while something is done.
   template <class Deed>
-  SolidRenderer::Uploads uploads(Deed&& deed) {
-    const SolidRenderer::Uploads before = pane_->uploads();
+  SolidBuffers::Uploads uploads(Deed&& deed) {
+    const SolidBuffers::Uploads before = pane_->uploads();
     deed();
     draw();
-    const SolidRenderer::Uploads after = pane_->uploads();
+    const SolidBuffers::Uploads after = pane_->uploads();
     return {after.blocks - before.blocks, after.scenes - before.scenes};
   }
   [[nodiscard]] OrbitLens lens() const { return {state_.orbit, hall_->run().lattice(), area_.view}; }
@@ -77,7 +77,7 @@ class OrbitPaneTest : public CanvasTest {
 };
 
 TEST_F(OrbitPaneTest, ATurnBuildsAndUploadsNothing) {
-  EXPECT_EQ(pane_->uploads().blocks, 12u);
+  EXPECT_GT(pane_->uploads().blocks, 4u);
   EXPECT_EQ(pane_->uploads().scenes, 1u);
   const Image before = offscreen_->picture();
   const auto sent = uploads([&] {
@@ -108,7 +108,9 @@ TEST_F(OrbitPaneTest, AStrokeUploadsItsOwnBlocksAlone) {
     hall_->settle();
   });
   EXPECT_EQ(at_a_border.blocks, 2u);
-  const auto stepping = uploads([&] { ASSERT_TRUE(hall_->apply(Step{StepUnit::expansion, -3}).ok()); });
+  ASSERT_TRUE(hall_->apply(Seek{100}).ok());
+  draw();
+  const auto stepping = uploads([&] { ASSERT_TRUE(hall_->apply(Step{StepUnit::expansion, 3}).ok()); });
   EXPECT_EQ(stepping.blocks, 0u);
   EXPECT_EQ(stepping.scenes, 1u);
 }

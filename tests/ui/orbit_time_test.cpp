@@ -12,6 +12,9 @@ namespace replan::ui::orbit_time_test {
 namespace {
 
 constexpr double kMostMs = 16;
+/// Where millions of events come or are leapt over at once, all of the field's values are looked at for the ends of its
+/// colours, as on a slice.
+constexpr double kMostAfterLeapMs = 50;
 
 /// The processor's time, which is the same on a busy machine.
 double thread_ms() {
@@ -46,7 +49,7 @@ class OrbitFrameTime : public testing::Test {
     if (stage_) stage_->frame(1280, 800, 1.0f / 60, [this] { shell_.reset(); });
   }
   template <class Between>
-  void frames_of(const char* what, int count, Between&& between) {
+  void frames_of(const char* what, int count, Between&& between, double most = kMostMs) {
     std::vector<double> times;
     const NullGl::Uploads before = NullGl::uploads();
     for (int i = 0; i < count; ++i) {
@@ -61,10 +64,11 @@ class OrbitFrameTime : public testing::Test {
     std::printf("%-28s median %7.2f ms, longest %7.2f ms, %zu buffers and %zu kB uploaded\n", what,
                 times[times.size() / 2], times.back(), after.buffers - before.buffers,
                 (after.bytes - before.bytes) / 1024);
-    EXPECT_LT(times.back(), kMostMs) << what;
+    EXPECT_LT(times.back(), most) << what;
   }
-  void frames_of(const char* what, int count) {
-    frames_of(what, count, [](int) {});
+  void frames_of(const char* what, int count, double most = kMostMs) {
+    frames_of(
+        what, count, [](int) {}, most);
   }
 
   const Gl gl_ = NullGl::table();
@@ -108,13 +112,13 @@ TEST_F(OrbitFrameTime, IsShortInAHugeWorldWithALongOpenList) {
   REPLAN_NEED_SHARED_DATA();
   open("dijkstra", {152, 56, 65}, {103, 60, 68});
   ASSERT_FALSE(HasFatalFailure());
-  frames_of("opening, while it plans", 200);
-  session_->settle();
+  while (session_->run().busy() && !HasFailure())
+    frames_of("opening, while it plans", 1000, kMostAfterLeapMs);
   const std::size_t end = session_->run().timeline().size();
   std::printf("%zu events\n", end);
   frames_of("the plan stands", 20);
   ASSERT_TRUE(session_->apply(Seek{end / 2}).ok());
-  frames_of("a leap", 5);
+  frames_of("a leap", 5, kMostAfterLeapMs);
   std::printf("%zu cells wait\n", session_->run().timeline().state().queue_size());
   const auto go_on = [&](std::size_t by) {
     return [this, by](int i) {

@@ -2,7 +2,9 @@
 #include <algorithm>
 
 #include "tests/ui/canvas_fixture.hpp"
+#include "ui/canvas/chips.hpp"
 #include "ui/canvas/orbit_marks.hpp"
+#include "ui/canvas/slice_bar.hpp"
 #include "ui/keys.hpp"
 #include "ui/tools/measure.hpp"
 #include "ui/tools/mover.hpp"
@@ -145,6 +147,39 @@ TEST_F(SlicesTest, SelectionMeasureAndWaysAreInTheWorld) {
   EXPECT_EQ(add->mover.depth, 2);
 }
 
+/// A box of two cells, whose middle lies between cells, on a slice where z grows against the rows.
+TEST_F(SlicesTest, TheNextMovingBoxIsShownWhereItWillStand) {
+  look_along(Axis::y, 7);
+  choose_tool(state_, "mover");
+  state_.brush = 2;
+  input().mouse_leave();
+  frame();
+  frame();
+  const Image before = offscreen_->picture();
+  move_to({5, 2});
+  const Image after = offscreen_->picture();
+  const Camera camera = canvas_->scene().camera;
+  // Whether something was drawn over the upper border of a row, in the middle of column 5.
+  const auto drawn = [&](int row) {
+    const auto x = static_cast<std::size_t>((5.5 - camera.x) * camera.zoom + kCanvasWidth / 2.0);
+    const auto y = static_cast<std::size_t>((row - camera.y) * camera.zoom + kCanvasHeight / 2.0);
+    for (std::size_t near = y - 2; near <= y + 2; ++near)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t at = (near * static_cast<std::size_t>(kCanvasWidth) + x) * 4 + i;
+        if (before.rgba[at] != after.rgba[at]) return true;
+      }
+    return false;
+  };
+  EXPECT_TRUE(drawn(1)) << "it is there in z = 3 and 4";
+  EXPECT_TRUE(drawn(3));
+  EXPECT_FALSE(drawn(4));
+  drag({5, 2}, {5, 2});
+  drag({5, 2}, {5, 2});
+  const auto* add = commands_.empty() ? nullptr : std::get_if<AddMover>(&commands_.back());
+  ASSERT_NE(add, nullptr);
+  EXPECT_EQ(add->mover.way.front(), (Cell{5, 7, 3}));
+}
+
 TEST_F(SlicesTest, FollowTheRobotWhereverItGoes) {
   state_.slices.follows_robot = true;
   frame();
@@ -181,6 +216,8 @@ class OrbitTest : public SlicesTest {
     SlicesTest::SetUp();
     state_.slices.set_orbits(0, true);
     frame();
+    const Look& look = offscreen_->stage().look();
+    above_ = static_cast<int>(pane_title_height(look) + slice_bar_height(look));
   }
   void drag_pixels(float x, float y, float dx, float dy, int which = 0) {
     input().mouse_move(x, y);
@@ -195,7 +232,7 @@ class OrbitTest : public SlicesTest {
     const Scene& scene = canvas_->scene();
     return {state_.orbit, session_->run().lattice(), {scene.width, scene.height, above_, 0}};
   }
-  int above_ = 69;  // what the title and the bar take
+  int above_ = 0;  // what the title and the bar take
 };
 
 TEST_F(OrbitTest, ADragTurnsTheWorldAndTheWheelComesNearer) {
@@ -221,6 +258,7 @@ TEST_F(OrbitTest, ADragTurnsTheWorldAndTheWheelComesNearer) {
 }
 
 TEST_F(OrbitTest, AClickPinsWhatIsUnderTheCursor) {
+  state_.view.overlays = {};  // no cell of the open list stands before it
   ASSERT_TRUE(session_->apply(PaintCells{{{{10, 5, 3}, true}}, 0}).ok());
   session_->settle();
   frame();

@@ -81,5 +81,31 @@ TEST_F(WorldDialogsTest, ASizeLeftAsItIsIsNoEdit) {
   EXPECT_TRUE(session_->history().empty());
 }
 
+TEST_F(WorldDialogsTest, AWorldOfLayersKeepsThemAndIsGeneratedInSpace) {
+  Scenario scenario;
+  scenario.map = GridMap(20, 16, 8);
+  scenario.goal = {19, 15, 7};
+  scenario.planners = {{"dstar-lite", {}, {}}};
+  session_ = std::make_unique<Session>(scenario);
+  session_->settle();
+  dialogs_.show_resize(*session_);
+  frame();
+  frame();
+  press(key::kEnter);
+  ASSERT_EQ(commands_.size(), 1u);
+  EXPECT_EQ(std::get<ResizeWorld>(commands_.front()).size.depth, 8);
+  ASSERT_TRUE(session_->apply(commands_.front()).ok());
+  EXPECT_TRUE(session_->history().empty());
+  commands_.clear();
+  dialogs_.show_generate(*session_, {});
+  frame();
+  frame();
+  press(key::kEnter);
+  ASSERT_EQ(commands_.size(), 1u);
+  EXPECT_EQ(std::get<GenerateWorld>(commands_.front()).layers, 8);
+  ASSERT_TRUE(session_->apply(commands_.front()).ok());
+  EXPECT_EQ(session_->undo_text(), "generate boxes of 20 x 16 x 8, seed 1");
+}
+
 }  // namespace
 }  // namespace replan::ui::world_dialogs_test

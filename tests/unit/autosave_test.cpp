@@ -171,6 +171,7 @@ TEST(Orphans, AreThoseWhoseProgramHasEnded) {
     autosaver.tick(session, 6, false);
     ::_exit(autosaver.path().empty() ? 1 : 0);
   }
+  if (child == -1) GTEST_SKIP() << "this process is too large for the machine to make another one of it";
   int status = 0;
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   ASSERT_EQ(status, 0);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/session/session.hpp"
+#include "core/session/world_edit.hpp"
 
 namespace replan::session_world_test {
 namespace {
@@ -244,6 +245,82 @@ TEST(SessionWorld, AGeneratedWorldHasEndsThatMeet) {
   EXPECT_FALSE(session.apply(GenerateWorld{"mace", {}, 31, 21, 7}).ok());
   EXPECT_FALSE(session.apply(GenerateWorld{"maze", {}, 0, 21, 7}).ok());
   EXPECT_EQ(session.scenario(), generated);
+}
+
+TEST(SessionWorld, AWorldOfLayersIsTippedResizedAndGenerated) {
+  Scenario scenario;
+  scenario.map = GridMap(12, 8, 5);
+  for (int z = 0; z < 4; ++z) scenario.map.set({6, 4, z}, true);
+  scenario.start = {1, 4, 2};
+  scenario.goal = {10, 4, 2};
+  scenario.planners = {{"dstar-lite", {}, {}}};
+  Session session(scenario);
+  session.settle();
+  const auto apply = [&](const Command& command) {
+    ASSERT_TRUE(session.apply(command).ok());
+    session.settle();
+    EXPECT_EQ(session.run().decisions().back().plan->status, PlanStatus::found);
+  };
+  for (const Turn turn :
+       {Turn::tip_back, Turn::tip_right, Turn::upside_down, Turn::tip_left, Turn::tip_forward})
+    apply(TurnWorld{turn});
+  EXPECT_EQ(session.undo_text(), "tip the world forward");
+  apply(ResizeWorld{{.width = 12, .height = 8, .depth = 9, .up = Side::middle}});
+  EXPECT_EQ(session.undo_text(), "resize to 12 x 8 x 9");
+  apply(ResizeWorld{{.width = 12, .height = 8}});  // a plane
+  EXPECT_EQ(session.scenario().map.box(), Box(12, 8));
+  apply(GenerateWorld{"sea-floor", {}, 20, 16, 3, 8});
+  EXPECT_EQ(session.undo_text(), "generate sea-floor of 20 x 16 x 8, seed 3");
+  EXPECT_EQ(session.scenario().map.box(), Box(20, 16, 8));
+  for (int i = 0; i < 8; ++i) ASSERT_TRUE(session.apply(Undo{}).ok());
+  EXPECT_EQ(session.scenario(), scenario);
+  for (int i = 0; i < 8; ++i) ASSERT_TRUE(session.apply(Redo{}).ok());
+  EXPECT_EQ(session.scenario().map.box(), Box(20, 16, 8));
+  EXPECT_FALSE(session.apply(GenerateWorld{"maze", {}, 20, 16, 3, 8}).ok());
+}
+
+/// A condition that names a cell of the plane makes no sense in space: it stays, in the file too.
+TEST(SessionWorld, ADocumentWhoseWorldHasGrownALayerIsReadAgain) {
+  Session session(strip());
+  session.settle();
+  ASSERT_TRUE(session.apply(AddBreakpoint{"g(1, 1) > 2"}).ok());
+  const Box before = session.scenario().map.box();
+  ASSERT_TRUE(
+      session.apply(ResizeWorld{{.width = before.width(), .height = before.height(), .depth = 2}}).ok());
+  Scenario saved = session.scenario();
+  saved.debug = session.debug();
+  const auto again = parse_scenario(scenario_text(saved), "again.json", "");
+  ASSERT_TRUE(again.ok()) << again.error();
+  ASSERT_EQ(again->debug.breakpoints.size(), 1u);
+  Session opened(*again);
+  opened.settle();
+  EXPECT_NE(opened.breakpoints().problem(0), "");
+  ASSERT_TRUE(opened.apply(ResizeWorld{{.width = before.width(), .height = before.height()}}).ok());
+  opened.settle();
+  EXPECT_EQ(opened.breakpoints().problem(0), "") << "it is in a plane again";
+}
+
+/// So many voxels that they are more cells than a plane can have. That is seen before the cells are looked at.
+TEST(SessionWorld, AWorldIsNotTippedToAPlaneThatIsTooLarge) {
+  Scenario scenario = strip();
+  scenario.map.width = 8193;
+  scenario.map.height = 1;
+  scenario.map.depth = 8193;
+  const auto tipped = edited(scenario, 0, TurnWorld{Turn::tip_back});
+  ASSERT_FALSE(tipped.ok());
+  EXPECT_EQ(tipped.error(),
+            "a world cannot have 8193 x 8193 cells: give sides from 1 and at most 67108864 cells in all");
+}
+
+TEST(SessionWorld, APlannerOfThePlaneKeepsAWorldFlat) {
+  Scenario scenario = strip();
+  scenario.planners = {{"field-dstar", {}, {}}};
+  Session session(scenario);
+  session.settle();
+  const NewSize higher{.width = scenario.map.width, .height = scenario.map.height, .depth = 3};
+  EXPECT_FALSE(session.apply(ResizeWorld{higher}).ok());
+  EXPECT_FALSE(session.apply(GenerateWorld{"boxes", {}, 20, 16, 3, 8}).ok());
+  EXPECT_EQ(session.scenario(), scenario);
 }
 
 TEST(SessionWorld, AMapTakesThePlaceOfAnother) {

@@ -77,7 +77,7 @@ TEST(OrbitLens, LooksFromTheFrontWithZUpwards) {
 }
 
 /// By looking at every cell: the first whose inside the ray meets.
-std::optional<Cell> first_by_brute_force(const Ray& ray, const std::vector<bool>& solid) {
+std::optional<Cell> first_by_brute_force(const EyeRay& ray, const std::vector<bool>& solid) {
   std::optional<Cell> first;
   double least = HUGE_VAL;
   for (NodeId node = 0; node < kWorld.node_count(); ++node) {
@@ -107,7 +107,7 @@ TEST(FirstOnRay, IsTheFirstCellThatTheRayMeets) {
   for (int i = 0; i < 500; ++i) {
     const Orbit orbit{random.below(628) / 100.0, random.below(300) / 100.0 - 1.5, 0, {}};
     const OrbitLens lens(orbit, kWorld, kView);
-    const Ray ray = lens.ray(random.below(800) + 0.137, random.below(600) + 0.291);
+    const EyeRay ray = lens.ray(random.below(800) + 0.137, random.below(600) + 0.291);
     const auto found = first_on_ray(kWorld, ray, [&](Cell cell, Cell) { return solid[kWorld.node(cell)]; });
     EXPECT_EQ(found, first_by_brute_force(ray, solid));
     met += found ? 1 : 0;
@@ -320,7 +320,8 @@ TEST(OpenCells, AreThoseOfTheStateAtEveryMoment) {
     const std::size_t to = i % 10 == 0 ? random.below(static_cast<std::uint32_t>(end))
                                        : std::min(end, cursor + random.below(40));
     ASSERT_TRUE(session.apply(Seek{to}).ok());
-    open.follow(session.run());
+    open.follow(session.run(), Deadline(0));
+    while (open.behind()) open.follow(session.run(), Deadline(0));
     std::vector<NodeId> found, expected;
     open.each([&](NodeId node) {
       found.push_back(node);
@@ -344,11 +345,11 @@ TEST(OpenCells, LookOnlyWhereTheLogTellsOfAChange) {
   session.settle();
   OpenCells open;
   ASSERT_TRUE(session.apply(Seek{20}).ok());
-  open.follow(session.run());
+  open.follow(session.run(), Deadline::never());
   const std::size_t before = open.scanned();
   EXPECT_EQ(before, 128u) << "all of it, once";
   ASSERT_TRUE(session.apply(Seek{60}).ok());
-  open.follow(session.run());
+  open.follow(session.run(), Deadline::never());
   EXPECT_GT(open.scanned(), before);
   EXPECT_LE(open.scanned(), before + 8);
 }

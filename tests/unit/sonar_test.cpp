@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/session/session.hpp"
 #include "core/sim/mission.hpp"
 #include "core/trace/search_state.hpp"
 
@@ -260,6 +261,13 @@ TEST(SonarScene, TheOutlineInAPlaneIsTheRimOfWhatTheConeHolds) {
   EXPECT_TRUE(outline_in_plane({{0, 0, 0}, {0, 0, 1}, 2, 90}, -1).empty()) << "it looks the other way";
 }
 
+/// On its goal a robot has no course, and sees all round, as Cone has it.
+TEST(SonarScene, WithoutACourseTheOutlineIsARing) {
+  const std::vector<Point> ring = outline_in_plane({{5, 5, 0.5}, {0, 0, 0}, 3, 90}, 0);
+  ASSERT_GT(ring.size(), 20u);
+  for (const Point& point : ring) EXPECT_NEAR(distance(point, {5, 5, 0.5}), 3, 1e-9);
+}
+
 TEST(SonarScene, TheWiresInSpaceLieOnTheCone) {
   each_direction(1, 1, [](const Course& course) {
     for (const std::vector<Point>& wire : wires_of({{1, 2, 3}, course, 4, 50}))
@@ -272,6 +280,49 @@ TEST(SonarScene, TheWiresInSpaceLieOnTheCone) {
       }
   });
   EXPECT_EQ(wires_of({{1, 2, 3}, {1, 0, 0}, 4, 360}).size(), 3u);
+}
+
+/// The outlines of the sensor in a scene, in the world's coordinates.
+std::vector<Point> drawn_outline(const Run& run, const View& view, const Box& world) {
+  std::vector<Point> points;
+  const SeenBox seen(world, view.slice.along);
+  for (const Shape& shape : build_scene(run, view, {640, 480}, {}).shapes)
+    if (const auto* line = std::get_if<Polyline>(&shape); line != nullptr && line->dash > 0)
+      for (const Point& point : line->points) points.push_back(seen.world(point));
+  return points;
+}
+
+/// In slices across every axis the sensor's outline lies in the cone that the world has it in.
+TEST(SonarScene, SlicesAcrossEveryAxisCutTheSameCone) {
+  Scenario scenario;
+  scenario.map = GridMap(13, 11, 9);
+  scenario.start = {6, 5, 4};
+  scenario.goal = {11, 8, 2};
+  scenario.planners = {{"dstar-lite", {}}};
+  scenario.robot = {.sensor_radius = 4, .sensor_angle = 100};
+  Session session(scenario);
+  session.settle();
+  ASSERT_TRUE(session.apply(Seek{0}).ok());
+  const Point robot = centre_of(scenario.start);
+  const Course course = course_towards(robot, centre_of(scenario.goal));
+  for (const Axis along : {Axis::x, Axis::y, Axis::z}) {
+    std::size_t drawn = 0;
+    for (int layer = 0; layer < SeenBox(scenario.map.box(), along).depth(); ++layer) {
+      View view;
+      view.overlays = {};
+      view.overlays.set(Overlay::sensor, true);
+      view.slice = {along, layer};
+      for (const Point& point : drawn_outline(session.run(), view, scenario.map.box())) {
+        const Course to = course_towards(robot, point);
+        const double length = std::hypot(to.x, to.y, to.z);
+        EXPECT_LE(length, 4 + 1e-9);
+        if (length < 1e-9) continue;
+        EXPECT_LE(angle_of(course, to), 50 + 1e-6) << static_cast<int>(along) << ' ' << layer;
+        ++drawn;
+      }
+    }
+    EXPECT_GT(drawn, 100u) << static_cast<int>(along);
+  }
 }
 
 }  // namespace

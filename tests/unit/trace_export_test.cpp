@@ -272,6 +272,14 @@ TEST(JsonLines, HoldMissionsInBoxesOfVoxels) {
   }
 }
 
+TEST(JsonLines, HoldTheTurnsOfAVehicle) {
+  Scenario scenario = *closing_gap();
+  scenario.robot.kind = "vehicle";
+  expect_rebuilds(std::make_shared<const Scenario>(scenario));
+  EXPECT_NE(trace(std::make_shared<const Scenario>(scenario), "run.jsonl").find(R"("kind":"turn","cell":[)"),
+            std::string::npos);
+}
+
 TEST(JsonLines, TellTheDepthOfABoxAndNoneOfAPlane) {
   const auto head = [](int layers) {
     std::istringstream lines(trace(random_mission(3, "dstar-lite", layers), "run.jsonl"));

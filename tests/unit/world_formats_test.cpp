@@ -450,7 +450,7 @@ TEST(SharedData, EveryMapIsReadAndWrittenByEveryFormat) {
       }
     }
   EXPECT_EQ(counts, (std::map<std::string, int>{
-                        {".map", 233}, {".yaml", 4}, {".pgm", 4}, {".cfg", 2}, {".3dmap", 2}}));
+                        {".map", 233}, {".yaml", 4}, {".pgm", 4}, {".cfg", 2}, {".3dmap", 2}, {".asc", 1}}));
 }
 
 }  // namespace

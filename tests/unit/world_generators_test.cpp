@@ -74,12 +74,12 @@ TEST(Generators, RectanglesEndWhereNothingMoreFits) {
 
 TEST(Generators, CellsHaveTheirShare) {
   const Cell kept[] = {{0, 0}, {-5, 3}};
-  const auto map = random_cells(300, 300, 0.3, 5, kept);
+  const auto map = random_cells({300, 300}, 0.3, 5, kept);
   ASSERT_TRUE(map.ok());
   EXPECT_NEAR(covered(*map), 0.3, 0.01);
   EXPECT_FALSE(map->at({0, 0}));
-  EXPECT_EQ(covered(*random_cells(20, 20, 0, 1)), 0);
-  EXPECT_EQ(covered(*random_cells(20, 20, 1, 1)), 1);
+  EXPECT_EQ(covered(*random_cells({20, 20}, 0, 1)), 0);
+  EXPECT_EQ(covered(*random_cells({20, 20}, 1, 1)), 1);
 }
 
 TEST(Generators, AMazeIsATree) {
@@ -107,20 +107,20 @@ TEST(Generators, WideMazesAreConnectedAndKnockingOutMakesLoops) {
 
 TEST(Generators, AreTheSameEverywhere) {
   EXPECT_EQ(hash(*random_rectangles(200, 200, 0.17, 5, 15, 1)), 8725219793958398866u);
-  EXPECT_EQ(hash(*random_cells(64, 64, 0.4, 1)), 2791358616555902477u);
+  EXPECT_EQ(hash(*random_cells({64, 64}, 0.4, 1)), 2791358616555902477u);
   EXPECT_EQ(hash(*maze(65, 65, {.loops = 0.1}, 1)), 12693430590457760476u);
   EXPECT_EQ(hash(*rooms(65, 65, {}, 1)), 14710497476525175921u);
   EXPECT_EQ(hash(*caves(65, 65, {}, 1)), 15427999401942395202u);
   EXPECT_EQ(hash(*maze(65, 65, {.braid = 0.5}, 1)), 18054065780071126689u);
-  EXPECT_NE(hash(*random_cells(64, 64, 0.4, 1)), hash(*random_cells(64, 64, 0.4, 2)));
+  EXPECT_NE(hash(*random_cells({64, 64}, 0.4, 1)), hash(*random_cells({64, 64}, 0.4, 2)));
 }
 
 TEST(Generators, RefuseWhatCannotBe) {
-  EXPECT_FALSE(random_cells(0, 5, 0.1, 1).ok());
-  EXPECT_FALSE(random_cells(-3, 5, 0.1, 1).ok());
-  EXPECT_FALSE(random_cells(1'000'000'000, 1'000'000'000, 0.1, 1).ok());
-  EXPECT_FALSE(random_cells(5, 5, 1.5, 1).ok());
-  EXPECT_FALSE(random_cells(5, 5, std::nan(""), 1).ok());
+  EXPECT_FALSE(random_cells({0, 5}, 0.1, 1).ok());
+  EXPECT_FALSE(random_cells({-3, 5}, 0.1, 1).ok());
+  EXPECT_FALSE(random_cells({1'000'000'000, 1'000'000'000}, 0.1, 1).ok());
+  EXPECT_FALSE(random_cells({5, 5}, 1.5, 1).ok());
+  EXPECT_FALSE(random_cells({5, 5}, std::nan(""), 1).ok());
   EXPECT_FALSE(random_rectangles(9, 9, 0.95, 1, 2, 1).ok());
   EXPECT_FALSE(random_rectangles(9, 9, 0.2, 0, 2, 1).ok());
   EXPECT_FALSE(random_rectangles(9, 9, 0.2, 3, 2, 1).ok());
@@ -182,11 +182,11 @@ TEST(Generators, CavesAreOneCave) {
 TEST(Generators, KeptCellsAreFreeAndWithinReach) {
   const std::vector<Cell> kept = {{0, 0}, {99, 79}, {50, 40}, {51, 40}, {200, 200}};
   for (const GeneratorInfo& info : generators()) {
-    const auto map = generate(info.id, {}, 100, 80, 7, kept);
+    const auto map = generate(info.id, {}, {100, 80, info.layers}, 7, kept);
     ASSERT_TRUE(map.ok()) << map.error();
     for (const Cell cell : kept) EXPECT_FALSE(map->contains(cell) && map->at(cell)) << info.id;
     const bool joined = info.id != "cells" && info.id != "rectangles";
-    EXPECT_TRUE(!joined || shape_of(*map).parts == 1) << info.id;
+    EXPECT_TRUE(!joined || info.layers > 1 || shape_of(*map).parts == 1) << info.id;
   }
 }
 
@@ -205,7 +205,7 @@ TEST(GeneratorList, DeclaresEachParameterOnce) {
       for (const double value : {parameter.low, parameter.high}) {
         Settings settings;
         settings.set(parameter.key, value);
-        const auto map = generate(info.id, settings, 60, 60, 1);
+        const auto map = generate(info.id, settings, {60, 60, info.layers}, 1);
         EXPECT_TRUE(map.ok() || map.error().find("give ") != std::string::npos) << map.error();
       }
   }
@@ -214,7 +214,7 @@ TEST(GeneratorList, DeclaresEachParameterOnce) {
 TEST(GeneratorList, SpecsSayWhatTheyWant) {
   EXPECT_EQ(*generate_from_spec("generator:maze?width=61&height=41&corridor=2&seed=7"),
             *maze(61, 41, {.corridor = 2}, 7));
-  EXPECT_EQ(*generate_from_spec("generator:cells"), *random_cells(100, 100, 0.3, 1));
+  EXPECT_EQ(*generate_from_spec("generator:cells"), *random_cells({100, 100}, 0.3, 1));
   EXPECT_EQ(*generate_from_spec("generator:caves?"), *caves(100, 100, {}, 1));
   EXPECT_EQ(
       *generate_from_spec("generator:rooms?min_side=4&max_side=5&door=1&loops=0.5&seed=9007199254740992"),
@@ -224,6 +224,14 @@ TEST(GeneratorList, SpecsSayWhatTheyWant) {
   EXPECT_EQ(open_map("generator:maze?seed=3")->map, *maze(100, 100, {}, 3));
 }
 
+TEST(GeneratorList, SizesAreCheckedAlikeEverywhere) {
+  EXPECT_EQ(maze(0, 5, {}, 1).error(),
+            "a world cannot have 0 x 5 cells: give sides from 1 and at most 67108864 cells in all");
+  EXPECT_EQ(
+      random_boxes({1000, 1000, 1000}, 0.1, 1, 1, 1).error(),
+      "a world cannot have 1000 x 1000 x 1000 cells: give sides from 1 and at most 134217728 cells in all");
+}
+
 TEST(GeneratorList, BadSpecsAreNamed) {
   const auto error = [](const std::string& spec) {
     const auto map = generate_from_spec(spec);
@@ -231,7 +239,8 @@ TEST(GeneratorList, BadSpecsAreNamed) {
   };
   EXPECT_EQ(error("generator:mase"), "generator:mase: unknown generator 'mase'; did you mean 'maze'?");
   EXPECT_EQ(error("generator:"),
-            "generator:: unknown generator ''; known: cells, rectangles, maze, rooms, caves");
+            "generator:: unknown generator ''; known: cells, rectangles, maze, rooms, caves, boxes, caverns, "
+            "sea-floor, pillars");
   EXPECT_EQ(error("generator:maze?corridors=2"),
             "generator:maze?corridors=2: unknown setting 'corridors'; did you mean 'corridor'?");
   EXPECT_EQ(error("generator:maze?braid=2"),
@@ -242,7 +251,7 @@ TEST(GeneratorList, BadSpecsAreNamed) {
   EXPECT_EQ(error("generator:maze?seed"),
             "generator:maze?seed: 'seed' is no setting: give key=value, parted by &");
   EXPECT_EQ(error("generator:maze?seed=-1").find("'seed' cannot be '-1'") == std::string::npos, false);
-  EXPECT_NE(error("generator:cells?width=67108864&height=67108864").find("a map cannot have"),
+  EXPECT_NE(error("generator:cells?width=67108864&height=67108864").find("a world cannot have"),
             std::string::npos);
   EXPECT_NE(error("generator:rooms?door=9").find("doors cannot be 9 cells wide"), std::string::npos);
 }

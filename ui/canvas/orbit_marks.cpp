@@ -20,7 +20,7 @@ bool is_hidden(const Run& run, const SolidScene& scene, const Point& at, const P
   const SearchState& state = run.timeline().state();
   const Box& world = run.lattice();
   const Cell own = cell_of(at);
-  const Ray back{at, {eye.x - at.x, eye.y - at.y, eye.z - at.z}};
+  const EyeRay back{at, {eye.x - at.x, eye.y - at.y, eye.z - at.z}};
   return first_on_ray(world, back,
                       [&](Cell cell, Cell) {
                         const bool shown = !scene.cut || scene.cut->shows(centre_of(cell));
@@ -116,6 +116,7 @@ void draw_pointed_cell(const Look& look, const Run& run, Cell cell, const OrbitL
 void draw_compass(const Look& look, const OrbitLens& lens, const PaneArea& area, ImVec2 mouse) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Compass compass = compass_of(look, lens, area);
+  list.AddCircleFilled(compass.at, look.px(41), with_alpha(look.theme.surround, 0.75f));
   const auto under = compass_part(look, lens, area, mouse);
   constexpr std::array<const char*, 3> kNames = {"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i) {

@@ -28,6 +28,8 @@ bool may_be_whole(const Box& world) {
 
 /// What making faces may take of a frame in a window, all panes together.
 constexpr double kMakingMs = 5;
+/// And looking for all cells of the open list, after a leap.
+constexpr double kListMs = 3;
 /// How far beside the line of the path a click still meets it, in pixels of the design.
 constexpr double kPathReach = 5;
 
@@ -147,16 +149,17 @@ void OrbitPane::build(const Look& look, const Session& session, const Run& run, 
                      state.view.scale,
                      look.theme.free,
                      state.colours};
-  if (scene_key_ != now) {
+  const double share = 1 / static_cast<double>(session.runs().size());
+  const auto within = [&](double ms) { return state.live ? Deadline(ms * share) : Deadline::never(); };
+  if (scene_key_ != now || scene_.behind) {
     View view = state.view;
     view.slice = slice;
-    if (whole) mesh_.follow(run, memory.of(run).digest, palette);
-    scene_ = build_solid_scene(run, view, options, lens.eye(), palette, memory);
+    if (whole) mesh_.follow(run, memory.of(run).digest, palette, state.view.overlays.has(Overlay::unknown));
+    scene_ = build_solid_scene(run, view, options, lens.eye(), palette, memory, within(kListMs));
     ++scene_number_;
     scene_key_ = now;
   }
-  const double share = kMakingMs / static_cast<double>(session.runs().size());
-  if (whole) mesh_.make(run, lens.eye(), state.live ? Deadline(share) : Deadline::never());
+  if (whole) mesh_.make(run, lens.eye(), within(kMakingMs));
 }
 
 void OrbitPane::draw_picture(const Look& look, const Run& run, const OrbitLens& lens, const PaneArea& area,
@@ -192,13 +195,15 @@ void OrbitPane::draw(const Look& look, const Session& session, const Run& run, c
 /// Why there is no picture, or what is not in it.
 void OrbitPane::tell_state(const Look& look, const Run& run, const PaneArea& area) const {
   std::string words = refused_;
-  if (texture_ != nullptr && behind())
+  if (texture_ != nullptr && mesh_.waiting() > 0)
     words = "The world is being drawn: " +
             std::to_string(100 * (mesh_.block_count() - mesh_.waiting()) /
                            std::max<std::size_t>(mesh_.block_count(), 1)) +
             " % of it is there.";
   else if (texture_ != nullptr && !may_be_whole(run.lattice()))
-    words = "This world is too large to be shown whole: these are the obstacles of the slice.";
+    words =
+        "This world is too large to be shown whole: these are the obstacles of the slice. Shift and "
+        "the wheel move it.";
   else if (texture_ != nullptr && scene_.left_out)
     words = "More cells wait in the open list than can be shown: some are left out.";
   if (words.empty()) return;

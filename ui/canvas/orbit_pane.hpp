@@ -25,10 +25,10 @@ class OrbitPane {
   void draw(const Look& look, const Session& session, const Run& run, const Slice& slice,
             const PaneArea& area, const ViewState& state, SceneMemory& memory);
   /// Whether some of the world waits to be drawn in frames to come.
-  [[nodiscard]] bool behind() const { return mesh_.waiting() > 0; }
+  [[nodiscard]] bool behind() const { return mesh_.waiting() > 0 || scene_.behind; }
   /// What a legend tells of it.
   [[nodiscard]] const Scene& legend() const { return legend_; }
-  [[nodiscard]] const SolidRenderer::Uploads& uploads() const { return solids_.uploads(); }
+  [[nodiscard]] const SolidBuffers::Uploads& uploads() const { return solids_.uploads(); }
 
  private:
   /// What a scene was built of: equal keys, equal scenes. A turn builds none.

@@ -28,7 +28,10 @@ void Panes::fit() {
 }
 
 bool Panes::animating() const {
-  return std::any_of(canvases_.begin(), canvases_.end(), [](const auto& each) { return each->animating(); });
+  // Others may have been left in the middle of something.
+  const auto first = canvases_.begin() + static_cast<std::ptrdiff_t>(first_drawn_);
+  return std::any_of(first, first + static_cast<std::ptrdiff_t>(drawn_),
+                     [](const auto& each) { return each->animating(); });
 }
 
 void Panes::draw(const Look& look, const Session& session, std::size_t most, ViewState& state, ImVec2 min,
@@ -44,6 +47,9 @@ void Panes::draw(const Look& look, const Session& session, std::size_t most, Vie
   if (count > 1) max.y -= legend;
   const PaneGrid grid(look, count, min, max);
   shown_ = std::clamp(session.lead(), first, first + count - 1);
+  canvas(first + count - 1);  // there are as many
+  first_drawn_ = first;
+  drawn_ = count;
   SignSet signs;
   bool alike = true;  // the colours mean the same in all panes
   // Where a picture takes long, others may be a frame late, and then come first; else the leading pane does.

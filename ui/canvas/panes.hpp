@@ -30,7 +30,8 @@ class Panes {
   ImGuiRenderer& renderer_;
   std::vector<std::unique_ptr<Canvas>> canvases_;  // by pane
   Legend legend_;
-  std::size_t shown_ = 0;  // the pane of scene() and area()
+  std::size_t shown_ = 0;                    // the pane of scene() and area()
+  std::size_t first_drawn_ = 0, drawn_ = 0;  // the panes that were drawn last
   /// That the legend speaks of: the one under the mouse, or the last that was, for the way from there to the legend.
   std::size_t pointed_ = 0;
   ScreenArea area_;

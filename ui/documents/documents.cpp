@@ -51,7 +51,7 @@ void Documents::take_decision(Session& session, const DialogDecision& decision) 
       return write_(session, decision.path);
     case DialogDecision::Kind::new_world:
       return after_saving(session, [this, decision](Session& its) {
-        replace(its, {empty_world(decision.width, decision.height, its.scenario()), ""});
+        replace(its, {empty_world({decision.width, decision.height, decision.layers}, its.scenario()), ""});
       });
     case DialogDecision::Kind::discard:
       return go_on(session);

@@ -18,7 +18,8 @@ Scenario world_of(GridMap map, const Scenario& current) {
   scenario.robot = current.robot;
   if (!require_robot(scenario.robot.kind, scenario.map.box())) scenario.robot = RobotSetup{};
   for (const PlannerChoice& choice : current.planners)
-    if (fits(*find_choice(choice.id), scenario.map.box(), scenario.robot.radius)) scenario.planners.push_back(choice);
+    if (fits(*find_choice(choice.id), scenario.map.box(), scenario.robot.radius))
+      scenario.planners.push_back(choice);
   if (scenario.planners.empty()) scenario.planners.push_back({"dstar-lite", {}, {}});
   scenario.goal = {scenario.map.width - 1, scenario.map.height - 1, scenario.map.depth - 1};
   return scenario;
@@ -54,11 +55,12 @@ Result<Scenario> open_document(const std::string& path, const Scenario& current,
   return scenario;
 }
 
-Scenario empty_world(int width, int height, const Scenario& current) {
-  Scenario scenario = world_of(GridMap(width, height), current);
+Scenario empty_world(const Box& size, const Scenario& current) {
+  Scenario scenario = world_of(GridMap(size.width(), size.height(), size.depth()), current);
   scenario.name = "New world";
-  scenario.start = {width / 8, height / 2};
-  scenario.goal = {width - 1 - width / 8, height / 2};
+  const int margin = size.width() / 8;
+  scenario.start = {margin, size.height() / 2, size.depth() / 2};
+  scenario.goal = {size.width() - 1 - margin, size.height() / 2, size.depth() / 2};
   return scenario;
 }
 

@@ -17,7 +17,7 @@ namespace replan::ui {
 Result<Scenario> open_document(const std::string& path, const Scenario& current,
                                const MapReading& reading = {}, const std::stop_token& stop = {});
 /// An all-free world with the planners and the robot of `current`.
-Scenario empty_world(int width, int height, const Scenario& current);
+Scenario empty_world(const Box& size, const Scenario& current);
 /// Whether save_document() keeps everything that this file held, so that Ctrl+S may write to it without
 /// asking; of a map file only as long as nothing but its cells was edited.
 bool saves_in_place(const std::string& path);

@@ -112,6 +112,7 @@ Preview make_preview(const std::string& path, const MapReading& reading, const s
     else if (!stop.stop_requested())
       describe(file->map, file->start, file->goal, preview);
     if (file) preview.notes = file->found.notes_for_planning();
+    if (file) preview.heights = file->found.heights;
     preview.numbers = file ? file->found.numbers : numbers_of(path, reading);
   } else {
     preview.error = kind == FileKind::problems

@@ -37,9 +37,10 @@ struct Preview {
   int width = 0, height = 0, depth = 1;
   std::size_t obstacles = 0;
   double resolution = 1;
-  std::vector<std::string> planners;  ///< their names
-  std::vector<std::string> notes;     ///< what the reader has to say
-  std::vector<double> numbers;        ///< where the cells are numbers: those there are
+  std::vector<std::string> planners;   ///< their names
+  std::vector<std::string> notes;      ///< what the reader has to say
+  std::vector<double> numbers;         ///< where the cells are numbers: those there are
+  std::optional<HeightRange> heights;  ///< of a height map: from its deepest to its highest place
   Thumbnail thumbnail;
 };
 

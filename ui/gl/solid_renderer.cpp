@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 
 #include "ui/gl/shader.hpp"
 #include "ui/gl/solid_shaders.hpp"
@@ -13,12 +12,14 @@ namespace {
 
 /// How many cells nearer than they are lines are drawn.
 constexpr float kNearer = 0.1f;
+/// So many cells the faces that a cut lays open stand off from it, and the blocks end there.
+constexpr float kCutLift = 0.004f;
 /// How much of the background's colour what is farthest takes on.
 constexpr float kHaze = 0.5f;
 /// Strength of the lines between cells, and of outlines.
 constexpr float kCellLines = 0.18f, kInk = 0.75f;
 /// Of glass: all faces that look at the eye, and once more the nearest of them.
-constexpr float kGlass = 0.05f, kGlassShell = 0.2f;
+constexpr float kGlass = 0.08f, kGlassShell = 0.24f;
 
 /// Whether something of a box may be in sight.
 bool in_sight(const std::array<float, 16>& matrix, const CellBox& box) {
@@ -42,16 +43,13 @@ bool in_sight(const std::array<float, 16>& matrix, const CellBox& box) {
 
 }  // namespace
 
-SolidRenderer::SolidRenderer(const Gl& gl) : gl_(gl), target_(gl) {}
+SolidRenderer::SolidRenderer(const Gl& gl) : gl_(gl), target_(gl), buffers_(gl) {}
 
 SolidRenderer::~SolidRenderer() {
-  for (Buffer& each : blocks_) release(each);
-  for (Buffer* each : {&cut_, &boxes_, &lines_}) release(*each);
   for (const GLuint program :
        {faces_program_, boxes_program_, lines_program_, sheet_program_, outlines_program_})
     if (program != 0) gl_.DeleteProgram(program);
   gl_.DeleteVertexArrays(1, &corners_);
-  gl_.DeleteTextures(1, &sheet_);
 }
 
 Result<void> SolidRenderer::build() {
@@ -70,99 +68,8 @@ Result<void> SolidRenderer::build() {
     if (!built) return Error{built.error()};
     *each.program = *built;
   }
-  cut_ = make_faces();
-  boxes_ = make_boxes();
-  lines_ = make_lines();
   gl_.GenVertexArrays(1, &corners_);
   return {};
-}
-
-SolidRenderer::Buffer SolidRenderer::make_instances(std::size_t size, std::span<const Attribute> attributes) {
-  Buffer made;
-  gl_.GenVertexArrays(1, &made.array);
-  gl_.GenBuffers(1, &made.buffer);
-  gl_.BindVertexArray(made.array);
-  gl_.BindBuffer(GL_ARRAY_BUFFER, made.buffer);
-  GLuint location = 0;
-  for (const Attribute& each : attributes) {
-    const GLboolean normalised = each.type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE;  // a colour's
-    gl_.VertexAttribPointer(location, each.count, each.type, normalised, static_cast<GLsizei>(size),
-                            byte_offset(each.offset));
-    gl_.EnableVertexAttribArray(location);
-    gl_.VertexAttribDivisor(location, 1);
-    ++location;
-  }
-  return made;
-}
-
-SolidRenderer::Buffer SolidRenderer::make_faces() {
-  constexpr std::array<Attribute, 4> kAttributes = {{{3, GL_UNSIGNED_SHORT, offsetof(SolidFace, x)},
-                                                     {1, GL_UNSIGNED_SHORT, offsetof(SolidFace, side)},
-                                                     {2, GL_UNSIGNED_SHORT, offsetof(SolidFace, across)},
-                                                     {4, GL_UNSIGNED_BYTE, offsetof(SolidFace, colour)}}};
-  return make_instances(sizeof(SolidFace), kAttributes);
-}
-
-SolidRenderer::Buffer SolidRenderer::make_boxes() {
-  constexpr std::array<Attribute, 3> kAttributes = {{{3, GL_FLOAT, offsetof(SolidBox, low)},
-                                                     {3, GL_FLOAT, offsetof(SolidBox, high)},
-                                                     {4, GL_UNSIGNED_BYTE, offsetof(SolidBox, colour)}}};
-  return make_instances(sizeof(SolidBox), kAttributes);
-}
-
-SolidRenderer::Buffer SolidRenderer::make_lines() {
-  constexpr std::array<Attribute, 4> kAttributes = {{{3, GL_FLOAT, offsetof(SolidLine, from)},
-                                                     {3, GL_FLOAT, offsetof(SolidLine, to)},
-                                                     {4, GL_UNSIGNED_BYTE, offsetof(SolidLine, colour)},
-                                                     {1, GL_FLOAT, offsetof(SolidLine, width)}}};
-  return make_instances(sizeof(SolidLine), kAttributes);
-}
-
-void SolidRenderer::release(Buffer& buffer) {
-  gl_.DeleteBuffers(1, &buffer.buffer);
-  gl_.DeleteVertexArrays(1, &buffer.array);
-  buffer = {};
-}
-
-template <class Item>
-void SolidRenderer::upload(Buffer& buffer, std::span<const Item> items) {
-  gl_.BindBuffer(GL_ARRAY_BUFFER, buffer.buffer);
-  gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(items.size_bytes()), items.data(), GL_DYNAMIC_DRAW);
-  buffer.count = static_cast<GLsizei>(items.size());
-}
-
-void SolidRenderer::upload_blocks(const SolidMesh& mesh) {
-  while (blocks_.size() > mesh.block_count()) {
-    release(blocks_.back());
-    blocks_.pop_back();
-  }
-  blocks_.resize(mesh.block_count());
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    if (blocks_[i].revision == mesh.revision(i)) continue;
-    if (blocks_[i].array == 0) blocks_[i] = make_faces();  // most of a world may be empty
-    upload(blocks_[i], mesh.faces(i));
-    blocks_[i].revision = mesh.revision(i);
-    ++uploads_.blocks;
-  }
-}
-
-void SolidRenderer::upload_scene(const SolidScene& scene) {
-  upload(cut_, std::span<const SolidFace>(scene.cut_faces));
-  upload(boxes_, std::span<const SolidBox>(scene.boxes));
-  upload(lines_, std::span<const SolidLine>(scene.lines));
-  upload_sheet(scene.sheet);
-  ++uploads_.scenes;
-}
-
-void SolidRenderer::upload_sheet(const SolidSheet& sheet) {
-  if (sheet.texels.empty()) return;
-  if (sheet_ == 0) gl_.GenTextures(1, &sheet_);
-  gl_.BindTexture(GL_TEXTURE_2D, sheet_);
-  for (const GLenum filter : {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER})
-    gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-  gl_.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, sheet.columns, sheet.rows, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 sheet.texels.data());
 }
 
 void SolidRenderer::use(GLuint program, const SolidFrame& frame) {
@@ -182,7 +89,7 @@ void SolidRenderer::set_cut(const SolidScene& scene) {
   if (scene.cut) {
     const float sign = scene.cut->keeps_lower ? 1.0f : -1.0f;
     cut[static_cast<std::size_t>(scene.cut->across)] = sign;
-    cut[3] = sign * static_cast<float>(scene.cut->at) + 0.001f;
+    cut[3] = sign * static_cast<float>(scene.cut->at) + kCutLift;
   }
   gl_.Uniform4f(uniform("cut"), cut[0], cut[1], cut[2], cut[3]);
 }
@@ -191,16 +98,17 @@ void SolidRenderer::draw_blocks(const SolidFrame& frame) {
   const std::array<float, 16> matrix = frame.lens.matrix();
   set_cut(frame.scene);
   gl_.Uniform1f(uniform("lift"), 0);
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    if (blocks_[i].count == 0 || !in_sight(matrix, frame.mesh.cells(i))) continue;
-    gl_.BindVertexArray(blocks_[i].array);
-    gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, blocks_[i].count);
+  for (std::size_t i = 0; i < buffers_.blocks().size(); ++i) {
+    const SolidBuffers::Instances& block = buffers_.blocks()[i];
+    if (block.count == 0 || !in_sight(matrix, frame.mesh.cells(i))) continue;
+    gl_.BindVertexArray(block.array);
+    gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, block.count);
   }
-  if (cut_.count == 0) return;
+  if (buffers_.cut().count == 0) return;
   gl_.Uniform4f(uniform("cut"), 0, 0, 0, 1);
-  gl_.Uniform1f(uniform("lift"), 0.004f);
-  gl_.BindVertexArray(cut_.array);
-  gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, cut_.count);
+  gl_.Uniform1f(uniform("lift"), kCutLift);
+  gl_.BindVertexArray(buffers_.cut().array);
+  gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, buffers_.cut().count);
 }
 
 void SolidRenderer::draw_faces(const SolidFrame& frame) {
@@ -233,7 +141,7 @@ void SolidRenderer::draw_glass(const SolidFrame& frame) {
 }
 
 void SolidRenderer::draw_boxes(const SolidFrame& frame) {
-  if (boxes_.count == 0) return;
+  if (buffers_.boxes().count == 0) return;
   use(boxes_program_, frame);
   const Point eye = frame.lens.eye();
   gl_.Uniform4f(uniform("eye"), static_cast<float>(eye.x), static_cast<float>(eye.y),
@@ -241,8 +149,8 @@ void SolidRenderer::draw_boxes(const SolidFrame& frame) {
   gl_.Uniform2f(uniform("finish"), 1, 0);
   gl_.Enable(GL_CULL_FACE);
   gl_.CullFace(GL_BACK);
-  gl_.BindVertexArray(boxes_.array);
-  gl_.DrawArraysInstanced(GL_TRIANGLES, 0, 18, boxes_.count);
+  gl_.BindVertexArray(buffers_.boxes().array);
+  gl_.DrawArraysInstanced(GL_TRIANGLES, 0, 18, buffers_.boxes().count);
 }
 
 /// Seen from both sides; a little transparent where it hides half of the world.
@@ -260,7 +168,7 @@ void SolidRenderer::draw_sheet(const SolidFrame& frame) {
   gl_.Uniform2f(uniform("finish"), frame.scene.cut ? 1.0f : 0.85f, 0);
   gl_.Uniform1i(uniform("picture"), 0);
   gl_.ActiveTexture(GL_TEXTURE0);
-  gl_.BindTexture(GL_TEXTURE_2D, sheet_);
+  gl_.BindTexture(GL_TEXTURE_2D, buffers_.sheet());
   gl_.Disable(GL_CULL_FACE);
   gl_.BindVertexArray(corners_);
   gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, 1);
@@ -287,20 +195,20 @@ void SolidRenderer::draw_outlines(const SolidFrame& frame) {
 
 /// Faintly where something hides them, then as they are: a path is followed behind obstacles too.
 void SolidRenderer::draw_lines(const SolidFrame& frame) {
-  if (lines_.count == 0) return;
+  if (buffers_.lines().count == 0) return;
   use(lines_program_, frame);
   set_depths(frame.lens);
   gl_.Disable(GL_CULL_FACE);
   gl_.Uniform2f(uniform("viewport"), static_cast<float>(frame.width), static_cast<float>(frame.height));
   const GLint finish = uniform("finish");
-  gl_.BindVertexArray(lines_.array);
+  gl_.BindVertexArray(buffers_.lines().array);
   gl_.DepthMask(GL_FALSE);
   gl_.DepthFunc(GL_GREATER);
-  gl_.Uniform2f(finish, 0.3f, 0);
-  gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, lines_.count);
+  gl_.Uniform2f(finish, 0.3f, 0);  // where joints overlapped, they would be stronger
+  gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, buffers_.lines().count);
   gl_.DepthFunc(GL_LEQUAL);
-  gl_.Uniform2f(finish, 1, 0);
-  gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, lines_.count);
+  gl_.Uniform2f(finish, 1, 0.5f);
+  gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, buffers_.lines().count);
   gl_.DepthMask(GL_TRUE);
 }
 
@@ -308,9 +216,8 @@ void SolidRenderer::draw_lines(const SolidFrame& frame) {
 Result<ImTextureID> SolidRenderer::draw(const SolidFrame& frame) {
   if (const auto built = build(); !built) return Error{built.error()};
   if (const auto sized = target_.resize(frame.width, frame.height); !sized) return Error{sized.error()};
-  upload_blocks(frame.mesh);
-  if (scene_number_ != frame.scene_number) upload_scene(frame.scene);
-  scene_number_ = frame.scene_number;
+  buffers_.upload(frame.mesh);
+  buffers_.upload(frame.scene, frame.scene_number);
   target_.begin(frame.background);
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthFunc(GL_LEQUAL);

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <array>
-#include <memory>
-#include <span>
-#include <vector>
+#include <cstdint>
 
 #include <imgui.h>
 
@@ -12,6 +10,7 @@
 #include "core/scene/solid_mesh.hpp"
 #include "core/scene/solid_scene.hpp"
 #include "ui/gl/imgui_renderer.hpp"
+#include "ui/gl/solid_buffers.hpp"
 #include "ui/gl/solid_target.hpp"
 
 namespace replan::ui {
@@ -40,35 +39,10 @@ class SolidRenderer {
 
   /// The texture with the frame, as large as it: rows from below, as OpenGL has them. The error says why there is none.
   Result<ImTextureID> draw(const SolidFrame& frame);
-  /// What went to the graphics card, all frames together.
-  struct Uploads {
-    std::size_t blocks = 0, scenes = 0;
-  };
-  [[nodiscard]] const Uploads& uploads() const { return uploads_; }
+  [[nodiscard]] const SolidBuffers::Uploads& uploads() const { return buffers_.uploads(); }
 
  private:
-  struct Buffer {
-    GLuint array = 0, buffer = 0;
-    GLsizei count = 0;
-    std::uint64_t revision = 0;
-  };
-
   Result<void> build();
-  /// A part of what is drawn once for each instance, at the shader's location of its number in the list.
-  struct Attribute {
-    GLint count;
-    GLenum type;
-    std::size_t offset;
-  };
-  [[nodiscard]] Buffer make_instances(std::size_t size, std::span<const Attribute> attributes);
-  [[nodiscard]] Buffer make_faces();
-  [[nodiscard]] Buffer make_boxes();
-  [[nodiscard]] Buffer make_lines();
-  template <class Item>
-  void upload(Buffer& buffer, std::span<const Item> items);
-  void upload_blocks(const SolidMesh& mesh);
-  void upload_scene(const SolidScene& scene);
-  void upload_sheet(const SolidSheet& sheet);
   [[nodiscard]] GLint uniform(const char* name) const { return gl_.GetUniformLocation(program_, name); }
   void use(GLuint program, const SolidFrame& frame);
   void set_depths(const OrbitLens& lens);
@@ -80,19 +54,14 @@ class SolidRenderer {
   void draw_sheet(const SolidFrame& frame);
   void draw_outlines(const SolidFrame& frame);
   void draw_lines(const SolidFrame& frame);
-  void release(Buffer& buffer);
 
   const Gl& gl_;
   SolidTarget target_;
+  SolidBuffers buffers_;
   GLuint faces_program_ = 0, boxes_program_ = 0, lines_program_ = 0, sheet_program_ = 0,
          outlines_program_ = 0;
   GLuint program_ = 0;  // in use
-  std::vector<Buffer> blocks_;
-  Buffer cut_, boxes_, lines_;
   GLuint corners_ = 0;  // an array without attributes
-  GLuint sheet_ = 0;    // texture
-  std::uint64_t scene_number_ = 0;
-  Uploads uploads_;
 };
 
 }  // namespace replan::ui

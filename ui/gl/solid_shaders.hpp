@@ -90,7 +90,7 @@ layout(location = 0) out vec4 result;
 void main() { result = vec4(shade.rgb, shade.a * finish.x); }
 )";
 
-// A piece of a line becomes a rectangle as many pixels wide as it is to be, with its ends drawn out by half of that. Its
+// A piece of a line becomes a rectangle as many pixels wide as it is to be. Its
 // depth is that of a line so many cells nearer to the eye: over the faces that it lies on, and behind what hides it.
 inline constexpr const char* kLineVertices = R"(#version 330 core
 layout(location = 0) in vec3 from;
@@ -100,6 +100,7 @@ layout(location = 3) in float width;
 uniform mat4 projection;
 uniform vec2 viewport;
 uniform vec4 depths;
+uniform vec2 finish;  // opacity; how much of its width the ends are drawn out, so that joints are closed
 out vec4 shade;
 void main() {
   vec4 a = projection * vec4(from, 1.0), b = projection * vec4(to, 1.0);
@@ -113,7 +114,7 @@ void main() {
   vec2 aside = vec2(-ahead.y, ahead.x) * width * (float(gl_VertexID & 1) * 2.0 - 1.0);
   bool last = gl_VertexID > 1;
   vec4 at = last ? b : a;
-  vec2 drawn_out = ahead * width * 0.5 * (last ? 1.0 : -1.0);
+  vec2 drawn_out = ahead * width * finish.y * (last ? 1.0 : -1.0);
   float nearer = at.w - min(depths.z, 0.5 * at.w);
   shade = colour;
   gl_Position = vec4(at.xy + (aside + drawn_out) / viewport * at.w, at.w * (depths.x - depths.y / nearer), at.w);

@@ -50,6 +50,7 @@ struct DialogDecision {
   MapReading reading = {};  ///< for open
   int width = 0;            ///< for new_world
   int height = 0;
+  int layers = 1;
   FilmChoice film = {};   ///< for capture of a film
   std::size_t index = 0;  ///< for recover and forget: which of those on offer
   bool map = false;       ///< for export_trace: its map too
@@ -138,7 +139,7 @@ class Dialogs {
   std::string name_;   // of what is being opened
   double since_ = -1;  // when it was first drawn, in ImGui's seconds; below 0: not yet
   std::string folder_;
-  double width_ = 48, height_ = 32;  // of the new world
+  double width_ = 48, height_ = 32, layers_ = 1;  // of the new world
   DialogDecision::Kind file_decision_ = DialogDecision::Kind::none;
   FilmForm film_;
   TraceFacts trace_facts_;

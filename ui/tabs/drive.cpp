@@ -23,12 +23,12 @@ struct NoArcs {
   std::string advice;
 };
 
-NoArcs goes_from_cell_to_cell() {
+NoArcs keeps_to_its_plan() {
   std::string kind;
   for (const RobotInfo& info : robots())
     if (info.drives && kind.empty()) kind = info.name;
-  return {"This robot goes from cell to cell",
-          "In the Planner tab, choose the robot " + kind +
+  return {"This robot keeps to its plan",
+          "It has no choice to explain here. In the Planner tab, choose the robot " + kind +
               ": it drives along arcs, and here stands why it takes one and not another."};
 }
 
@@ -47,7 +47,7 @@ NoArcs ended(MissionState state) {
 }
 
 NoArcs no_arcs(const replan::Run& run) {
-  if (!drives(run.scenario(), run.choice())) return goes_from_cell_to_cell();
+  if (!drives(run.scenario(), run.choice())) return keeps_to_its_plan();
   const Decision* decision = run.decision_at(run.timeline().cursor());
   if (decision == nullptr)
     return {"No plan yet", "It chooses its first arc when its plan stands: step on, or play."};

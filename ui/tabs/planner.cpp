@@ -185,20 +185,26 @@ bool kind_settings(Frame& frame, RobotSetup& robot) {
   return declared_settings(frame, info.parameters, robot.settings) || changed;
 }
 
+/// How long its steps take, where its kind leaves that open.
+bool motion_setting(const Look& look, RobotSetup& robot) {
+  if (find_robot(robot.kind)->own_pace) return false;
+  static constexpr std::array<const char*, 2> kMotions = {"step by step", "at a steady speed"};
+  int motion = static_cast<int>(robot.motion);
+  const bool changed = labelled_control(
+      look, "It drives",
+      {"How it drives", "",
+       "Step by step: every step takes equally long, straight or diagonal. At a steady speed: "
+       "it goes along its plan smoothly, and a step takes as long as its way."},
+      robot.motion != RobotSetup{}.motion,
+      [&](float width) { return combo(look, "##drives", kMotions, motion, width); });
+  robot.motion = static_cast<Motion>(motion);
+  return changed;
+}
+
 /// How the robot drives; true if something was changed.
 bool drive_settings(Frame& frame, RobotSetup& robot) {
   const Look& look = frame.look;
-  static constexpr std::array<const char*, 2> kMotions = {"step by step", "at a steady speed"};
-  int motion = static_cast<int>(robot.motion);
-  bool changed = labelled_control(look, "It drives",
-                                  {"How it drives", "",
-                                   "Step by step: every step takes equally long, straight or diagonal. At a "
-                                   "steady speed: it goes along its "
-                                   "plan smoothly, and a step takes as long as its way."},
-                                  robot.motion != RobotSetup{}.motion, [&](float width) {
-                                    return combo(look, "##drives", kMotions, motion, width);
-                                  });
-  robot.motion = static_cast<Motion>(motion);
+  bool changed = motion_setting(look, robot);
   const Parameter speed{.key = "robot speed",
                         .label = "Driving speed",
                         .type = ParameterType::real,
@@ -264,22 +270,9 @@ bool trouble_settings(const Look& look, RobotSetup& robot) {
   return changed;
 }
 
-void robot_settings(Frame& frame) {
+/// How far it sees, to which side and through what.
+bool sensor_settings(Frame& frame, RobotSetup& robot) {
   const Look& look = frame.look;
-  static constexpr std::array<const char*, 3> kKnowledge = {"everything, at once", "the map, not surprises",
-                                                            "nothing yet"};
-  RobotSetup robot = frame.session.scenario().robot;
-  int knowledge = static_cast<int>(robot.knowledge);
-  bool changed = kind_settings(frame, robot);
-  changed |= size_setting(frame, robot);
-  changed |= labelled_control(look, "The robot knows",
-                              {"What the robot knows", "",
-                               "Everything: each change as it happens. The map: as it is at the start; "
-                               "surprises only when sensed. Nothing: every obstacle only when sensed."},
-                              robot.knowledge != RobotSetup{}.knowledge, [&](float width) {
-                                return combo(look, "##knows", kKnowledge, knowledge, width);
-                              });
-  robot.knowledge = static_cast<Knowledge>(knowledge);
   const Parameter radius{.key = "sensor radius",
                          .label = "Sensor radius",
                          .type = ParameterType::real,
@@ -287,11 +280,12 @@ void robot_settings(Frame& frame) {
                          .low = 0,
                          .high = std::max(64.0, robot.sensor_radius),
                          .unit = "cells"};
-  changed |= number_setting(frame, radius,
-                            {"Sensor radius", "",
-                             "How far the robot sees, from its cell's centre to a cell's centre. The eight "
-                             "cells around it, and what its body could touch in them, are always felt."},
-                            robot.sensor_radius);
+  bool changed =
+      number_setting(frame, radius,
+                     {"Sensor radius", "",
+                      "How far the robot sees, from its cell's centre to a cell's centre. The eight "
+                      "cells around it, and what its body could touch in them, are always felt."},
+                     robot.sensor_radius);
   const Parameter angle{.key = "sensor angle",
                         .label = "Sensor angle",
                         .type = ParameterType::real,
@@ -308,6 +302,26 @@ void robot_settings(Frame& frame) {
   changed |= toggle(look, "Obstacles block its view", robot.sensor_blocked);
   hint(look,
        {"Blocked view", "", "On: what stands behind an obstacle is hidden. Off: the sensor sees through."});
+  return changed;
+}
+
+void robot_settings(Frame& frame) {
+  const Look& look = frame.look;
+  static constexpr std::array<const char*, 3> kKnowledge = {"everything, at once", "the map, not surprises",
+                                                            "nothing yet"};
+  RobotSetup robot = frame.session.scenario().robot;
+  int knowledge = static_cast<int>(robot.knowledge);
+  bool changed = kind_settings(frame, robot);
+  changed |= size_setting(frame, robot);
+  changed |= labelled_control(look, "The robot knows",
+                              {"What the robot knows", "",
+                               "Everything: each change as it happens. The map: as it is at the start; "
+                               "surprises only when sensed. Nothing: every obstacle only when sensed."},
+                              robot.knowledge != RobotSetup{}.knowledge, [&](float width) {
+                                return combo(look, "##knows", kKnowledge, knowledge, width);
+                              });
+  robot.knowledge = static_cast<Knowledge>(knowledge);
+  changed |= sensor_settings(frame, robot);
   changed |= drive_settings(frame, robot);
   changed |= trouble_settings(look, robot);
   if (changed) frame.commands.push_back(SetRobot{robot});

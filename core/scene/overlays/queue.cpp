@@ -53,7 +53,8 @@ std::unique_ptr<CellMark> open_list_marks(SceneContext& context) {
 void open_list_in_space(SolidPen& pen) {
   if (pen.slice_alone()) return;
   OpenCells& open = pen.context().memory.open;
-  open.follow(pen.context().run);
+  open.follow(pen.context().run, pen.deadline());
+  if (open.behind()) pen.go_on();
   if (pen.state().queue_size() > 0) pen.show(Sign::queue);
   open.each(
       [&](NodeId node) { return pen.cube(pen.context().centre(node), kWaitingHalf, pen.palette().accent); });

@@ -123,6 +123,37 @@ void append_bytes(void* context, void* data, int size) {
   static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
 }
 
+/// Lets stb_image decode what it knows, with `load` for values of that depth.
+template <class Value, class Load>
+Result<PictureOf<Value>> decode_by_stb(std::string_view bytes, const std::string& origin, std::int64_t most,
+                                       Load load) {
+  if (bytes.size() > static_cast<std::size_t>(kMaxPictureBytes))
+    return Error{origin + ": the picture has more than " + std::to_string(kMaxPictureBytes) + " bytes"};
+  const auto size = picture_size(bytes);
+  if (!size) return broken(origin);
+  if (size->width == 0 || size->height == 0) return Error{origin + ": the picture has no pixels"};
+  if (size->width > most / size->height) return too_many_pixels(origin, size->width, size->height, most);
+  if (ends_early(bytes, *size)) return Error{origin + ": the file ends before the picture does"};
+  const PictureMemory bounded(memory_for(bytes.size(), size->width, size->height));
+  PictureOf<Value> picture;
+  const std::unique_ptr<Value, decltype(&stbi_image_free)> pixels(
+      load(as_bytes(bytes), static_cast<int>(bytes.size()), &picture.width, &picture.height,
+           &picture.channels, 0),
+      &stbi_image_free);
+  if (!pixels) return broken(origin);
+  picture.values.assign(pixels.get(),
+                        pixels.get() + picture.pixels() * static_cast<std::size_t>(picture.channels));
+  return picture;
+}
+
+DeepPicture deepened(const Picture& picture) {
+  DeepPicture deep{picture.width, picture.height, picture.channels, {}};
+  deep.values.reserve(picture.values.size());
+  for (const std::uint8_t value : picture.values)
+    deep.values.push_back(static_cast<std::uint16_t>(value * 257));
+  return deep;
+}
+
 }  // namespace
 
 Error too_many_pixels(const std::string& origin, std::int64_t width, std::int64_t height, std::int64_t most) {
@@ -160,23 +191,25 @@ Result<Picture> decode_picture(std::string_view bytes, const std::string& origin
   if (bytes.empty()) return Error{origin + ": the file is empty"};
   if (is_pnm(bytes)) return decode_pnm(bytes, origin, most);
   if (is_jpeg(bytes)) return decode_jpeg(bytes, origin, most, lying);
-  if (bytes.size() > static_cast<std::size_t>(kMaxPictureBytes))
-    return Error{origin + ": the picture has more than " + std::to_string(kMaxPictureBytes) + " bytes"};
-  const auto size = picture_size(bytes);
-  if (!size) return broken(origin);
-  if (size->width == 0 || size->height == 0) return Error{origin + ": the picture has no pixels"};
-  if (size->width > most / size->height) return too_many_pixels(origin, size->width, size->height, most);
-  if (ends_early(bytes, *size)) return Error{origin + ": the file ends before the picture does"};
-  const PictureMemory bounded(memory_for(bytes.size(), size->width, size->height));
-  Picture picture;
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
-      stbi_load_from_memory(as_bytes(bytes), static_cast<int>(bytes.size()), &picture.width, &picture.height,
-                            &picture.channels, 0),
-      &stbi_image_free);
-  if (!pixels) return broken(origin);
-  picture.values.assign(pixels.get(),
-                        pixels.get() + picture.pixels() * static_cast<std::size_t>(picture.channels));
-  return picture;
+  return decode_by_stb<std::uint8_t>(bytes, origin, most, stbi_load_from_memory);
+}
+
+Result<DeepPicture> decode_deep_picture(std::string_view bytes, const std::string& origin,
+                                        std::int64_t most) {
+  if (bytes.empty()) return Error{origin + ": the file is empty"};
+  if (is_pnm(bytes)) return decode_deep_pnm(bytes, origin, most);
+  if (is_jpeg(bytes)) {
+    const Result<Picture> picture = decode_jpeg(bytes, origin, most, Lying::upright);
+    if (!picture) return Error{picture.error()};
+    return deepened(*picture);
+  }
+  return decode_by_stb<std::uint16_t>(bytes, origin, most, stbi_load_16_from_memory);
+}
+
+Result<DeepPicture> read_deep_picture(const std::string& path) {
+  const Result<std::string> bytes = read_file(path, kMaxPictureBytes);
+  if (!bytes) return Error{bytes.error()};
+  return decode_deep_picture(*bytes, path);
 }
 
 Result<Picture> read_picture(const std::string& path, Lying lying) {

@@ -12,23 +12,27 @@
 
 namespace replan {
 
-/// A decoded picture, row 0 at the top. Deeper values are scaled to 0..255.
-struct Picture {
+/// A decoded picture, row 0 at the top. Values are scaled to all that a `Value` can be.
+template <class Value>
+struct PictureOf {
   int width = 0;
   int height = 0;
   int channels = 1;  ///< 1 grey, 2 grey and alpha, 3 red green blue, 4 with alpha
-  std::vector<std::uint8_t> values;
+  std::vector<Value> values;
 
   [[nodiscard]] bool has_alpha() const { return channels == 2 || channels == 4; }
   [[nodiscard]] std::size_t pixels() const {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   }
   /// The values of one pixel.
-  [[nodiscard]] const std::uint8_t* pixel(std::size_t index) const {
+  [[nodiscard]] const Value* pixel(std::size_t index) const {
     return values.data() + index * static_cast<std::size_t>(channels);
   }
-  friend bool operator==(const Picture&, const Picture&) = default;
+  friend bool operator==(const PictureOf&, const PictureOf&) = default;
 };
+using Picture = PictureOf<std::uint8_t>;
+/// For heights, of which 256 are few.
+using DeepPicture = PictureOf<std::uint16_t>;
 
 /// How a picture lies that a camera has stored on its side or head (Exif in a JPEG).
 enum class Lying : std::uint8_t {
@@ -44,6 +48,11 @@ Result<Picture> decode_picture(std::string_view bytes, const std::string& origin
                                std::int64_t most = kMaxCells, Lying lying = Lying::upright);
 /// As decode_picture() from a file.
 Result<Picture> read_picture(const std::string& path, Lying lying = Lying::upright);
+
+/// As decode_picture() and read_picture(), with sixteen bits of those files that have them.
+Result<DeepPicture> decode_deep_picture(std::string_view bytes, const std::string& origin,
+                                        std::int64_t most = kMaxCells);
+Result<DeepPicture> read_deep_picture(const std::string& path);
 
 /// A picture turned and mirrored as a value of Exif's Orientation, 1 to 8, says that it has to be.
 Picture turned_by_exif(Picture stored, int orientation);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "core/base/cell.hpp"
@@ -14,12 +15,13 @@ constexpr std::int64_t kDeepest = 65535;
 constexpr std::int64_t kAnySide = INT64_MAX;  // what is too large is told by number of pixels
 
 /// Reads one PBM, PGM or PPM, keeping the place for errors.
+template <class Value>
 class PnmParser {
  public:
   PnmParser(std::string_view bytes, const std::string& origin, std::int64_t most)
       : bytes_(bytes), origin_(origin), most_(most) {}
 
-  Result<Picture> parse() {
+  Result<PictureOf<Value>> parse() {
     const char kind = bytes_[1];
     at_ = 2;
     bits_ = kind == '1' || kind == '4';
@@ -31,7 +33,7 @@ class PnmParser {
     if (!bits_)
       if (Result<void> read = read_header("largest value", deepest_, kDeepest); !read)
         return Error{read.error()};
-    Picture picture{
+    PictureOf<Value> picture{
         static_cast<int>(width), static_cast<int>(height), kind == '3' || kind == '6' ? 3 : 1, {}};
     const std::size_t count = picture.pixels() * static_cast<std::size_t>(picture.channels);
     Result<void> read = kind < '4'    ? read_plain(picture.values, count)
@@ -80,13 +82,15 @@ class PnmParser {
     return bytes_.substr(from, at_ - from);
   }
 
-  [[nodiscard]] std::uint8_t scaled(std::int64_t value) const {
-    return static_cast<std::uint8_t>((value * 255 + deepest_ / 2) / deepest_);
+  static constexpr Value kWhite = std::numeric_limits<Value>::max();
+
+  [[nodiscard]] Value scaled(std::int64_t value) const {
+    return static_cast<Value>((value * kWhite + deepest_ / 2) / deepest_);
   }
 
-  static std::uint8_t shade_of_bit(bool bit) { return bit ? 0 : 255; }
+  static Value shade_of_bit(bool bit) { return bit ? Value{0} : kWhite; }
 
-  Result<void> read_plain(std::vector<std::uint8_t>& values, std::size_t count) {
+  Result<void> read_plain(std::vector<Value>& values, std::size_t count) {
     // A byte a value at least: what is not there needs no memory.
     values.reserve(std::min(count, bytes_.size() - at_));
     while (values.size() < count) {
@@ -104,7 +108,7 @@ class PnmParser {
   }
 
   /// Eight pixels a byte, the first in the highest bit; each row begins with a byte of its own.
-  Result<void> read_bits(std::vector<std::uint8_t>& values, int width, std::size_t count) {
+  Result<void> read_bits(std::vector<Value>& values, int width, std::size_t count) {
     const std::string_view rest = bytes_.substr(std::min(at_ + 1, bytes_.size()));
     const auto columns = static_cast<std::size_t>(width);
     const std::size_t stride = (columns + 7) / 8, rows = count / columns;
@@ -120,7 +124,7 @@ class PnmParser {
     return {};
   }
 
-  Result<void> read_raw(std::vector<std::uint8_t>& values, std::size_t count) {
+  Result<void> read_raw(std::vector<Value>& values, std::size_t count) {
     const std::size_t wide = deepest_ > 255 ? 2 : 1;
     // One blank parts the header from the values; a second one would be a value.
     const std::string_view rest = bytes_.substr(std::min(at_ + 1, bytes_.size()));
@@ -153,6 +157,13 @@ std::string_view without_mark_of_plain(std::string_view bytes) {
   return text.size() > 1 && text[1] >= '1' && text[1] <= '3' ? text : bytes;
 }
 
+template <class Value>
+Result<PictureOf<Value>> decode_to(std::string_view bytes, const std::string& origin, std::int64_t most) {
+  if (!is_pnm(bytes))
+    return Error{origin + ":1: not a PBM, PGM or PPM picture: it must begin with P1, P2, ... or P6"};
+  return PnmParser<Value>(without_mark_of_plain(bytes), origin, most).parse();
+}
+
 }  // namespace
 
 bool is_pnm(std::string_view bytes) {
@@ -162,9 +173,11 @@ bool is_pnm(std::string_view bytes) {
 }
 
 Result<Picture> decode_pnm(std::string_view bytes, const std::string& origin, std::int64_t most) {
-  if (!is_pnm(bytes))
-    return Error{origin + ":1: not a PBM, PGM or PPM picture: it must begin with P1, P2, ... or P6"};
-  return PnmParser(without_mark_of_plain(bytes), origin, most).parse();
+  return decode_to<std::uint8_t>(bytes, origin, most);
+}
+
+Result<DeepPicture> decode_deep_pnm(std::string_view bytes, const std::string& origin, std::int64_t most) {
+  return decode_to<std::uint16_t>(bytes, origin, most);
 }
 
 std::string pgm_text(const Picture& picture) {

@@ -16,6 +16,9 @@ bool is_pnm(std::string_view bytes);
 /// comments in the header, values up to 65535 scaled to 0..255, a bit of 1 as black; at most `most` pixels.
 /// The error names `origin`, for the header and for plain values with the line.
 Result<Picture> decode_pnm(std::string_view bytes, const std::string& origin, std::int64_t most = kMaxCells);
+/// As decode_pnm(), scaled to 0..65535.
+Result<DeepPicture> decode_deep_pnm(std::string_view bytes, const std::string& origin,
+                                    std::int64_t most = kMaxCells);
 /// A grey picture as a raw PGM.
 std::string pgm_text(const Picture& picture);
 

@@ -39,6 +39,8 @@ class LineReader {
   }
   /// The number of the line last returned, from 1.
   [[nodiscard]] int number() const { return number_; }
+  /// How many bytes of the text are left.
+  [[nodiscard]] std::size_t left() const { return rest_.size(); }
 
  private:
   std::string_view rest_;

@@ -56,7 +56,7 @@ std::vector<Cell> largest_cave(const GridMap& map) {
 
 Result<GridMap> caves(int width, int height, const CavesShape& shape, std::uint64_t seed,
                       std::span<const Cell> keep_free) {
-  if (auto checked = check_map_size(width, height); !checked) return Error{checked.error()};
+  if (auto checked = check_world_size({width, height}); !checked) return Error{checked.error()};
   if (auto checked = check_fraction("the fraction of rock", shape.fraction, kLeastRock, kMostRock); !checked)
     return Error{checked.error()};
   if (shape.rounds < 0 || shape.rounds > kMostRounds)

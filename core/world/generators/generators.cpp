@@ -111,7 +111,7 @@ class MazeBuilder {
 
 Result<GridMap> random_rectangles(int width, int height, double fraction, int min_side, int max_side,
                                   std::uint64_t seed, std::span<const Cell> keep_free) {
-  if (auto checked = check_map_size(width, height); !checked) return Error{checked.error()};
+  if (auto checked = check_world_size({width, height}); !checked) return Error{checked.error()};
   if (auto checked = check_fraction("the covered fraction", fraction, 0, 0.9); !checked)
     return Error{checked.error()};
   if (min_side < 1 || max_side < min_side)
@@ -135,12 +135,12 @@ Result<GridMap> random_rectangles(int width, int height, double fraction, int mi
   return map;
 }
 
-Result<GridMap> random_cells(int width, int height, double fraction, std::uint64_t seed,
+Result<GridMap> random_cells(const Box& size, double fraction, std::uint64_t seed,
                              std::span<const Cell> keep_free) {
-  if (auto checked = check_map_size(width, height); !checked) return Error{checked.error()};
+  if (auto checked = check_world_size(size); !checked) return Error{checked.error()};
   if (auto checked = check_fraction("the obstacles' fraction", fraction, 0, 1); !checked)
     return Error{checked.error()};
-  GridMap map(width, height);
+  GridMap map(size.width(), size.height(), size.depth());
   Random random(seed);
   for (std::size_t cell = 0; cell < map.blocked.size(); ++cell)
     if (random.chance(fraction)) map.blocked[cell] = kObstacle;
@@ -151,7 +151,7 @@ Result<GridMap> random_cells(int width, int height, double fraction, std::uint64
 
 Result<GridMap> maze(int width, int height, const MazeShape& shape, std::uint64_t seed,
                      std::span<const Cell> keep_free) {
-  if (auto checked = check_map_size(width, height); !checked) return Error{checked.error()};
+  if (auto checked = check_world_size({width, height}); !checked) return Error{checked.error()};
   if (auto checked = check_fraction("the fraction of walls taken out", shape.loops, 0, 1); !checked)
     return Error{checked.error()};
   if (auto checked = check_fraction("the fraction of dead ends opened", shape.braid, 0, 1); !checked)

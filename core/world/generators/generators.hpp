@@ -18,7 +18,7 @@ Result<GridMap> random_rectangles(int width, int height, double fraction, int mi
                                   std::uint64_t seed, std::span<const Cell> keep_free = {});
 
 /// Each cell is an obstacle with probability `fraction` (0 to 1), but for the cells of `keep_free`.
-Result<GridMap> random_cells(int width, int height, double fraction, std::uint64_t seed,
+Result<GridMap> random_cells(const Box& size, double fraction, std::uint64_t seed,
                              std::span<const Cell> keep_free = {});
 
 /// How a maze is to look.
@@ -56,5 +56,47 @@ struct CavesShape {
 /// error.
 Result<GridMap> caves(int width, int height, const CavesShape& shape, std::uint64_t seed,
                       std::span<const Cell> keep_free = {});
+
+// Worlds of layers. In each the free cells of `keep_free` are joined by straight steps: where they are not, a way is
+// dug to the largest region of free cells.
+
+/// Boxes along the axes, thrown until they cover `fraction` (0 to 0.9) of all cells or no more fits; they may overlap.
+/// Sides are drawn from `min_side` to `max_side` cells, no longer than the world's. None covers a cell of `keep_free`.
+Result<GridMap> random_boxes(const Box& size, double fraction, int min_side, int max_side, std::uint64_t seed,
+                             std::span<const Cell> keep_free = {});
+
+/// How caverns are to look.
+struct CavernsShape {
+  double fraction = 0.5;  ///< of the cells that are rock at first, 0.4 to 0.6
+  int rounds = 5;         ///< of smoothing, 0 to 20: a cell becomes what most of the 27 around it are
+};
+/// As caves(), in space: the largest cave of a cellular automaton, all of whose cells are joined by straight steps, with
+/// rock all around. That no cave is left is an error.
+Result<GridMap> caverns(const Box& size, const CavernsShape& shape, std::uint64_t seed,
+                        std::span<const Cell> keep_free = {});
+
+/// How a sea floor is to look.
+struct SeaFloorShape {
+  double relief = 0.8;     ///< fraction of the layers between the deepest valley and the highest peak
+  double roughness = 0.5;  ///< how high hills of half the size are beside those of the whole, 0 to 1
+  int feature = 32;        ///< how far the largest hills are apart, in cells, from 2
+};
+/// A floor of fractal value noise (hills, on them hills of half the size, and so on) reckoned in whole numbers. Below it
+/// all is rock, above it all is free, as is the highest layer: from every free cell there is a way to every other.
+/// Two layers at least.
+Result<GridMap> sea_floor(const Box& size, const SeaFloorShape& shape, std::uint64_t seed,
+                          std::span<const Cell> keep_free = {});
+
+/// How pillars are to look.
+struct PillarsShape {
+  double fraction = 0.15;  ///< of the ground that they cover, 0 to 0.9
+  int min_side = 3;        ///< the thinnest one's diameter, in cells
+  int max_side = 9;        ///< the thickest one's
+  double whole = 0.5;      ///< fraction of them that reach the highest layer; the others end somewhere below
+};
+/// Round pillars that stand on layer 0, until they cover as much of it as wanted or no more fits; they may overlap. None
+/// covers a cell of `keep_free`.
+Result<GridMap> pillars(const Box& size, const PillarsShape& shape, std::uint64_t seed,
+                        std::span<const Cell> keep_free = {});
 
 }  // namespace replan

@@ -21,7 +21,7 @@ struct GeneratorInfo;
 struct GeneratorRequest {
   const GeneratorInfo& generator;
   const Settings& settings;  ///< the generator's own parameters
-  int width, height;
+  Box size;
   std::uint64_t seed;
   std::span<const Cell> keep_free;
 
@@ -37,19 +37,23 @@ struct GeneratorInfo {
   std::string_view summary;  ///< one sentence
   std::vector<Parameter> parameters;
   Result<GridMap> (*make)(const GeneratorRequest& request) = nullptr;
+  int layers = 1;      ///< how many it makes unless told otherwise
+  bool solid = false;  ///< it makes worlds of several layers; else one layer alone
 };
 
 /// All generators.
 std::span<const GeneratorInfo> generators();
 /// The parameters of size and seed that every generator has: width, height, seed.
 std::span<const Parameter> generator_size_parameters();
+/// How many layers a solid generator makes.
+Parameter generator_layers_parameter(const GeneratorInfo& info);
 /// The generator of that id; the error suggests the nearest one.
 Result<const GeneratorInfo*> require_generator(std::string_view id);
 
 /// Makes a map. `settings` are the generator's own parameters; cells of `keep_free` come out free. The same
 /// arguments give the same map on every machine. The error says what to change.
-Result<GridMap> generate(std::string_view id, const Settings& settings, int width, int height,
-                         std::uint64_t seed, std::span<const Cell> keep_free = {});
+Result<GridMap> generate(std::string_view id, const Settings& settings, const Box& size, std::uint64_t seed,
+                         std::span<const Cell> keep_free = {});
 
 /// True if a text asks for a generated map rather than naming a file: it begins with "generator:".
 bool is_generator_spec(std::string_view text);

@@ -37,12 +37,6 @@ void dig(GridMap& map, Cell from) {
 
 }  // namespace
 
-Result<void> check_map_size(int width, int height) {
-  if (width >= 1 && height >= 1 && std::int64_t{width} * height <= kMaxCells) return {};
-  return Error{"a map cannot have " + std::to_string(width) + " x " + std::to_string(height) +
-               " cells: give sides from 1 and at most " + std::to_string(kMaxCells) + " cells in all"};
-}
-
 Result<void> check_fraction(const char* name, double fraction, double low, double high) {
   if (fraction >= low && fraction <= high) return {};
   return Error{std::string(name) + " cannot be " + std::to_string(fraction) + ": give a number from " +

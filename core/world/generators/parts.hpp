@@ -11,8 +11,6 @@
 
 namespace replan {
 
-/// Whether a map can have that size.
-Result<void> check_map_size(int width, int height);
 /// Whether `fraction` lies between `low` and `high`; `name` begins the error.
 Result<void> check_fraction(const char* name, double fraction, double low, double high);
 
@@ -23,6 +21,13 @@ struct Passage {
 /// Passages that join all columns x rows places by exactly one way between any two: a random walk that turns
 /// back where it is stuck, so the ways are long and winding.
 std::vector<Passage> random_tree(int columns, int rows, Random& random);
+
+/// Fills what of the free cells cannot be reached from the largest region of them, by straight steps. False if there
+/// are none.
+bool keep_largest_region(GridMap& map);
+/// Sets `cells` free and digs from each, straight steps only, to the largest region of free cells, which stays one; in an
+/// all but empty world those that are dug are it.
+void dig_to_largest_region(GridMap& map, std::span<const Cell> cells);
 
 /// Sets `cells` free and digs from each to the nearest free cell, straight steps only.
 void dig_to_open(GridMap& map, std::span<const Cell> cells);

@@ -67,7 +67,7 @@ class RoomsBuilder {
 
 Result<GridMap> rooms(int width, int height, const RoomsShape& shape, std::uint64_t seed,
                       std::span<const Cell> keep_free) {
-  if (auto checked = check_map_size(width, height); !checked) return Error{checked.error()};
+  if (auto checked = check_world_size({width, height}); !checked) return Error{checked.error()};
   if (auto checked = check_fraction("the fraction of further doors", shape.loops, 0, 1); !checked)
     return Error{checked.error()};
   const int longest = std::min(width, height) - 2;

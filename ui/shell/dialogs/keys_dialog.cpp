@@ -37,7 +37,8 @@ std::vector<Section> sections() {
     if (section.lines.empty()) all.pop_back();
   }
   all.push_back({"On the canvas",
-                 {{"Wheel", "Zoom to the cursor"},
+                 {{"Wheel", "Zoom to the cursor; nearer in 3D"},
+                  {"Shift+Wheel", "Move the slice of layers"},
                   {"Middle drag", "Pan; Space and drag too"},
                   {"Hover", "Show a cell's values"},
                   {"Click", "Use the tool; Select pins"},

@@ -1,5 +1,6 @@
 #include "ui/shell/dialogs/preview_pane.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "core/world/json_reader.hpp"
@@ -24,6 +25,20 @@ std::string joined(const std::vector<std::string>& words) {
   return line;
 }
 
+/// A height that the reader chooses as long as nobody moves it from its usual place.
+void height_slider(const Look& look, const char* label, const char* help, double usual, double span,
+                   std::optional<double>& height) {
+  double value = height.value_or(usual);
+  const bool changed = slider(look,
+                              {.label = label,
+                               .min = usual - span,
+                               .max = usual + span,
+                               .initial = usual,
+                               .decimals = span > 100 ? 0 : 2},
+                              value, {label, "", help});
+  if (changed) height = value == usual ? std::nullopt : std::optional(value);
+}
+
 }  // namespace
 
 void PreviewPane::show(const std::string& folder, const FileEntry* entry) {
@@ -33,6 +48,7 @@ void PreviewPane::show(const std::string& folder, const FileEntry* entry) {
   entry_ = entry == nullptr ? FileEntry{} : *entry;
   reading_ = {};
   preview_ = {};
+  heights_.reset();
   picture_.clear();
   job_.cancel();
   if (entry != nullptr && is_world(entry_)) begin();
@@ -47,6 +63,7 @@ void PreviewPane::begin() {
 void PreviewPane::draw(const Look& look) {
   if (std::optional<Preview> made = job_.take()) {
     preview_ = std::move(*made);
+    if (preview_.heights) heights_ = preview_.heights;
     picture_.show(std::move(preview_.thumbnail));
   }
   if (path_.empty()) {
@@ -112,22 +129,73 @@ void PreviewPane::draw_numbers(const Look& look) {
   if (chosen > 0) reading_.occupied = preview_.numbers[static_cast<std::size_t>(chosen - 1)];
 }
 
+void PreviewPane::draw_picture(const Look& look) {
+  bool height_map = reading_.heights.has_value();
+  if (toggle(look, "It is a height map", height_map)) {
+    reading_.heights = height_map ? std::optional<HeightReading>(HeightReading{}) : std::nullopt;
+    reading_.image = {};
+  }
+  hint(look, {"Height map", "",
+              "On: brightness is height, and the world has layers, with a floor of hills. Off: dark is an "
+              "obstacle in the "
+              "plane."});
+  if (height_map) {
+    toggle(look, "Dark is high", reading_.image.invert);
+    return draw_heights(look);
+  }
+  double threshold = reading_.image.threshold;
+  slider(look,
+         {.label = "Darker than this is an obstacle", .min = 1, .max = 255, .initial = 128, .decimals = 0},
+         threshold);
+  reading_.image.threshold = static_cast<int>(threshold);
+  toggle(look, "Brighter is an obstacle instead", reading_.image.invert);
+}
+
+/// How heights become layers. What stands in the file itself is told by the note above.
+void PreviewPane::draw_heights(const Look& look) {
+  HeightReading reading = reading_.heights.value_or(HeightReading{});
+  const HeightReading before = reading;
+  double layers = reading.layers;
+  slider(look,
+         {.label = "Layers",
+          .min = kLeastHeightLayers,
+          .max = kMostHeightLayers,
+          .initial = HeightReading{}.layers,
+          .decimals = 0,
+          .logarithmic = true},
+         layers, {"Layers", "", "How finely the heights are told apart."});
+  reading.layers = static_cast<int>(layers);
+  double columns = std::max(1, reading.reduce);
+  slider(
+      look,
+      {.label = "Columns read as one", .min = 1, .max = 32, .initial = 1, .unit = "each way", .decimals = 0},
+      columns,
+      {"Columns read as one", "", "As high as the highest of them. Fewer columns make a smaller world."});
+  reading.reduce = columns > 1 ? static_cast<int>(columns) : 0;
+  if (heights_) {
+    const double span = std::max(heights_->high - heights_->low, 1.0),
+                 top = heights_->low < 0 ? 0 : heights_->high;
+    height_slider(look, "Lowest height", "The bottom of the lowest layer.", heights_->low, span, reading.low);
+    height_slider(look, "Highest height",
+                  "The top of the highest layer; what rises above it is an obstacle in all.", top, span,
+                  reading.high);
+  }
+  if (reading != before) reading_.heights = reading;
+}
+
 /// Pictures, ROS maps and numbers leave something to the reader's judgement; the picture above shows what
 /// comes of it.
 void PreviewPane::draw_reading(const Look& look) {
   const MapFormat* format = find_map_format(entry_.name);
   const bool numbers = format != nullptr && format->numbers && !preview_.numbers.empty();
-  if (format == nullptr || (!format->picture && !format->unknown && !numbers)) return;
+  if (format == nullptr || (!format->picture && !format->heights && !format->unknown && !numbers)) return;
   const MapReading before = reading_;
   ImGui::Dummy({0, look.px.s});
   section_title(look, "How it is read");
   if (format->picture) {
-    double threshold = reading_.image.threshold;
-    slider(look,
-           {.label = "Darker than this is an obstacle", .min = 1, .max = 255, .initial = 128, .decimals = 0},
-           threshold);
-    reading_.image.threshold = static_cast<int>(threshold);
-    toggle(look, "Brighter is an obstacle instead", reading_.image.invert);
+    draw_picture(look);
+  } else if (format->heights) {
+    draw_heights(look);
   } else if (numbers) {
     draw_numbers(look);
   } else {

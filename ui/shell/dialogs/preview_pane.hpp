@@ -1,6 +1,7 @@
 // The right side of the file dialog: the chosen world from afar, its facts, and how it is to be read.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/base/background.hpp"
@@ -24,6 +25,8 @@ class PreviewPane {
   void draw_facts(const Look& look);
   void draw_reading(const Look& look);
   void draw_numbers(const Look& look);
+  void draw_picture(const Look& look);
+  void draw_heights(const Look& look);
 
   Background<Preview> job_;
   ThumbnailView picture_;
@@ -31,6 +34,7 @@ class PreviewPane {
   FileEntry entry_;
   MapReading reading_;
   Preview preview_;
+  std::optional<HeightRange> heights_;  // of the file, while one is chosen: they outlive a reading that fails
 };
 
 }  // namespace replan::ui

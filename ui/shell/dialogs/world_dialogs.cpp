@@ -10,6 +10,8 @@
 #include "core/world/generators/list.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/dialogs/parts.hpp"
+#include "ui/shell/dialogs/world_views.hpp"
+#include "ui/shell/format.hpp"
 #include "ui/shell/term_hint.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -17,33 +19,9 @@ namespace replan::ui {
 namespace {
 
 constexpr const char* kPopup = "world dialog";
-constexpr double kLongestSide = 4096;
 /// A preview of more cells than this waits until the mouse lets go of a slider.
 constexpr std::int64_t kQuickCells = 300'000;
 constexpr std::uint32_t kSeeds = 100'000;  // of the dice: short enough to be told to somebody
-
-bool size_slider(const Look& look, const char* label, int initial, int& value) {
-  double shown = value;
-  const bool changed = slider(look,
-                              {.label = label,
-                               .min = 1,
-                               .max = kLongestSide,
-                               .initial = static_cast<double>(initial),
-                               .unit = "cells",
-                               .decimals = 0,
-                               .logarithmic = true},
-                              shown, {label, "", "Of the world, in cells."});
-  value = static_cast<int>(shown);
-  return changed;
-}
-
-/// Where a picture of these proportions lies in the middle of a box.
-std::pair<ImVec2, ImVec2> fitted(ImVec2 origin, ImVec2 box, double width, double height) {
-  const float scale = std::min(box.x / static_cast<float>(width), box.y / static_cast<float>(height));
-  const float w = static_cast<float>(width) * scale, h = static_cast<float>(height) * scale;
-  const ImVec2 min(std::floor(origin.x + (box.x - w) * 0.5f), std::floor(origin.y + (box.y - h) * 0.5f));
-  return {min, {min.x + std::max(1.0f, w), min.y + std::max(1.0f, h)}};
-}
 
 /// One declared parameter as the control that fits it.
 bool parameter_control(const Look& look, const Parameter& parameter, double longest, Settings& settings) {
@@ -73,23 +51,16 @@ bool parameter_control(const Look& look, const Parameter& parameter, double long
   return changed;
 }
 
-/// Of the settings: as high as they are, but so that the buttons below are in the window.
-float fitting_height(const Look& look, float wanted) {
-  return std::min(look.px(wanted), std::max(ImGui::GetIO().DisplaySize.y - look.px(210), look.px(80)));
-}
-
-int moved(Side side, int before, int after) {
-  return side == Side::low ? 0 : side == Side::high ? after - before : (after - before) / 2;
-}
-
 }  // namespace
 
 void WorldDialogs::show_resize(const Session& session) {
   const GridMap map = session.world();
   kind_ = Kind::resize;
   fresh_ = true;
-  size_ = {map.width, map.height, Side::low, Side::low, false};
+  size_ = {map.width, map.height, Side::low, Side::low, false, map.depth, Side::low};
+  sketched_depth_ = map.depth;
   sketch_ = MapSketch(map);
+  front_ = MapSketch(map, Axis::y);
 }
 
 void WorldDialogs::show_generate(const Session& session, const WorkPlace& place) {
@@ -98,6 +69,13 @@ void WorldDialogs::show_generate(const Session& session, const WorkPlace& place)
   fresh_ = stale_ = true;
   wanted_.width = session.scenario().map.width;
   wanted_.height = session.scenario().map.height;
+  const Box world = session.scenario().map.box();
+  if (world.solid() && !generator_info().solid) wanted_.generator = "boxes", wanted_.settings = {};
+  wanted_.layers = generator_info().solid ? world.depth() : 1;
+}
+
+const GeneratorInfo& WorldDialogs::generator_info() const {
+  return **require_generator(wanted_.generator);
 }
 
 void WorldDialogs::draw(const Look& look, const Session& session, std::vector<Command>& commands) {
@@ -123,99 +101,6 @@ void WorldDialogs::draw(const Look& look, const Session& session, std::vector<Co
   ImGui::EndPopup();
 }
 
-/// Nine places for the old world in the new one.
-void WorldDialogs::anchors(const Look& look) {
-  text(look.fonts.ui, look.theme.dim, "Where the old world stays");
-  const ImVec2 origin = ImGui::GetCursorScreenPos();
-  const float step = look.px(28);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  for (int i = 0; i < 9; ++i) {
-    const auto across = static_cast<Side>(i % 3), down = static_cast<Side>(i / 3);
-    const ImVec2 min(origin.x + static_cast<float>(i % 3) * step,
-                     origin.y + static_cast<float>(i / 3) * step);
-    const ImVec2 max(min.x + step - look.px.xs, min.y + step - look.px.xs);
-    ImGui::SetCursorScreenPos(min);
-    ImGui::PushID(i);
-    if (ImGui::InvisibleButton("anchor", {max.x - min.x, max.y - min.y}))
-      size_.across = across, size_.down = down;
-    tab_stop(look);
-    ImGui::PopID();
-    hint(look,
-         {"Where the old world stays", "", "The cells that are added or cut off lie on the other sides."});
-    const bool chosen = size_.across == across && size_.down == down;
-    list.AddRectFilled(min, max,
-                       chosen                   ? look.theme.accent
-                       : ImGui::IsItemHovered() ? look.theme.hover
-                                                : look.theme.raised,
-                       look.px(4));
-    list.AddRect(min, max, look.theme.faint, look.px(4), 0, look.px.hair);
-  }
-  ImGui::SetCursorScreenPos({origin.x, origin.y + step * 3 + look.px.s});
-}
-
-void WorldDialogs::resize_preview(const Look& look, const Session& session, ImVec2 size) const {
-  const Scenario& scenario = session.scenario();
-  const GridMap& map = scenario.map;
-  const int dx = moved(size_.across, map.width, size_.width),
-            dy = moved(size_.down, map.height, size_.height);
-  // Both worlds are in the picture, with what is lost outside the new one.
-  const int left = std::min(0, dx), top = std::min(0, dy);
-  const int right = std::max(size_.width, dx + map.width), bottom = std::max(size_.height, dy + map.height);
-  const ImVec2 origin = ImGui::GetCursorScreenPos();
-  const auto [min, max] = fitted(origin, size, right - left, bottom - top);
-  const float scale = (max.x - min.x) / static_cast<float>(right - left);
-  const auto at = [&, corner = min](int x, int y) {
-    return ImVec2(corner.x + static_cast<float>(x - left) * scale,
-                  corner.y + static_cast<float>(y - top) * scale);
-  };
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 a = at(0, 0), b = at(size_.width, size_.height);
-  list.AddRectFilled(a, b, size_.blocked ? look.theme.obstacle : look.theme.free);
-  sketch_.draw(look, list, at(dx, dy), at(dx + map.width, dy + map.height));
-  // What falls off is veiled.
-  const ImU32 veil = with_alpha(look.theme.panel, 0.75f);
-  list.AddRectFilled(min, {max.x, a.y}, veil);
-  list.AddRectFilled({min.x, b.y}, max, veil);
-  list.AddRectFilled({min.x, a.y}, {a.x, b.y}, veil);
-  list.AddRectFilled({b.x, a.y}, {max.x, b.y}, veil);
-  const auto dot = [&](Cell cell, ImU32 colour) {
-    list.AddCircleFilled(at(cell.x + dx, cell.y + dy), look.px(4), colour);
-  };
-  dot(scenario.start, look.theme.start);
-  dot(scenario.goal, look.theme.goal);
-  list.AddRect(a, b, look.theme.accent, 0, 0, look.px(1.5f));
-  ImGui::Dummy(size);
-}
-
-void WorldDialogs::resize(const Look& look, const Session& session, std::vector<Command>& commands) {
-  const Scenario& scenario = session.scenario();
-  heading(look, "Resize the world");
-  const float whole = ImGui::GetContentRegionAvail().x, left = whole * 0.45f,
-              height = fitting_height(look, 270);
-  ImGui::BeginChild("settings", {left, height});
-  size_slider(look, "Width", scenario.map.width, size_.width);
-  size_slider(look, "Height", scenario.map.height, size_.height);
-  anchors(look);
-  toggle(look, "New cells are obstacles", size_.blocked);
-  hint(look, {"New cells", "", "On: what is added is solid. Off: it is free."});
-  ImGui::EndChild();
-  ImGui::SameLine(0, look.px(24));
-  resize_preview(look, session, {whole - left - look.px(24), height});
-  const int dx = moved(size_.across, scenario.map.width, size_.width),
-            dy = moved(size_.down, scenario.map.height, size_.height);
-  const auto lost = [&](Cell cell) {
-    return cell.x + dx < 0 || cell.y + dy < 0 || cell.x + dx >= size_.width || cell.y + dy >= size_.height;
-  };
-  const bool ends = lost(scenario.start) || lost(scenario.goal);
-  text(look.fonts.ui, ends ? look.theme.warning : look.theme.dim,
-       std::to_string(scenario.map.width) + " × " + std::to_string(scenario.map.height) + " → " +
-           std::to_string(size_.width) + " × " + std::to_string(size_.height) + " cells" +
-           (ends ? "; start or goal move to the nearest cell inside" : ""));
-  const Answer answer = confirm(look, "Resize");
-  if (answer == Answer::yes) commands.emplace_back(ResizeWorld{size_});
-  if (answer != Answer::none) kind_ = Kind::none;
-}
-
 bool WorldDialogs::generator_settings(const Look& look) {
   bool changed = false;
   std::vector<const char*> names;
@@ -227,6 +112,8 @@ bool WorldDialogs::generator_settings(const Look& look) {
   if (combo(look, "##generator", names, current, ImGui::GetContentRegionAvail().x)) {
     wanted_.generator = generators()[static_cast<std::size_t>(current)].id;
     wanted_.settings = {};
+    const GeneratorInfo& chosen = generator_info();
+    if (!chosen.solid || wanted_.layers == 1) wanted_.layers = chosen.layers;
     changed = true;
   }
   hint(look, {"Generator", "", "What kind of world. Each has settings of its own below."});
@@ -234,6 +121,7 @@ bool WorldDialogs::generator_settings(const Look& look) {
   paragraph(look.fonts.ui, look.theme.dim, info.summary);
   changed |= size_slider(look, "Width", 61, wanted_.width);
   changed |= size_slider(look, "Height", 41, wanted_.height);
+  if (info.solid) changed |= layers_slider(look, info.layers, wanted_.layers);
   const double longest = std::max({wanted_.width, wanted_.height, 2});
   for (const Parameter& parameter : info.parameters)
     changed |= parameter_control(look, parameter, longest, wanted_.settings);
@@ -243,31 +131,31 @@ bool WorldDialogs::generator_settings(const Look& look) {
 /// Begins one where the wishes have changed, and takes over what has come of it. A large one is not begun anew for
 /// every pixel that a slider is dragged.
 void WorldDialogs::make_preview() {
-  const std::int64_t cells = std::int64_t{wanted_.width} * wanted_.height;
+  const std::int64_t cells = std::int64_t{wanted_.width} * wanted_.height * wanted_.layers;
   if (stale_ && (cells <= kQuickCells || !ImGui::IsMouseDown(0))) {
     stale_ = false;
     preview_->start([wanted = wanted_](const std::stop_token&) {
-      const Result<GridMap> map =
-          replan::generate(wanted.generator, wanted.settings, wanted.width, wanted.height, wanted.seed);
-      return Preview{map ? MapSketch(*map) : MapSketch(), map ? "" : map.error(), wanted.width,
-                     wanted.height};
+      const Box size(wanted.width, wanted.height, wanted.layers);
+      const Result<GridMap> map = replan::generate(wanted.generator, wanted.settings, size, wanted.seed);
+      if (!map) return Preview{{}, {}, map.error(), size};
+      return Preview{MapSketch(*map), size.solid() ? MapSketch(*map, Axis::y) : MapSketch(), "", size};
     });
   }
   auto made = preview_->take();
   if (!made) return;
   sketch_ = std::move(made->sketch);
+  front_ = std::move(made->front);
   error_ = std::move(made->error);
-  drawn_width_ = made->width;
-  drawn_height_ = made->height;
+  drawn_ = made->size;
 }
 
-void WorldDialogs::generate_preview(const Look& look, ImVec2 size) const {
+void WorldDialogs::generate_view(const Look& look, const MapSketch& sketch, int rows, ImVec2 size) const {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
-  const auto [min, max] = fitted(origin, size, wanted_.width, wanted_.height);
+  const auto [min, max] = fitted(origin, size, wanted_.width, rows);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   // One of other sides would be drawn out of shape.
-  if (drawn_width_ == wanted_.width && drawn_height_ == wanted_.height) {
-    sketch_.draw(look, list, min, max);
+  if (drawn_ == Box(wanted_.width, wanted_.height, wanted_.layers)) {
+    sketch.draw(look, list, min, max);
   } else if (preview_->busy()) {
     const char* words = "Drawing…";
     draw_text(list, look.fonts.ui,
@@ -277,6 +165,14 @@ void WorldDialogs::generate_preview(const Look& look, ImVec2 size) const {
   }
   list.AddRect(min, max, look.theme.line, 0, 0, look.px.hair);
   ImGui::Dummy(size);
+}
+
+/// The world from above, and one of several layers from the front too.
+void WorldDialogs::generate_preview(const Look& look, ImVec2 size) const {
+  if (wanted_.layers == 1) return generate_view(look, sketch_, wanted_.height, size);
+  two_views(
+      look, size, [&](ImVec2 part) { generate_view(look, sketch_, wanted_.height, part); },
+      [&](ImVec2 part) { generate_view(look, front_, wanted_.layers, part); });
 }
 
 void WorldDialogs::generate(const Look& look, std::vector<Command>& commands) {
@@ -307,7 +203,7 @@ void WorldDialogs::generate(const Look& look, std::vector<Command>& commands) {
   if (rolled) seed = 1 + Random(wanted_.seed).below(kSeeds);
   if (typed || rolled) wanted_.seed = seed, stale_ = true;
   ImGui::EndGroup();
-  if (!error_.empty()) paragraph(look.fonts.ui, look.theme.bad, error_);
+  if (!error_.empty()) paragraph(look.fonts.ui, look.theme.bad, as_sentence(error_));
   const Answer answer = confirm(look, "Create");
   if (answer == Answer::yes && !error_.empty()) return;
   if (answer == Answer::yes) commands.emplace_back(wanted_);
