@@ -115,9 +115,9 @@ void SolidBuffers::upload_sheet(const SolidSheet& sheet) {
   if (sheet.texels.empty()) return;
   if (sheet_ == 0) gl_.GenTextures(1, &sheet_);
   gl_.BindTexture(GL_TEXTURE_2D, sheet_);
-  for (const GLenum filter : {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER})
+  for (const GLenum filter : std::array<GLenum, 2>{GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER})
     gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-  for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+  for (const GLenum side : std::array<GLenum, 2>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
     gl_.TexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
   gl_.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   GLint largest = 0;

@@ -125,8 +125,9 @@ void draw_reasons(const Look& look, const DriveWhy& why) {
   std::vector<std::string> counts;
   std::vector<const char*> names;
   for (const auto& [reason, words] : kReasons) {
-    const auto count = std::count_if(why.explanation.samples.begin(), why.explanation.samples.end(),
-                                     [&](const DriveSample& each) { return each.rejection == reason; });
+    const auto count =
+        std::count_if(why.explanation.samples.begin(), why.explanation.samples.end(),
+                      [wanted = reason](const DriveSample& each) { return each.rejection == wanted; });
     if (count == 0) continue;
     counts.push_back(std::to_string(count));
     names.push_back(words);
