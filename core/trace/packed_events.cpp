@@ -35,7 +35,6 @@ struct Label {
   EventKind kind = EventKind::pop;
   std::uint8_t line = 0;
   bool same_delta = false;
-  friend bool operator==(const Label&, const Label&) = default;
 };
 
 /// The labels that have occurred, by their numbers: fewer than 255, as planners have fewer lines that write. `kNew`

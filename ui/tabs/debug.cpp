@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <imgui_internal.h>
+
 #include "core/robots/drive_sense.hpp"
 #include "ui/icons.hpp"
 #include "ui/parts.hpp"

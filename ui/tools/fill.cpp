@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "ui/canvas/view_state.hpp"
 #include "ui/icons.hpp"
 #include "ui/parts.hpp"
 #include "ui/tools/cells.hpp"
