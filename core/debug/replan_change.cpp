@@ -5,10 +5,9 @@
 namespace replan {
 namespace {
 
-/// Whether what lies before such an event belongs to what the plan before knew of.
-bool ends_change(EventKind kind) {
-  return kind == EventKind::plan_end || kind == EventKind::plan_begin;
-}
+/// What a robot that learns writes down, and that another plan is to begin.
+constexpr KindSet kLearning{EventKind::sensed, EventKind::forgotten, EventKind::known, EventKind::scalar,
+                            EventKind::aim};
 
 ChangeKind kind_of(const Event& event, const SearchState& state, const SharedBytes& drawn) {
   if (event.kind == EventKind::forgotten) return ChangeKind::forgotten;
@@ -19,10 +18,11 @@ ChangeKind kind_of(const Event& event, const SearchState& state, const SharedByt
 
 }  // namespace
 
-std::vector<ChangedCell> changes_before(const LogView& view, std::size_t begin, const SharedBytes& drawn) {
+std::vector<ChangedCell> changes_before(const LogView& view, std::size_t begin, const SharedBytes& drawn,
+                                        std::size_t most) {
   const SearchState state = view.log.state_at(begin);
   std::vector<ChangedCell> changed;
-  for (std::size_t i = begin; i-- > 0 && !ends_change(view.log.event(i).kind);) {
+  for (std::size_t i = begin; i-- > 0 && kLearning.has(view.log.event(i).kind) && changed.size() < most;) {
     const Event event = view.log.event(i);
     if (event.kind == EventKind::sensed || event.kind == EventKind::forgotten)
       changed.push_back({event.node, kind_of(event, state, drawn)});

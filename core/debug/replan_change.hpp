@@ -23,8 +23,9 @@ struct ChangedCell {
   ChangeKind kind{};
 };
 
-/// Those that the robot saw or was told of between the plan before and the one that begins with the event `begin`, in the
-/// order in which the log has them. `drawn` is the map as it was drawn: nonzero = obstacle.
-std::vector<ChangedCell> changes_before(const LogView& view, std::size_t begin, const SharedBytes& drawn);
+/// Those that the robot saw or was told of just before the plan that begins with the event `begin`, in the order in which
+/// the log has them, but no more than the last `most`. `drawn` is the map as it was drawn: nonzero = obstacle.
+std::vector<ChangedCell> changes_before(const LogView& view, std::size_t begin, const SharedBytes& drawn,
+                                        std::size_t most);
 
 }  // namespace replan

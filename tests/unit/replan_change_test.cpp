@@ -32,7 +32,7 @@ TEST(ReplanChange, IsWhereTheMapsOfTwoPlansDiffer) {
       ++replans;
       const SearchState old = log.state_at(before), now = log.state_at(i);
       std::set<NodeId> told;
-      for (const ChangedCell& each : changes_before(view, i, scenario.map.blocked)) {
+      for (const ChangedCell& each : changes_before(view, i, scenario.map.blocked, 100'000)) {
         const bool blocked = each.kind != ChangeKind::free && each.kind != ChangeKind::forgotten;
         ASSERT_EQ(now.known_blocked(each.node), blocked) << "seed " << seed << ", event " << i;
         if (each.kind == ChangeKind::moving) {
@@ -44,6 +44,8 @@ TEST(ReplanChange, IsWhereTheMapsOfTwoPlansDiffer) {
         told.insert(each.node);
         kinds.insert(each.kind);
       }
+      const std::size_t all = changes_before(view, i, scenario.map.blocked, 100'000).size();
+      ASSERT_EQ(changes_before(view, i, scenario.map.blocked, 2).size(), std::min<std::size_t>(2, all));
       for (NodeId node = 0; node < box.node_count(); ++node)
         if (old.known_blocked(node) != now.known_blocked(node)) {
           ASSERT_TRUE(told.contains(node)) << "seed " << seed << ", event " << i << ", cell " << node;

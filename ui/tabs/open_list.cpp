@@ -17,6 +17,8 @@
 namespace replan::ui {
 namespace {
 
+/// Of more cells that changed at once these are listed: reading them must not hold up a frame.
+constexpr std::size_t kMostChanged = 20'000;
 constexpr std::size_t kMostIds = std::size_t{1} << 30;  // ImGui's ids are made of ints
 
 struct StateWord {
@@ -193,6 +195,16 @@ std::pair<const char*, ImU32> change_words(const Theme& theme, ChangeKind kind) 
   return {"", theme.text};
 }
 
+std::string changed_words(std::uint64_t replan, std::size_t cells) {
+  const std::string number = grouped(replan);
+  if (cells == 0) return "Replan " + number + ": no cell is another than the map said.";
+  if (cells == 1) return "Replan " + number + ": one cell was another than the map said.";
+  const std::string count = grouped(static_cast<std::int64_t>(cells));
+  return cells < kMostChanged
+             ? "Replan " + number + ": " + count + " cells were others than the map said."
+             : "Replan " + number + ": the last " + count + " cells that were others than the map said.";
+}
+
 void changed_row(Frame& frame, std::size_t row, const ChangedCell& each, std::span<const Column> columns) {
   const Look& look = frame.look;
   const Cell cell = frame.run().lattice().position(each.node);
@@ -298,14 +310,10 @@ void OpenListTab::draw_changed(Frame& frame) {
     return;
   }
   const std::pair of{run.log_id(), span->begin};
-  if (changed_of_ != of) changed_ = changes_before(run.log_view(), span->begin, run.scenario().map.blocked);
+  if (changed_of_ != of)
+    changed_ = changes_before(run.log_view(), span->begin, run.scenario().map.blocked, kMostChanged);
   changed_of_ = of;
-  const auto count = static_cast<std::int64_t>(changed_.size());
-  paragraph(
-      look.fonts.ui, look.theme.dim,
-      "Replan " + grouped(span->number) + ": " +
-          (changed_.empty() ? "no cell is another than the map said"
-                            : count_text(count, "cell was", "cells were") + " another than the map said"));
+  paragraph(look.fonts.ui, look.theme.dim, changed_words(span->number, changed_.size()));
   if (changed_.empty()) return;
   const float cell = text_width(look.fonts.mono, widest_cell(run)) + look.px(12);
   const std::array<Column, 2> columns = {Column{"cell", cell, Align::left},
