@@ -128,7 +128,7 @@ Result<void> write_drawing(const std::string& path, const Run& run, const ui::Vi
   const Palette palette = ui::scene_palette(state.dark ? ui::dark() : ui::light(), state.colours);
   View view = state.view;
   view.slice = state.slices.of(0);
-  if (state.slices.follows_robot) view.slice.layer = ui::along(view.slice.along, ui::robot_cell(run));
+  if (state.slices.follows_robot) view.slice.layer = coordinate(ui::robot_cell(run), view.slice.along);
   view.camera = state.shown_camera(view.slice.along);
   return write_file_atomically(path, scene_svg(build_scene(run, view, size, palette), palette));
 }

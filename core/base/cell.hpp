@@ -20,6 +20,12 @@ struct Cell {
 
 enum class Axis : std::uint8_t { x, y, z };
 
+/// The coordinate of a cell, or of a point, along an axis; to write too.
+template <class Place>
+constexpr auto& coordinate(Place&& place, Axis axis) {
+  return axis == Axis::x ? place.x : axis == Axis::y ? place.y : place.z;
+}
+
 /// A box of cells, both corners included.
 struct CellBox {
   Cell low, high;

@@ -15,8 +15,7 @@ float narrow(double value) {
 }  // namespace
 
 Point SolidPen::on_sheet(Point point) const {
-  double& along = slice_.box.along() == Axis::x ? point.x : slice_.box.along() == Axis::y ? point.y : point.z;
-  along = sheet();
+  coordinate(point, slice_.box.along()) = sheet();
   return point;
 }
 

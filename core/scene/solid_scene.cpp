@@ -12,10 +12,6 @@
 namespace replan {
 namespace {
 
-double along_axis(Axis axis, const Point& point) {
-  return axis == Axis::x ? point.x : axis == Axis::y ? point.y : point.z;
-}
-
 /// The edges of the world's box.
 void add_world(SolidPen& pen) {
   const Box& world = pen.context().run.lattice();
@@ -154,8 +150,8 @@ std::optional<Met> met_sheet(const SolidScene& scene, const Sheet& slice, const 
   const SolidSheet& sheet = scene.sheet;
   if (sheet.texels.empty()) return std::nullopt;
   const Axis axis = slice.box.along();
-  const double way = along_axis(axis, ray.direction);
-  const double depth = (along_axis(axis, sheet.corner) - along_axis(axis, ray.from)) / way;
+  const double way = coordinate(ray.direction, axis);
+  const double depth = (coordinate(sheet.corner, axis) - coordinate(ray.from, axis)) / way;
   if (!(depth > 0) || std::isinf(depth)) return std::nullopt;
   const Point at = slice.box.seen(ray.at(depth));
   if (!(at.x >= 0 && at.x < slice.box.width() && at.y >= 0 && at.y < slice.box.height())) return std::nullopt;

@@ -53,7 +53,7 @@ struct SolidCut {
   double at = 0;            ///< the coordinate of the plane
   bool keeps_lower = true;  ///< else what is above it
   [[nodiscard]] bool shows(const Point& point) const {
-    const double place = across == Axis::x ? point.x : across == Axis::y ? point.y : point.z;
+    const double place = coordinate(point, across);
     return keeps_lower ? place <= at : place >= at;
   }
 };

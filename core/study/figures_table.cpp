@@ -91,13 +91,11 @@ std::vector<NamedFigure> all_figures(const RunReport& report) {
     figures.push_back({"last_queue_operations", static_cast<double>(last->queue_operations), true});
     figures.push_back({"last_sight_checks", static_cast<double>(last->sight_checks), true});
   }
-  if (report.robot)
-    for (const NamedFigure& figure : named_figures(*report.robot))
-      if (figure.key != "replans") figures.push_back(figure);
-  if (report.robot)
-    for (const NamedFigure& figure : drive_figures(*report.robot)) figures.push_back(figure);
-  if (report.robot)
-    for (const NamedFigure& figure : kept_figures(*report.robot)) figures.push_back(figure);
+  if (!report.robot) return figures;
+  for (const NamedFigure& figure : named_figures(*report.robot))
+    if (figure.key != "replans") figures.push_back(figure);
+  for (const auto& more : {drive_figures(*report.robot), kept_figures(*report.robot)})
+    figures.insert(figures.end(), more.begin(), more.end());
   return figures;
 }
 

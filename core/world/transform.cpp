@@ -63,14 +63,10 @@ AxisSwap axis_swap(Turn turn) {
   return {{x, y, z}, {}};
 }
 
-int along(Cell cell, Axis axis) {
-  return axis == Axis::x ? cell.x : axis == Axis::y ? cell.y : cell.z;
-}
-
 /// The lengths along x, y and z of something that has these before the turn.
 Cell turned_size(Cell size, Turn turn) {
   const auto& from = axis_swap(turn).from;
-  return {along(size, from[0]), along(size, from[1]), along(size, from[2])};
+  return {coordinate(size, from[0]), coordinate(size, from[1]), coordinate(size, from[2])};
 }
 
 Cell size_of(const Box& box) {
@@ -109,7 +105,7 @@ std::array<double, 3> turned_origin(const GridMap& map, Turn turn) {
   return origin;
 }
 
-/// How far the old world's upper left corner moves along one axis.
+/// How far the old world's first cell moves along one axis.
 int shift(Side side, int before, int after) {
   switch (side) {
     case Side::low:
@@ -202,11 +198,11 @@ void shift_surprises(Resized& done, const Shifted& shifted) {
 
 Cell turned(Cell cell, const Box& world, Turn turn) {
   const AxisSwap swap = axis_swap(turn);
-  const auto coordinate = [&](std::size_t i) {
-    const int value = along(cell, swap.from[i]);
-    return swap.flip[i] ? along(size_of(world), swap.from[i]) - 1 - value : value;
+  const auto placed = [&](std::size_t i) {
+    const int value = coordinate(cell, swap.from[i]);
+    return swap.flip[i] ? coordinate(size_of(world), swap.from[i]) - 1 - value : value;
   };
-  return {coordinate(0), coordinate(1), coordinate(2)};
+  return {placed(0), placed(1), placed(2)};
 }
 
 Box turned_size(const Box& world, Turn turn) {
@@ -242,12 +238,16 @@ Scenario turned(const Scenario& scenario, Turn turn) {
   return after;
 }
 
+Cell shift_of(const Box& world, const NewSize& size) {
+  return {shift(size.across, world.width(), size.width), shift(size.down, world.height(), size.height),
+          shift(size.up, world.depth(), size.depth)};
+}
+
 Result<Resized> resized(const Scenario& scenario, const NewSize& size) {
   const GridMap& map = scenario.map;
   if (const auto checked = check_world_size({size.width, size.height, size.depth}); !checked)
     return Error{checked.error()};
-  const Cell by{shift(size.across, map.width, size.width), shift(size.down, map.height, size.height),
-                shift(size.up, map.depth, size.depth)};
+  const Cell by = shift_of(map.box(), size);
   Resized done{scenario, 0, {}, false};
   Scenario& after = done.scenario;
   after.map_file.clear();

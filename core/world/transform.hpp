@@ -55,6 +55,8 @@ Box turned_size(const Box& world, Turn turn);
 /// the same ground; tipped it has a place no more, only the length of its cells.
 Scenario turned(const Scenario& scenario, Turn turn);
 
+/// How far the old world's cells move along each axis.
+Cell shift_of(const Box& world, const NewSize& size);
 /// Gives the map another size. Start, goal, triggers and ways that would fall off move to the nearest cell;
 /// cells of surprises that fall off are dropped. The error names the limits.
 Result<Resized> resized(const Scenario& scenario, const NewSize& size);

@@ -12,7 +12,7 @@ void Slices::set(std::size_t pane, Slice slice, SlicePanes panes) {
 
 void Slices::show(std::size_t pane, Cell cell, SlicePanes panes) {
   Slice slice = of(pane);
-  slice.layer = along(slice.along, cell);
+  slice.layer = coordinate(cell, slice.along);
   set(pane, slice, panes);
 }
 

@@ -39,11 +39,6 @@ class Slices {
   bool chosen_ = false;
 };
 
-/// The coordinate of a cell along an axis.
-constexpr int along(Axis axis, Cell cell) {
-  return axis == Axis::x ? cell.x : axis == Axis::y ? cell.y : cell.z;
-}
-
 /// "z"
 constexpr const char* axis_name(Axis axis) {
   return axis == Axis::x ? "x" : axis == Axis::y ? "y" : "z";

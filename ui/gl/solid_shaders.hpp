@@ -2,12 +2,20 @@
 // x - y / d, and how many cells lines are drawn nearer than they are.
 #pragma once
 
+// The shade of each of the six sides: literals are joined by their standing side by side, which takes a macro.
+#define REPLAN_SIDE_LIGHT                                                                           \
+  "const float kLight[6] = float[6](-0.10, 0.04, -0.28, 0.12, -0.45, 0.26);\n"                      \
+  "vec4 lit(vec4 colour, int side) {\n"                                                             \
+  "  float by = kLight[side];\n"                                                                    \
+  "  return vec4(by > 0.0 ? mix(colour.rgb, vec3(1.0), by) : colour.rgb * (1.0 + by), colour.a);\n" \
+  "}\n"
+
 namespace replan::ui {
 
 // Faces are rectangles of cells: one instance each, its corners from the number of the vertex. The light comes from above
 // and is soft: each side has its own shade, lighter or darker than its colour. What is far away fades into the background.
 // Lines between cells are a little darker, and vanish where cells are small.
-inline constexpr const char* kFaceVertices = R"(#version 330 core
+inline constexpr const char* kFaceVertices = "#version 330 core\n" REPLAN_SIDE_LIGHT R"(
 layout(location = 0) in vec3 cell;
 layout(location = 1) in float side;
 layout(location = 2) in vec2 extent;
@@ -18,7 +26,6 @@ out vec3 place;
 out vec2 on_face;
 out vec4 shade;
 out float depth;
-const float kLight[6] = float[6](-0.10, 0.04, -0.28, 0.12, -0.45, 0.26);
 void main() {
   int s = int(side + 0.5);
   vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1));
@@ -30,8 +37,7 @@ void main() {
   else if (s < 4) at += vec3(on_face.x, out_by, on_face.y);
   else at += vec3(on_face.x, on_face.y, out_by);
   place = at;
-  vec3 lit = kLight[s] > 0.0 ? mix(colour.rgb, vec3(1.0), kLight[s]) : colour.rgb * (1.0 + kLight[s]);
-  shade = vec4(lit, colour.a);
+  shade = lit(colour, s);
   gl_Position = projection * vec4(at, 1.0);
   depth = gl_Position.w;
 }
@@ -60,14 +66,13 @@ void main() {
 )";
 
 // Of a small cube the three sides that look at the eye.
-inline constexpr const char* kBoxVertices = R"(#version 330 core
+inline constexpr const char* kBoxVertices = "#version 330 core\n" REPLAN_SIDE_LIGHT R"(
 layout(location = 0) in vec3 low;
 layout(location = 1) in vec3 high;
 layout(location = 2) in vec4 colour;
 uniform mat4 projection;
 uniform vec4 eye;
 out vec4 shade;
-const float kLight[6] = float[6](-0.10, 0.04, -0.28, 0.12, -0.45, 0.26);
 const int kCorner[6] = int[6](0, 1, 2, 2, 1, 3);
 void main() {
   int axis = gl_VertexID / 6;
@@ -77,8 +82,7 @@ void main() {
   if (s == 1 || s == 2 || s == 5) corner = corner.yx;
   float out_by = (s & 1) == 1 ? 1.0 : 0.0;
   vec3 part = s < 2 ? vec3(out_by, corner) : s < 4 ? vec3(corner.x, out_by, corner.y) : vec3(corner, out_by);
-  vec3 lit = kLight[s] > 0.0 ? mix(colour.rgb, vec3(1.0), kLight[s]) : colour.rgb * (1.0 + kLight[s]);
-  shade = vec4(lit, colour.a);
+  shade = lit(colour, s);
   gl_Position = projection * vec4(mix(low, high, part), 1.0);
 }
 )";
@@ -181,3 +185,5 @@ void main() {
 )";
 
 }  // namespace replan::ui
+
+#undef REPLAN_SIDE_LIGHT

@@ -24,6 +24,28 @@ Parameter side(std::string_view key, std::string_view label, double initial, std
           .unit = "cells",
           .help = help};
 }
+/// How much of a world things that are thrown into it cover.
+Parameter covered(double initial, std::string_view help) {
+  return {.key = "fraction", .label = "Covered", .initial = initial, .high = 0.9, .help = help};
+}
+/// What caves are grown from, and how often.
+Parameter rock(double initial, double low) {
+  return {.key = "fraction",
+          .label = "Rock",
+          .initial = initial,
+          .low = low,
+          .high = 0.6,
+          .help = "The fraction of the cells that are rock at first."};
+}
+Parameter smoothing(std::string_view help) {
+  return {.key = "rounds",
+          .label = "Smoothing",
+          .type = whole,
+          .initial = 5,
+          .high = 20,
+          .unit = "rounds",
+          .help = help};
+}
 
 Result<GridMap> make_cells(const GeneratorRequest& r) {
   return random_cells(r.size, r.real("fraction"), r.seed, r.keep_free);
@@ -47,11 +69,7 @@ GeneratorInfo rectangles_kind() {
   return {"rectangles",
           "Random rectangles",
           "Rectangles thrown at random until they cover enough; the world of the DLD* Lite paper.",
-          {{.key = "fraction",
-            .label = "Covered",
-            .initial = 0.17,
-            .high = 0.9,
-            .help = "The fraction of all cells that the rectangles cover."},
+          {covered(0.17, "The fraction of all cells that the rectangles cover."),
            side("min_side", "Shortest side", 5, "The shortest side of a rectangle."),
            side("max_side", "Longest side", 15, "The longest side of a rectangle.")},
           make_rectangles};
@@ -100,19 +118,7 @@ GeneratorInfo caves_kind() {
   return {"caves",
           "Caves",
           "One winding cave, grown by a cellular automaton.",
-          {{.key = "fraction",
-            .label = "Rock",
-            .initial = 0.45,
-            .low = 0.3,
-            .high = 0.6,
-            .help = "The fraction of the cells that are rock at first."},
-           {.key = "rounds",
-            .label = "Smoothing",
-            .type = whole,
-            .initial = 5,
-            .high = 20,
-            .unit = "rounds",
-            .help = "How often a cell becomes what most cells around it are."}},
+          {rock(0.45, 0.3), smoothing("How often a cell becomes what most cells around it are.")},
           make_caves};
 }
 
@@ -124,11 +130,7 @@ GeneratorInfo boxes_kind() {
   return {"boxes",
           "Boxes",
           "Boxes thrown at random into a world of layers until they cover enough.",
-          {{.key = "fraction",
-            .label = "Covered",
-            .initial = 0.17,
-            .high = 0.9,
-            .help = "The fraction of all cells that the boxes cover."},
+          {covered(0.17, "The fraction of all cells that the boxes cover."),
            side("min_side", "Shortest side", 3, "The shortest side of a box."),
            side("max_side", "Longest side", 9, "The longest side of a box.")},
           make_boxes,
@@ -143,19 +145,7 @@ GeneratorInfo caverns_kind() {
   return {"caverns",
           "Caverns",
           "One cave that winds through all layers, grown by a cellular automaton in space.",
-          {{.key = "fraction",
-            .label = "Rock",
-            .initial = 0.5,
-            .low = 0.4,
-            .high = 0.6,
-            .help = "The fraction of the cells that are rock at first."},
-           {.key = "rounds",
-            .label = "Smoothing",
-            .type = whole,
-            .initial = 5,
-            .high = 20,
-            .unit = "rounds",
-            .help = "How often a cell becomes what most of the 27 cells around it are."}},
+          {rock(0.5, 0.4), smoothing("How often a cell becomes what most of the 27 cells around it are.")},
           make_caverns,
           kUsualLayers,
           true};
@@ -200,11 +190,7 @@ GeneratorInfo pillars_kind() {
       "pillars",
       "Pillars",
       "Round pillars on the ground, some up to the highest layer.",
-      {{.key = "fraction",
-        .label = "Covered",
-        .initial = 0.15,
-        .high = 0.9,
-        .help = "The fraction of the ground that the pillars cover."},
+      {covered(0.15, "The fraction of the ground that the pillars cover."),
        side("min_side", "Thinnest", 3, "The diameter of the thinnest pillar."),
        side("max_side", "Thickest", 9, "The diameter of the thickest pillar."),
        {.key = "whole",

@@ -11,16 +11,6 @@
 namespace replan::ui {
 namespace {
 
-int moved(Side side, int before, int after) {
-  return side == Side::low ? 0 : side == Side::high ? after - before : (after - before) / 2;
-}
-
-/// How far the old world's cells move.
-Cell moved_by(const NewSize& size, const GridMap& map) {
-  return {moved(size.across, map.width, size.width), moved(size.down, map.height, size.height),
-          moved(size.up, map.depth, size.depth)};
-}
-
 /// "40 × 30", and of a world of layers "40 × 30 × 8".
 std::string sides_shown(const Box& box) {
   return std::to_string(box.width()) + " × " + std::to_string(box.height()) +
@@ -114,7 +104,7 @@ void WorldDialogs::resize_view(const Look& look, const MapSketch& sketch, const 
 void WorldDialogs::resize_preview(const Look& look, const Session& session, ImVec2 size) const {
   const Scenario& scenario = session.scenario();
   const GridMap& map = scenario.map;
-  const Cell by = moved_by(size_, map);
+  const Cell by = shift_of(map.box(), size_);
   const ResizeView above{map.width, map.height, size_.width,    size_.height,
                          by.x,      by.y,       scenario.start, scenario.goal};
   if (std::max(map.depth, size_.depth) == 1) return resize_view(look, sketch_, above, size);
@@ -152,7 +142,7 @@ void WorldDialogs::resize(const Look& look, const Session& session, std::vector<
   ImGui::SameLine(0, look.px(24));
   resize_preview(look, session, {whole - left - look.px(24), height});
   const Box after(size_.width, size_.height, size_.depth);
-  const Cell by = moved_by(size_, map);
+  const Cell by = shift_of(map.box(), size_);
   const auto lost = [&](Cell cell) {
     return !after.contains(Cell{cell.x + by.x, cell.y + by.y, cell.z + by.z});
   };

@@ -56,7 +56,6 @@ bool parameter_control(const Look& look, const Parameter& parameter, double long
 void WorldDialogs::show_resize(const Session& session) {
   const GridMap map = session.world();
   kind_ = Kind::resize;
-  fresh_ = true;
   size_ = {map.width, map.height, Side::low, Side::low, false, map.depth, Side::low};
   sketched_depth_ = map.depth;
   sketch_ = MapSketch(map);
@@ -66,7 +65,7 @@ void WorldDialogs::show_resize(const Session& session) {
 void WorldDialogs::show_generate(const Session& session, const WorkPlace& place) {
   kind_ = Kind::generate;
   preview_ = std::make_unique<Background<Preview>>(place);
-  fresh_ = stale_ = true;
+  stale_ = true;
   wanted_.width = session.scenario().map.width;
   wanted_.height = session.scenario().map.height;
   const Box world = session.scenario().map.box();
@@ -96,7 +95,6 @@ void WorldDialogs::draw(const Look& look, const Session& session, std::vector<Co
     resize(look, session, commands);
   else
     generate(look, commands);
-  fresh_ = false;
   if (kind_ == Kind::none) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }

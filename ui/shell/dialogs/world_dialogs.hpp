@@ -50,7 +50,6 @@ class WorldDialogs {
   [[nodiscard]] const GeneratorInfo& generator_info() const;
 
   Kind kind_ = Kind::none;
-  bool fresh_ = false;
   Box drawn_;                 // size of the generated world that the sketch is of
   MapSketch sketch_, front_;  // of the world before a change of size, or of the generated one
   int sketched_depth_ = 1;    // of the former
