@@ -98,7 +98,7 @@ std::vector<Term> values_read(const Condition& condition) {
 }
 
 bool is_value(Op op) {
-  return op >= Op::g && op <= Op::score;
+  return op >= Op::g && op <= Op::vertices;
 }
 
 bool is_of_vertex(Op op) {
@@ -107,7 +107,7 @@ bool is_of_vertex(Op op) {
 
 bool is_cost(Op op) {
   return op == Op::g || op == Op::rhs || op == Op::dist || op == Op::k1 || op == Op::k2 ||
-         op == Op::own_cost || op == Op::km;
+         op == Op::own_cost || op == Op::km || op == Op::best;
 }
 
 }  // namespace replan

@@ -60,6 +60,8 @@ enum class Op : std::uint8_t {
   sub_goal,
   admissible,
   score,
+  best,
+  vertices,
   line,
   // About the latest event
   on_line,
@@ -90,6 +92,8 @@ enum class Happening : std::uint8_t {
   replan,
   underconsistent,
   sight_failed,
+  first_path,
+  rewired,
   no_path,
   blocked,
   surprise,

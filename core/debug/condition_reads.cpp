@@ -68,6 +68,10 @@ std::optional<Scalar> scalar_of(Op op) {
       return Scalar::admissible;
     case Op::score:
       return Scalar::score;
+    case Op::best:
+      return Scalar::best;
+    case Op::vertices:
+      return Scalar::vertices;
     default:
       return std::nullopt;
   }
@@ -82,6 +86,10 @@ KindSet kinds_of(Happening happening) {
       return {EventKind::pop};
     case Happening::sight_failed:
       return {EventKind::sight};
+    case Happening::first_path:
+      return {EventKind::scalar};
+    case Happening::rewired:
+      return {EventKind::rewired};
     case Happening::no_path:
       return {EventKind::plan_end};
     case Happening::blocked:

@@ -19,8 +19,31 @@ std::string change_text(const Box& lattice, const SearchValues& values, const Ev
     return std::string(value_name(which)) + " = " + scalar_text(lattice, which, after);
   }
   const Field& field = values.field(event.kind);
-  return value_name(field) + node_text(lattice, event.node) + ": " +
-         value_text(lattice, field, after ^ event.delta) + " → " + value_text(lattice, field, after);
+  const bool of_vertex = field.table == FieldTable::vertices;
+  return (of_vertex ? std::string(field.label) + " of vertex " + std::to_string(event.node)
+                    : value_name(field) + node_text(lattice, event.node)) +
+         ": " + value_text(lattice, field, after ^ event.delta) + " → " + value_text(lattice, field, after);
+}
+
+std::string candidate_text(const Event& event) {
+  const Cost sum{static_cast<std::int64_t>(event.delta)};
+  const std::string vertex = std::to_string(event.node);
+  if (sum.is_infinite()) return "vertex " + vertex + " does not see the new place";
+  return "over vertex " + vertex + " the new place costs " + cost_text(sum);
+}
+
+std::string fault_text(SampleFault why, const std::string& at) {
+  switch (why) {
+    case SampleFault::blocked:
+      return "the sample is given up: " + at + " is in the way";
+    case SampleFault::taken:
+      return "the sample is given up: there is a vertex already";
+    case SampleFault::longer:
+      return "the sample is given up: the path would be no shorter over it";
+    case SampleFault::path_end:
+      break;
+  }
+  return "the sample is given up: it is nearest to an end of the path, which stays where it is";
 }
 
 std::string happening_text(const Box& lattice, const Event& event) {
@@ -64,6 +87,13 @@ std::string happening_text(const Box& lattice, const Event& event) {
                               : "the goal cannot be reached: the robot makes for " + at;
     case EventKind::epoch:
       return "the planner forgets its search and begins another one";
+    case EventKind::candidate:
+      return candidate_text(event);
+    case EventKind::rewired:
+      return "vertex " + std::to_string(event.node) + " hangs on the new vertex now, which saves " +
+             cost_text({static_cast<std::int64_t>(event.delta)});
+    case EventKind::rejected:
+      return fault_text(static_cast<SampleFault>(event.delta), at);
     default:
       return "";
   }
@@ -98,7 +128,20 @@ const char* value_name(Scalar scalar) {
       "the turn rate",
       "the sub-goal",
       "admissible arcs",
-      "the score of the chosen arc"};
+      "the score of the chosen arc",
+      "vertices",
+      "the root",
+      "the goal's vertex",
+      "x of the sample",
+      "y of the sample",
+      "z of the sample",
+      "x of the new place",
+      "y of the new place",
+      "z of the new place",
+      "the nearest vertex",
+      "the best path",
+      "samples before the plan",
+      "the last sample that made the path shorter"};
   return scalar < Scalar::count ? kNames[static_cast<std::size_t>(scalar)] : "";
 }
 
@@ -131,6 +174,8 @@ std::string value_text(const Box& lattice, const Field& field, std::uint64_t raw
       return raw != 0 ? "obstacle" : "free";
     case FieldType::name:
       return raw < field.names.size() ? std::string(field.names[raw]) : std::to_string(raw);
+    case FieldType::vertex:
+      return raw == 0 ? "none" : std::to_string(raw - 1);
     case FieldType::count:
       break;
   }
@@ -138,13 +183,25 @@ std::string value_text(const Box& lattice, const Field& field, std::uint64_t raw
 }
 
 std::string scalar_text(const Box& lattice, Scalar scalar, std::uint64_t raw) {
-  if (scalar == Scalar::km || scalar == Scalar::weight || scalar == Scalar::share)
-    return cost_text(Cost{static_cast<std::int64_t>(raw)});
-  if (is_real(scalar)) return decimal_text(std::bit_cast<double>(raw), 3);
-  if (scalar == Scalar::score) return raw == 0 ? "none" : decimal_text(score_of(raw), 3);
-  if (scalar == Scalar::admissible) return raw == 0 ? "none" : std::to_string(raw - 1);
-  const bool number = scalar == Scalar::moves || scalar == Scalar::replans;
-  return number ? std::to_string(raw) : node_text(lattice, static_cast<NodeId>(raw) - 1u);
+  const Cost cost{static_cast<std::int64_t>(raw)};
+  switch (scalar_type(scalar)) {
+    case ScalarType::cost:
+      return cost_text(cost);
+    case ScalarType::found_cost:
+      return raw == 0 ? "none" : cost_text(cost);
+    case ScalarType::count:
+      return std::to_string(raw);
+    case ScalarType::some_count:
+    case ScalarType::vertex:
+      return raw == 0 ? "none" : std::to_string(raw - 1);
+    case ScalarType::real:
+      return decimal_text(std::bit_cast<double>(raw), 3);
+    case ScalarType::score:
+      return raw == 0 ? "none" : decimal_text(score_of(raw), 3);
+    case ScalarType::node:
+      break;
+  }
+  return node_text(lattice, static_cast<NodeId>(raw) - 1u);
 }
 
 std::string event_text(const Box& lattice, const SearchValues& values, const Event& event,

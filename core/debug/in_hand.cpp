@@ -14,16 +14,17 @@ constexpr KindSet kParting{EventKind::plan_begin, EventKind::plan_end, EventKind
                            EventKind::collision,  EventKind::new_goal, EventKind::put_down,
                            EventKind::surprise,   EventKind::epoch,    EventKind::turn};
 
-/// Values that belong to the search and not to the world.
-bool is_of_search(EventKind kind) {
-  return (kForgotten.has(kind) && kind != EventKind::visit) || is_own_field(kind);
+/// Values of nodes that belong to the search and not to the world.
+bool is_of_search(const LogView& view, EventKind kind) {
+  if (is_own_field(kind)) return view.info.values.declares(kind);
+  return kForgotten.has(kind) && kind != EventKind::visit;
 }
 
 /// Whether a reader is told of it as the value just written: a count of expansions teaches nothing.
 bool is_telling(const LogView& view, EventKind kind) {
   if (kind == EventKind::known || kind == EventKind::dist) return true;
   const Field* field = view.info.values.find(kind);
-  return is_of_search(kind) && field != nullptr && field->shown;
+  return is_of_search(view, kind) && field != nullptr && field->shown;
 }
 
 void read_back(const LogView& view, InHand& hand) {
@@ -40,7 +41,7 @@ void read_back(const LogView& view, InHand& hand) {
       const std::uint64_t after = log.state().value(event.kind, event.node);
       hand.written = InHand::Write{event, after ^ event.delta, after};
     }
-    if (is_of_search(event.kind)) hand.touched.push_back(event.node);
+    if (is_of_search(view, event.kind)) hand.touched.push_back(event.node);
   }
   std::sort(hand.touched.begin(), hand.touched.end());
   hand.touched.erase(std::unique(hand.touched.begin(), hand.touched.end()), hand.touched.end());
@@ -82,7 +83,7 @@ void find_trials(const LogView& view, InHand& hand) {
       return;
     }
   }
-  if (!lookahead || !hand.written || !is_of_search(hand.written->event.kind)) return;
+  if (!lookahead || !hand.written || !is_of_search(view, hand.written->event.kind)) return;
   const NodeId s = hand.written->event.node;
   if (s != hand.vertex && s != state.node(view.info.root())) try_to(view, s, hand);
 }

@@ -65,6 +65,7 @@ PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t positi
   question.exact = claims_cheapest(view.info, view.settings);
   question.straight = view.info.any_angle && !view.info.values.least_cost;
   question.blind = view.info.blind;
+  question.sampling = view.info.sampling;
   return question;
 }
 
@@ -75,6 +76,7 @@ Cost right_cost(const PlanQuestion& question, const std::stop_token& stop) {
 std::optional<Disagreement> judge(const PlanQuestion& question, Cost right) {
   const Cost claimed = question.claimed;
   const bool agrees = question.exact      ? claimed == right
+                      : question.sampling ? claimed.is_infinite() || !right.is_infinite()
                       : question.blind    ? claimed <= right
                       : question.straight ? claimed.is_infinite() == right.is_infinite() && claimed <= right
                                           : claimed.is_infinite() == right.is_infinite() && claimed >= right;

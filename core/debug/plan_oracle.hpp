@@ -26,6 +26,7 @@ struct PlanQuestion {
   bool exact = true;
   bool straight = false;  ///< its cost is that of straight ways, which may be shorter than all lattice paths
   bool blind = false;     ///< and it may lead through anything
+  bool sampling = false;  ///< it may find none where there is a path, and a longer one
 };
 
 /// Whether a planner with these settings claims that no plan costs less. The D* Lite family does, penalties

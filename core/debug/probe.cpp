@@ -56,6 +56,8 @@ void Probe::collect(const Term& term) {
   if (term.happening == Happening::blocked)
     for (const Scalar goal : {Scalar::goal, Scalar::wanted})
       collect_slot(EventKind::scalar, static_cast<NodeId>(goal));
+  if (term.happening == Happening::first_path)
+    collect_slot(EventKind::scalar, static_cast<NodeId>(Scalar::best));
   if (term.happening == Happening::underconsistent) {
     walked_.add(EventKind::g);
     walked_.add(EventKind::rhs);

@@ -116,8 +116,13 @@ Probe::Number Probe::number(const Term& term) {
       return count(raw(EventKind::visit, node_of(term)) >> 32);
     case Op::km:
       return cost(raw(EventKind::scalar, static_cast<NodeId>(Scalar::km)));
+    case Op::best: {
+      const std::uint64_t held = raw(EventKind::scalar, static_cast<NodeId>(Scalar::best));
+      return cost(held == 0 ? fields::kInfinite : held);
+    }
     case Op::moves:
     case Op::replans:
+    case Op::vertices:
       return count(raw(EventKind::scalar, static_cast<NodeId>(*scalar_of(term.op))));
     case Op::admissible: {
       const std::uint64_t held = raw(EventKind::scalar, static_cast<NodeId>(Scalar::admissible));
@@ -180,6 +185,10 @@ bool Probe::event_is(Happening happening) {
       return values_->lookahead() && state_.g(event.node) < state_.rhs(event.node);
     case Happening::sight_failed:
       return event.delta >> 32 == 0;
+    case Happening::first_path: {  // from none, which is 0
+      const auto best = static_cast<NodeId>(Scalar::best);
+      return event.node == best && event.delta == raw(EventKind::scalar, best);
+    }
     case Happening::no_path:
       return !has_path(static_cast<PlanStatus>(event.delta));
     case Happening::blocked: {  // on the goal it waits for the goal to move on

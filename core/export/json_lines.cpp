@@ -133,6 +133,9 @@ void JsonLines::event(std::string& out, std::size_t index, const Event& event, c
     out += "\",\"name\":\"";
     out += scalar_name(static_cast<Scalar>(event.node));
     out += '"';
+  } else if (of_vertex(event.kind)) {
+    out += "\",\"vertex\":";
+    append_whole(out, event.node);
   } else {
     out += "\",\"cell\":";
     cell(out, event.node);
@@ -187,41 +190,48 @@ void JsonLines::value(std::string& out, const Event& event, std::uint64_t raw) c
         return;
       }
       break;
+    case FieldType::vertex:
+      return numbered(out, raw);
     case FieldType::count:
       break;
   }
   append_whole(out, raw);
 }
 
+bool JsonLines::of_vertex(EventKind kind) const {
+  return is_of_vertex(kind) ||
+         (is_own_field(kind) && run_.view.info.values.field(kind).table == FieldTable::vertices);
+}
+/// A number, held + 1; null for 0.
+void JsonLines::numbered(std::string& out, std::uint64_t held) {
+  if (held == 0)
+    out += "null";
+  else
+    append_whole(out, held - 1);
+}
+
 void JsonLines::scalar(std::string& out, Scalar which, std::uint64_t raw) const {
-  switch (which) {
-    case Scalar::km:
-    case Scalar::weight:
-    case Scalar::share:
+  const ScalarType type = scalar_type(which);
+  const bool none = (type == ScalarType::found_cost || type == ScalarType::score) && raw == 0;
+  if (none) {
+    out += "null";
+    return;
+  }
+  switch (type) {
+    case ScalarType::cost:
+    case ScalarType::found_cost:
       return cost(out, as_cost(raw));
-    case Scalar::moves:
-    case Scalar::replans:
+    case ScalarType::count:
       append_whole(out, raw);
       return;
-    case Scalar::x:
-    case Scalar::y:
-    case Scalar::heading:
-    case Scalar::speed:
-    case Scalar::turning:
+    case ScalarType::some_count:
+    case ScalarType::vertex:
+      return numbered(out, raw);
+    case ScalarType::real:
       return append_real(out, std::bit_cast<double>(raw));
-    case Scalar::admissible:
-      if (raw == 0)
-        out += "null";
-      else
-        append_whole(out, raw - 1);
-      return;
-    case Scalar::score:
-      if (raw == 0)
-        out += "null";
-      else
-        append_real(out, score_of(raw));
-      return;
-    default:
+    case ScalarType::score:
+      return append_real(out, score_of(raw));
+    case ScalarType::node:
       return cell(out, static_cast<NodeId>(raw) - 1u);
   }
 }
@@ -264,6 +274,16 @@ void JsonLines::payload(std::string& out, const Event& event) const {
     case EventKind::gave_up:
       with("why");
       ((out += '"') += mission_state_name(static_cast<MissionState>(event.delta))) += '"';
+      return;
+    case EventKind::candidate:
+      with("cost");
+      return cost(out, as_cost(event.delta));
+    case EventKind::rewired:
+      with("saves");
+      return cost(out, as_cost(event.delta));
+    case EventKind::rejected:
+      with("why");
+      ((out += '"') += fault_name(static_cast<SampleFault>(event.delta))) += '"';
       return;
     default:
       return;

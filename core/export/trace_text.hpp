@@ -17,6 +17,9 @@ std::string_view event_name(const SearchValues& values, EventKind kind);
 /// The fixed name of a value of the run: "km", "robot".
 std::string_view scalar_name(Scalar scalar);
 
+/// The fixed name of why a sample was given up: "blocked".
+std::string_view fault_name(SampleFault why);
+
 void append_whole(std::string& out, std::integral auto number) {
   char digits[24];
   out.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);

@@ -21,6 +21,7 @@ enum class PlanStatus : std::uint8_t {
   start_blocked,  ///< the start is inside an obstacle
   goal_blocked,   ///< the goal is inside an obstacle
   found_nearest,  ///< there is no path to the goal, but one to the reachable cell nearest to it
+  none_found,     ///< the samples have run out before there was a path: there may be one
 };
 
 /// Whether there is a path, be it to the goal or to the reachable cell nearest to it.

@@ -35,9 +35,11 @@ struct PlannerInfo {
   bool any_angle = false;            ///< its paths leave the lattice's directions
   bool from_goal = false;            ///< searches from the goal: g is the cost to go
   bool sight = false;                ///< asks for lines of sight
+  bool sampling = false;             ///< grows out of random samples: it may find none where there is a path
+  bool informed = false;  ///< draws samples, once it has a path, from where a shorter one could lead
   /// Why it plans for a robot without a size alone, and what to do about it; empty: it does not.
   std::string_view point_only;
-  bool blind = false;                ///< no planner: its path is the same whatever stands there
+  bool blind = false;  ///< no planner: its path is the same whatever stands there
   /// The penalty that it pays for coming near obstacles with these settings: entering a cell costs that besides the
   /// move. Null: it pays none.
   ClearanceRules (*clearance)(const Settings& settings) = nullptr;

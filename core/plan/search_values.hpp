@@ -20,7 +20,8 @@ struct ListOrder {
   std::string_view third = {};               ///< the last of those that it reads, if keys have a third one
 };
 
-/// Where the log holds the cost of a plan that stands: this value of that node.
+/// Where the log holds the cost of a plan that stands: this value of that node, or that scalar itself, where the field is
+/// EventKind::scalar.
 struct CostPlace {
   EventKind field{};
   Scalar node{};
@@ -37,6 +38,8 @@ struct PlanNumber {
 struct SearchValues {
   /// Those that it writes for each node; what is its own has the ids own_field(0), own_field(1) and so on.
   std::vector<Field> fields;
+  /// Those that it writes for each vertex of a tree, with such ids too.
+  std::vector<Field> vertex_fields = {};
   std::vector<PlanNumber> numbers = {};
   ListOrder order;
   CostPlace cost;
@@ -53,16 +56,27 @@ struct SearchValues {
   [[nodiscard]] bool declares(EventKind kind) const { return find(kind) != nullptr; }
   /// Whether a node has a cost and a lookahead of it, which make it consistent or not.
   [[nodiscard]] bool lookahead() const { return declares(EventKind::rhs); }
-  /// What is known of any value per node: as declared, or as all runs have it (the two maps).
+  /// All that it writes, be it for nodes or for vertices.
+  [[nodiscard]] std::vector<Field> all_fields() const {
+    std::vector<Field> all = fields;
+    all.insert(all.end(), vertex_fields.begin(), vertex_fields.end());
+    return all;
+  }
+  /// What is known of any value: as declared, or as all runs have it (the two maps).
   [[nodiscard]] const Field& field(EventKind kind) const {
     if (const Field* own = find(kind)) return *own;
+    for (const Field& own : vertex_fields)
+      if (own.kind == kind) return own;
     return kind == EventKind::truth ? fields::kTruth : fields::kKnown;
   }
 };
 
 /// What the plan costs that stands in a state.
 inline Cost claimed_cost(const SearchValues& values, const SearchState& state) {
-  return {static_cast<std::int64_t>(state.value(values.cost.field, state.node(values.cost.node)))};
+  const CostPlace& at = values.cost;
+  const bool held = at.field == EventKind::scalar;
+  return {
+      static_cast<std::int64_t>(held ? state.scalar(at.node) : state.value(at.field, state.node(at.node)))};
 }
 
 /// g from the start, and a list by f = g + h, then the larger g: A* and its like.

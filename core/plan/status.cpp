@@ -16,6 +16,8 @@ const char* status_name(PlanStatus status) {
       return "goal-blocked";
     case PlanStatus::found_nearest:
       return "found-nearest";
+    case PlanStatus::none_found:
+      return "none-found";
   }
   return "unknown";
 }
@@ -40,6 +42,8 @@ const char* status_sentence(PlanStatus status, bool has_size) {
                       : "The goal is inside an obstacle: move it, or clear its cell.";
     case PlanStatus::found_nearest:
       return "The goal cannot be reached: the path leads to the reachable cell nearest to it.";
+    case PlanStatus::none_found:
+      return "No path was found, which does not mean that there is none: try more samples, or another seed.";
   }
   return "";
 }

@@ -78,7 +78,7 @@ class ParentPath {
   }
 
   Search& search_;
-  bool unchecked_ = false;  // some parent on the path was taken on trust
+  bool unchecked_ = false;                 // some parent on the path was taken on trust
   std::unordered_map<NodeId, Cost> ways_;  // of vertices that the path was held against
 };
 

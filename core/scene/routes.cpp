@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/plan/tree_values.hpp"
 #include "core/scene/numbers.hpp"
 #include "core/scene/sonar.hpp"
 #include "core/scene/spline_marks.hpp"
@@ -49,6 +50,16 @@ std::vector<Point> ahead(const SceneContext& context, const Decision& decision) 
   return rest;
 }
 
+/// The path of a tree of samples while no plan stands yet, in which it becomes shorter.
+std::vector<Point> way_in_tree(const SceneContext& context) {
+  std::vector<Point> points;
+  const bool solid = context.run.lattice().solid();
+  for (auto v = static_cast<std::uint32_t>(context.state.scalar(Scalar::goal_vertex)) - 1u; v != kNoNode;
+       v = vertex_parent(context.state, v))
+    points.push_back(context.seen(point_of(vertex_place(context.state, v, solid))));
+  return points;
+}
+
 /// The lp chain from the start while no plan stands yet; empty unless it reaches the goal.
 std::vector<Point> chain_of_parents(const SceneContext& context) {
   const NodeId from = context.state.node(Scalar::start), to = context.state.node(Scalar::goal);
@@ -72,6 +83,7 @@ PathLine path_line(const SceneContext& context) {
   const std::size_t plans = digest.plans_before(context.cursor);
   const bool searching = plans > 0 && digest.plans()[plans - 1].end > context.cursor;
   const Decision* decision = context.run.decision_at(context.cursor);
+  if (searching && context.run.info().sampling) return {way_in_tree(context), searching};
   if (decision != nullptr) return {ahead(context, *decision), searching};
   return {searching ? chain_of_parents(context) : std::vector<Point>(), searching};
 }

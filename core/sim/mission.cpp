@@ -66,7 +66,7 @@ SharedBytes initial_knowledge(const Scenario& scenario, bool all_mapped) {
 
 SearchState initial_state(const Scenario& scenario, const PlannerChoice& choice, bool all_mapped) {
   return {initial_knowledge(scenario, all_mapped), initial_truth(scenario, all_mapped),
-          info_of(choice).values.fields};
+          info_of(choice).values.all_fields()};
 }
 
 Mission::Mission(const Scenario& scenario, const PlannerChoice& choice, Recorder* recorder)

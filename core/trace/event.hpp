@@ -51,8 +51,20 @@ enum class EventKind : std::uint8_t {
   forgotten,   ///< the robot no longer counts on an obstacle that moved when it last saw it
   aim,    ///< the robot makes for the node from now on: the reachable cell nearest to its goal, or the goal
   epoch,  ///< the planner forgets its search: the kinds in kForgotten go back to what they were at first
+  // Of planners that grow a tree of places (core/planners/grown_tree.hpp)
+  candidate,  ///< the new place could hang on the vertex `node`; payload: the cost by it, infinite if the way is blocked
+  rewired,   ///< the vertex `node` hangs on the new one from now on; payload: the cost that this saves
+  rejected,  ///< the sample is given up; node: the obstacle in the way, if it is one; payload: a SampleFault
 };
-inline constexpr int kEventKinds = static_cast<int>(EventKind::epoch) + 1;
+inline constexpr int kEventKinds = static_cast<int>(EventKind::rejected) + 1;
+
+/// Why a sample does not become a vertex.
+enum class SampleFault : std::uint8_t {
+  blocked,   ///< an obstacle is in the way to it
+  taken,     ///< there is a vertex already
+  longer,    ///< the path would be no shorter over it
+  path_end,  ///< an end of the path is nearest to it, and stays where it is
+};
 
 inline constexpr int kWideFields = 7;    ///< EventKind::g .. visit
 inline constexpr int kNarrowFields = 2;  ///< EventKind::known, truth
@@ -103,12 +115,72 @@ enum class Scalar : std::uint8_t {
   sub_goal,    ///< the cell that it makes for, node + 1
   admissible,  ///< how many samples were, + 1; 0: it has decided nothing yet
   score,       ///< of the winner, as score_bits(); 0: there is none
+  // Of a planner that grows a tree of places. Coordinates are in 2^-30 of a cell, as costs are.
+  vertices,     ///< how many there are, those that were cut off among them
+  root,         ///< the vertex that the others hang on, + 1
+  goal_vertex,  ///< that of the goal, + 1; 0: the tree has not met it
+  sample_x,     ///< of the latest sample
+  sample_y,
+  sample_z,
+  new_x,  ///< of what became of it: the place that it was steered to
+  new_y,
+  new_z,
+  nearest,      ///< the vertex that it was steered from, + 1
+  best,         ///< the cost of the best path so far, raw; 0: there is none
+  plan_sample,  ///< the number of the last sample before the plan
+  gain_sample,  ///< the number of the last sample by which the path became shorter
   count
 };
 
-/// Whether its 64 bits are those of a double.
-constexpr bool is_real(Scalar scalar) {
-  return scalar >= Scalar::x && scalar <= Scalar::turning;
+/// How the 64 bits of a scalar are to be read.
+enum class ScalarType : std::uint8_t {
+  node,        ///< node + 1; 0 = none
+  cost,        ///< raw Cost
+  found_cost,  ///< the same; 0 = none was found
+  count,       ///< a whole number
+  some_count,  ///< the same + 1; 0 = none
+  real,        ///< a double, bit by bit
+  score,       ///< as score_bits()
+  vertex,      ///< vertex + 1; 0 = none
+};
+
+constexpr ScalarType scalar_type(Scalar scalar) {
+  switch (scalar) {
+    case Scalar::km:
+    case Scalar::weight:
+    case Scalar::share:
+    case Scalar::sample_x:
+    case Scalar::sample_y:
+    case Scalar::sample_z:
+    case Scalar::new_x:
+    case Scalar::new_y:
+    case Scalar::new_z:
+      return ScalarType::cost;
+    case Scalar::best:
+      return ScalarType::found_cost;
+    case Scalar::moves:
+    case Scalar::replans:
+    case Scalar::vertices:
+    case Scalar::plan_sample:
+    case Scalar::gain_sample:
+      return ScalarType::count;
+    case Scalar::admissible:
+      return ScalarType::some_count;
+    case Scalar::x:
+    case Scalar::y:
+    case Scalar::heading:
+    case Scalar::speed:
+    case Scalar::turning:
+      return ScalarType::real;
+    case Scalar::score:
+      return ScalarType::score;
+    case Scalar::root:
+    case Scalar::goal_vertex:
+    case Scalar::nearest:
+      return ScalarType::vertex;
+    default:
+      return ScalarType::node;
+  }
 }
 
 /// A score as its scalar holds it: infinite, which stands for none, is 0, as all scalars are at first.
@@ -118,6 +190,11 @@ constexpr std::uint64_t score_bits(double score) {
 }
 constexpr double score_of(std::uint64_t bits) {
   return std::bit_cast<double>(bits ^ score_bits(0));
+}
+
+/// Whether the node of such an event is the number of a vertex.
+constexpr bool is_of_vertex(EventKind kind) {
+  return kind == EventKind::candidate || kind == EventKind::rewired;
 }
 
 /// A set of kinds.
@@ -145,6 +222,9 @@ static_assert(kFirstOwnField + kOwnFields <= 64);
 /// The penalties stay: they are the map's.
 inline constexpr KindSet kForgotten{EventKind::g,  EventKind::rhs, EventKind::queue,
                                     EventKind::lp, EventKind::rp,  EventKind::visit};
+
+/// The most vertices of a tree: those of one table of values.
+inline constexpr std::size_t kMostVertices = std::size_t{1} << 20;
 
 /// One record of the log.
 struct Event {

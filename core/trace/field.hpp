@@ -19,6 +19,13 @@ enum class FieldType : std::uint8_t {
   count,     ///< a whole number
   name,      ///< the index of one of `names`
   obstacle,  ///< nonzero = obstacle
+  vertex,    ///< vertex + 1; 0 = none
+};
+
+/// What a field has a value for.
+enum class FieldTable : std::uint8_t {
+  nodes,     ///< each node of the map
+  vertices,  ///< each vertex of a tree: 0 .. kMostVertices - 1
 };
 
 /// One value per node. A planner declares those that it writes (PlannerInfo::fields); windows, conditions,
@@ -33,6 +40,7 @@ struct Field {
   bool forgotten = true;                         ///< an epoch makes it `initial` again
   std::span<const std::string_view> names = {};  ///< of FieldType::name
   bool shown = true;  ///< off: the planner writes it, and neither it nor a user has any use for it
+  FieldTable table = FieldTable::nodes;
 };
 
 /// The id of the i-th value of a planner's own, besides those below; at most kOwnFields.
@@ -123,6 +131,47 @@ inline constexpr Field kQueueByLowest{EventKind::queue, "queue", FieldType::queu
 inline constexpr Field kQueueByBias{
     EventKind::queue, "queue", FieldType::queue, "f_B",
     "f and what moves of the robot had come to, while it waits in the open list."};
+
+/// As a planner that draws samples calls it: the cell that one lies in.
+inline constexpr Field kSampled{EventKind::visit, "visit", FieldType::visits, "sampled",
+                                "When a sample lay in it last, and how many have."};
+/// Of a tree of places, its own: for each vertex.
+inline constexpr Field kVertexX{.kind = own_field(0),
+                                .name = "vertex_x",
+                                .label = "x",
+                                .help = "How far from the left edge the vertex lies.",
+                                .table = FieldTable::vertices};
+inline constexpr Field kVertexY{.kind = own_field(1),
+                                .name = "vertex_y",
+                                .label = "y",
+                                .help = "How far from the upper edge the vertex lies.",
+                                .table = FieldTable::vertices};
+inline constexpr Field kVertexZ{.kind = own_field(2),
+                                .name = "vertex_z",
+                                .label = "z",
+                                .help = "How far above the bottom the vertex lies.",
+                                .table = FieldTable::vertices};
+inline constexpr Field kVertexParent{.kind = own_field(3),
+                                     .name = "vertex_parent",
+                                     .type = FieldType::vertex,
+                                     .label = "parent",
+                                     .help = "The vertex that it hangs on.",
+                                     .table = FieldTable::vertices};
+inline constexpr Field kVertexCost{.kind = own_field(4),
+                                   .name = "vertex_cost",
+                                   .label = "cost",
+                                   .help = "The length of the way to it from the root of the tree.",
+                                   .initial = kInfinite,
+                                   .table = FieldTable::vertices};
+
+inline constexpr std::string_view kSideNames[] = {"start", "goal"};
+inline constexpr Field kVertexSide{.kind = own_field(5),
+                                   .name = "vertex_side",
+                                   .type = FieldType::name,
+                                   .label = "grew from",
+                                   .help = "The end that its tree grew from.",
+                                   .names = kSideNames,
+                                   .table = FieldTable::vertices};
 
 /// As a search from the start calls them.
 inline constexpr Field kF{EventKind::queue, "queue", FieldType::queue, "f",

@@ -182,6 +182,14 @@ class PagedArray {
     if (const BlockHandle page = page_handle(index); page != 0) return pool_->pages[page].data();
     return base_ ? base_->stretch(index / kPage * kPage).data() : nullptr;
   }
+  /// The first index from there on at which there may be a page: the beginning of one.
+  [[nodiscard]] std::size_t skip_untouched(std::size_t index) const {
+    while (!base_ && index < size_ && group_handle(index) == 0) {
+      const std::size_t stretch = spans_[index / kSpan] == 0 ? kSpan : kGroup;
+      index = (index / stretch + 1) * stretch;
+    }
+    return std::min(index, size_);
+  }
   /// All values; what was never written to is shared with the base.
   [[nodiscard]] Base values() const {
     Base values = base_ ? *base_ : Base(size_, initial_);

@@ -6,7 +6,9 @@ SearchState::SearchState(std::size_t nodes, std::span<const Field> fields)
     : wide_pool_(std::make_shared<PagePool<std::uint64_t>>()),
       narrow_pool_(std::make_shared<PagePool<std::uint8_t>>()) {
   const auto make = [&](const Field& field) {
-    wide_[wide_slot(field.kind)] = PagedArray<std::uint64_t>(nodes, field.initial, wide_pool_);
+    const std::size_t size = field.table == FieldTable::vertices ? kMostVertices : nodes;
+    wide_[wide_slot(field.kind)] = PagedArray<std::uint64_t>(size, field.initial, wide_pool_);
+    longest_ = std::max(longest_, size);
   };
   for (const Field& field :
        {fields::kG, fields::kRhs, fields::kQueue, fields::kLp, fields::kRp, fields::kDist, fields::kVisit})
@@ -29,7 +31,7 @@ SearchState::SearchState(SharedBytes known, SharedBytes truth, std::span<const F
 void SearchState::forget_search() {
   for (std::size_t slot = 0; slot < wide_count_; ++slot)
     if (forgotten_.has(wide_kind(slot)))
-      wide_[slot] = PagedArray<std::uint64_t>(node_count(), wide_[slot].initial(), wide_pool_);
+      wide_[slot] = PagedArray<std::uint64_t>(wide_[slot].size(), wide_[slot].initial(), wide_pool_);
   queued_ = 0;
 }
 
@@ -38,7 +40,7 @@ void SearchState::apply(std::span<const Event> events, PageOrder& order) {
     if (!is_wide(event.kind)) apply(event);
   // So far ahead that what is asked for is there in time: some groups, and some pages, of the order.
   constexpr std::size_t kGroupsAhead = 64, kPagesAhead = 32;
-  const std::span<const Event> sorted = order.sort(events, node_count());
+  const std::span<const Event> sorted = order.sort(events, longest_);
   const auto field = [&](std::size_t i) -> auto& {
     return wide_[wide_slot(sorted[i].kind)];
   };

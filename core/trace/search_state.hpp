@@ -147,6 +147,7 @@ class SearchState {
   std::array<PagedArray<std::uint64_t>, kWideSlots>
       wide_;  // by wide_slot(); those that are not declared are empty
   std::size_t wide_count_ = kWideFields;
+  std::size_t longest_ = 0;  // of all fields
   KindSet forgotten_ = kForgotten;
   std::array<PagedArray<std::uint8_t>, kNarrowFields> narrow_;
   std::array<std::uint64_t, static_cast<std::size_t>(Scalar::count)> scalars_{};

@@ -12,6 +12,8 @@ void StateHash::read(const PagedArray<T>& field, std::size_t count, std::uint64_
   constexpr std::size_t kPage = PagedArray<T>::kPage;
   const std::size_t end = std::min(field.size(), node_ + std::max(count / kPage, std::size_t{1}) * kPage);
   for (; node_ < end; node_ += kPage) {
+    node_ = field.skip_untouched(node_);
+    if (node_ >= end) break;
     const T* page = field.page(node_);
     if (page == nullptr) continue;
     for (std::size_t i = 0; i < std::min(kPage, field.size() - node_); ++i)

@@ -215,6 +215,11 @@ class Plain {
                state.g(e.node) < state.rhs(e.node);
       case Happening::sight_failed:
         return e.kind == EventKind::sight && (e.delta >> 32) == 0;
+      case Happening::first_path:
+        return e.kind == EventKind::scalar && static_cast<Scalar>(e.node) == Scalar::best &&
+               state.scalar(Scalar::best) != 0 && (state.scalar(Scalar::best) ^ e.delta) == 0;
+      case Happening::rewired:
+        return e.kind == EventKind::rewired;
       case Happening::no_path:
         return e.kind == EventKind::plan_end && !has_path(static_cast<PlanStatus>(e.delta));
       case Happening::blocked:
@@ -343,6 +348,12 @@ class Plain {
         return static_cast<double>(state.scalar(Scalar::moves));
       case Op::replans:
         return static_cast<double>(state.scalar(Scalar::replans));
+      case Op::best:
+        return state.scalar(Scalar::best) == 0
+                   ? HUGE_VAL
+                   : Cost{static_cast<std::int64_t>(state.scalar(Scalar::best))}.to_double();
+      case Op::vertices:
+        return static_cast<double>(state.scalar(Scalar::vertices));
       case Op::admissible: {
         const std::uint64_t held = state.scalar(Scalar::admissible);
         return held == 0 ? HUGE_VAL : static_cast<double>(held - 1);

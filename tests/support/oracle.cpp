@@ -264,12 +264,16 @@ std::vector<Raw> interpolated_costs_to(const World& world, MoveRules rules, std:
 }
 
 bool enters_bad(const World& world, double ax, double ay, double bx, double by) {
+  return enters_bad(world, {ax, ay, 0.5}, {bx, by, 0.5});
+}
+
+bool enters_bad(const World& world, const std::array<double, 3>& a, const std::array<double, 3>& b) {
   constexpr double kLeast = 1e-9;
-  const auto inside_for_a_while = [&](double low_x, double low_y) {
-    // The part of the segment within each of both strips; they have a part in common if it enters the square.
+  const auto inside_for_a_while = [&](const Place& cell) {
+    // The part of the segment within each of the strips; they have a part in common if it enters the square (cube).
     double begin = 0, end = 1;
-    for (const auto& [from, to, low] : {std::tuple{ax, bx, low_x}, std::tuple{ay, by, low_y}}) {
-      const double first = low + kLeast, last = low + 1 - kLeast;
+    for (const std::size_t axis : kAxes) {
+      const double from = a[axis], to = b[axis], first = cell[axis] + kLeast, last = cell[axis] + 1 - kLeast;
       if (from == to) {
         if (from <= first || from >= last) return false;
         continue;
@@ -280,9 +284,11 @@ bool enters_bad(const World& world, double ax, double ay, double bx, double by) 
     }
     return begin < end;
   };
-  for (int y = -1; y <= world.size[1]; ++y)
-    for (int x = -1; x <= world.size[0]; ++x)
-      if (world.bad({x, y, 0}) && inside_for_a_while(x, y)) return true;
+  const int deep = world.dimensions == 3 ? 1 : 0;
+  for (int z = -deep; z < world.size[2] + deep; ++z)
+    for (int y = -1; y <= world.size[1]; ++y)
+      for (int x = -1; x <= world.size[0]; ++x)
+        if (world.bad({x, y, z}) && inside_for_a_while({x, y, z})) return true;
   return false;
 }
 

@@ -69,6 +69,8 @@ Raw way_across(const World& world, const std::vector<Raw>& costs, const Place& p
 std::vector<Raw> interpolated_costs_to(const World& world, MoveRules rules, std::size_t goal);
 /// Whether the open part of the segment between two points of the plane enters a bad cell, by a billionth of a cell.
 bool enters_bad(const World& world, double ax, double ay, double bx, double by);
+/// The same in space.
+bool enters_bad(const World& world, const std::array<double, 3>& a, const std::array<double, 3>& b);
 /// The least distance of that segment to the square of a bad cell, those outside included.
 double least_distance(const World& world, double ax, double ay, double bx, double by);
 

@@ -62,7 +62,7 @@ void check_begin_again(const PlannerInfo& info, std::uint64_t seed) {
   TwinWorld<D> world(size, random_cells<D>(random, size), move_rules(settings));
   Recorder recorder;
   const auto planner = make_planner(info, world.lattice, settings, recorder);
-  SearchState state(world.lattice.node_count(), info.values.fields);
+  SearchState state(world.lattice.node_count(), info.values.all_fields());
   for (int i = 0; i < 6; ++i) {
     const NodeId start = random_free(random, world.plain), goal = random_free(random, world.plain);
     const auto before = state;

@@ -66,7 +66,7 @@ TEST(Rooms, IncludeOnlyWhatLiesBelowThem) {
 /// The rooms of replan_plan, for programs that have no more than a compiler.
 TEST(Rooms, OfPlanningNeedNoOtherLibrary) {
   std::size_t includes = 0;
-  for (const char* room : {"base", "lattice", "field", "trace", "plan", "planners", "stages"})
+  for (const char* room : {"base", "lattice", "space", "field", "trace", "plan", "planners", "stages"})
     for (const auto& file : fs::directory_iterator(kRoot / "core" / room)) {
       std::ifstream text(file.path());
       for (std::string line; std::getline(text, line);) {

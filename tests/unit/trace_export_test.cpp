@@ -145,7 +145,7 @@ class Rebuilt {
       for (const char c : row.get<std::string>()) truth.push_back(c == '@');
     for (const auto& moving : head["moving"])
       truth[node(moving)] = static_cast<std::uint8_t>(truth[node(moving)] + 2 * moving.back().get<int>());
-    state_ = SearchState(known, truth, values_.fields);
+    state_ = SearchState(known, truth, values_.all_fields());
   }
 
   /// False if the line's `before` is not what stood there.
@@ -154,7 +154,9 @@ class Rebuilt {
     if (!line.contains("before")) return true;
     Event event;
     event.kind = kind(line["kind"]);
-    event.node = event.kind == EventKind::scalar ? scalar(line["name"]) : node(line["cell"]);
+    event.node = event.kind == EventKind::scalar ? scalar(line["name"])
+                 : line.contains("vertex")       ? line["vertex"].get<NodeId>()
+                                                 : node(line["cell"]);
     const std::uint64_t before = raw(event, line["before"]), after = raw(event, line["after"]);
     if (state_.value(event.kind, event.node) != before) return false;
     event.delta = before ^ after;
@@ -193,14 +195,27 @@ class Rebuilt {
       return static_cast<std::uint64_t>(std::find(names.begin(), names.end(), value.get<std::string>()) -
                                         names.begin());
     }
-    const auto which = static_cast<Scalar>(event.node);
-    const bool cost = which == Scalar::km || which == Scalar::weight || which == Scalar::share;
-    if (event.kind == EventKind::scalar && is_real(which))
-      return std::bit_cast<std::uint64_t>(value.get<double>());
-    if (event.kind == EventKind::scalar && which == Scalar::score) return score_bits(value.get<double>());
-    if (event.kind == EventKind::scalar && which == Scalar::admissible) return value.get<std::uint64_t>() + 1;
-    if (event.kind == EventKind::scalar && !cost) return value.get<std::uint64_t>();
+    if (is_own_field(event.kind) && values_.field(event.kind).type == FieldType::vertex)
+      return value.get<std::uint64_t>() + 1;
+    if (event.kind == EventKind::scalar) return raw(scalar_type(static_cast<Scalar>(event.node)), value);
     return static_cast<std::uint64_t>(cost_of(value).raw) + (event.kind == EventKind::queue ? 1 : 0);
+  }
+
+  static std::uint64_t raw(ScalarType type, const Json& value) {
+    switch (type) {
+      case ScalarType::real:
+        return std::bit_cast<std::uint64_t>(value.get<double>());
+      case ScalarType::score:
+        return score_bits(value.get<double>());
+      case ScalarType::some_count:
+      case ScalarType::vertex:
+        return value.get<std::uint64_t>() + 1;
+      case ScalarType::cost:
+      case ScalarType::found_cost:
+        return static_cast<std::uint64_t>(cost_of(value).raw);
+      default:
+        return value.get<std::uint64_t>();
+    }
   }
 
   Box box_;

@@ -39,6 +39,12 @@ std::string distinction(const Run& run) {
   return text;
 }
 
+/// How much a planner has done: it expands cells, or draws samples.
+std::string work_text(const Run& run, std::int64_t count) {
+  return run.info().sampling ? count_text(count, "sample", "samples")
+                             : count_text(count, "expansion", "expansions");
+}
+
 /// What stands beside the planner's name; where there is no room for all panes, how to come to the others.
 std::string title_figures(const Run& run, SceneMemory& memory, const ViewState& state,
                           const ShownSlice& slice) {
@@ -46,7 +52,7 @@ std::string title_figures(const Run& run, SceneMemory& memory, const ViewState& 
     return "N shows the next of " + std::to_string(run.scenario().planners.size()) + " panes";
   const std::size_t cursor = run.timeline().cursor();
   const Decision* decision = run.decision_at(cursor);
-  std::string figures = count_text(memory.expansions(run, cursor), "expansion", "expansions");
+  std::string figures = work_text(run, memory.expansions(run, cursor));
   if (decision != nullptr && !decision->plan->path->empty())
     figures += " · " + count_text(static_cast<std::int64_t>(decision->plan->path->size()), "node", "nodes");
   if (!slice.sheet.box.solid()) return figures;
@@ -132,7 +138,7 @@ StateMessage state_message(const Run& run, SceneMemory& memory) {
   if (memory.searching_since(run, cursor)) {
     if (!run.busy() || cursor != run.timeline().size()) return {};
     const std::int64_t expanded = memory.expansions(run, cursor);
-    return {"Planning: " + count_text(expanded, "expansion", "expansions") + " so far", false};
+    return {"Planning: " + work_text(run, expanded) + " so far", false};
   }
   if (decision == nullptr) return {};
   switch (decision->state) {

@@ -259,6 +259,11 @@ void CellTab::draw_cell(Frame& frame, Cell cell) {
   const Look& look = frame.look;
   const CellView view(frame.run(), cell);
   heading(frame, cell);
+  if (view.run.info().sampling) {
+    draw_vertex(frame, view);
+    code_excerpt(frame);
+    return;
+  }
   values(frame, view, chosen_value_);
   touched_line(frame, view);
   section_rule(look);

@@ -25,4 +25,7 @@ struct CellView {
 /// Each neighbour with c + g + dist = sum, the winner marked: why the cell's rhs (A*: its g) is what it is.
 void draw_why(Frame& frame, const CellView& view);
 
+/// Of a tree of samples: the vertex nearest to the cell, what it could have hung on with each sum, and what rewiring saved.
+void draw_vertex(Frame& frame, const CellView& view);
+
 }  // namespace replan::ui

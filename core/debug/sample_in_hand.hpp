@@ -1,0 +1,43 @@
+// What a planner that grows a tree of samples has in hand at a moment of its log: the sample that it works on, what became
+// of it, and why the new vertex hangs where it does.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/debug/log_view.hpp"
+#include "core/plan/tree_values.hpp"
+
+namespace replan {
+
+struct SampleInHand {
+  /// A vertex that the new one could hang on, and what the way to it would cost over that; infinite if it is blocked.
+  struct Candidate {
+    std::uint32_t vertex = 0;
+    Cost cost;
+  };
+  /// A vertex that was hung on the new one, and what that saved.
+  struct Rewired {
+    std::uint32_t vertex = 0;
+    Cost saves;
+  };
+
+  std::optional<Place> sample;           ///< where it was drawn, once that is written
+  std::optional<std::uint32_t> nearest;  ///< the vertex that it was steered from, once that is found
+  std::optional<Place> place;            ///< where it was steered to, once that is known
+  std::vector<Candidate> candidates;     ///< in the order in which they were tried
+  std::optional<std::uint32_t> added;    ///< the new vertex, once there is one
+  std::vector<Rewired> rewired;
+  std::optional<SampleFault> rejected;  ///< why it was given up
+  NodeId rejected_at = kNoNode;         ///< the obstacle, or the cell of the place
+};
+
+/// What is in hand at the log's cursor; nothing if no sample was drawn since the plan began, or its planner draws none.
+std::optional<SampleInHand> sample_in_hand(const LogView& view);
+
+/// Where it came into the tree: the sample by which a vertex got the place that it has at the cursor, as that sample stood
+/// when it was done with; nothing for a root.
+std::optional<SampleInHand> birth_of(const LogView& view, std::uint32_t vertex);
+
+}  // namespace replan

@@ -1,0 +1,34 @@
+// The values of a tree of places (core/planners/grown_tree.hpp), read out of a state of its log.
+#pragma once
+
+#include "core/space/place.hpp"
+#include "core/trace/search_state.hpp"
+
+namespace replan {
+
+/// What a tree grew from.
+enum class TreeSide : std::uint8_t { start, goal };
+
+/// Vertices that there are, those that were cut off among them.
+inline std::uint32_t vertex_count(const SearchState& state) {
+  return static_cast<std::uint32_t>(state.scalar(Scalar::vertices));
+}
+inline Cost vertex_cost(const SearchState& state, std::uint32_t v) {
+  return {static_cast<std::int64_t>(state.value(fields::kVertexCost.kind, v))};
+}
+/// The vertex that it hangs on; kNoNode if there is none.
+inline std::uint32_t vertex_parent(const SearchState& state, std::uint32_t v) {
+  return static_cast<std::uint32_t>(state.value(fields::kVertexParent.kind, v)) - 1u;
+}
+/// In a plane the middle of its only layer.
+inline Place vertex_place(const SearchState& state, std::uint32_t v, bool in_space) {
+  return {units_of(state.value(fields::kVertexX.kind, v)), units_of(state.value(fields::kVertexY.kind, v)),
+          in_space ? units_of(state.value(fields::kVertexZ.kind, v)) : kPlaceUnits / 2};
+}
+
+/// Which end it grew from; the start in trees that do not declare it.
+inline TreeSide vertex_side(const SearchState& state, std::uint32_t v) {
+  return static_cast<TreeSide>(state.value(fields::kVertexSide.kind, v));
+}
+
+}  // namespace replan

@@ -1,0 +1,183 @@
+// The tree of a planner that samples, and what it has in hand.
+#include <algorithm>
+#include <cmath>
+
+#include "core/debug/event_words.hpp"
+#include "core/debug/sample_in_hand.hpp"
+#include "core/scene/overlay.hpp"
+#include "core/scene/solid_pen.hpp"
+#include "core/space/informed_set.hpp"
+
+namespace replan {
+namespace {
+
+/// Of larger trees every n-th vertex is drawn alone.
+constexpr std::uint32_t kMostEdges = 40'000;
+
+/// An edge of the tree, in the world's coordinates.
+struct TreeEdge {
+  Point from, to;
+  double cost = 0;  ///< of its vertex, as a share of the dearest one's
+  bool from_goal = false;
+};
+
+template <class Visit>
+void each_edge(const SearchState& state, bool in_space, Visit&& visit) {
+  const std::uint32_t count = vertex_count(state), each = count / kMostEdges + 1;
+  double dearest = 0;
+  for (std::uint32_t v = 0; v < count; v += each)
+    if (const Cost cost = vertex_cost(state, v); !cost.is_infinite())
+      dearest = std::max(dearest, cost.to_double());
+  for (std::uint32_t v = 0; v < count; v += each) {
+    const Cost cost = vertex_cost(state, v);
+    const std::uint32_t parent = vertex_parent(state, v);
+    if (cost.is_infinite() || parent == kNoNode) continue;
+    visit(TreeEdge{point_of(vertex_place(state, parent, in_space)),
+                   point_of(vertex_place(state, v, in_space)), cost.to_double() / dearest,
+                   vertex_side(state, v) == TreeSide::goal});
+  }
+}
+
+Colour colour_of(const Palette& palette, const TreeEdge& edge) {
+  const auto shade = static_cast<std::size_t>(std::lround(std::clamp(edge.cost, 0.0, 1.0) * 255));
+  return edge.from_goal ? palette.goal : mix(palette.field[shade] | 0xFF000000u, palette.text, 0.15f);
+}
+
+/// The rim of the informed set on the plane through its first two axes.
+std::vector<Point> informed_rim(const Run& run, const SearchState& state) {
+  const NodeId start = state.node(Scalar::start), goal = state.node(Scalar::goal);
+  if (!run.info().informed || state.scalar(Scalar::goal_vertex) == 0 || start == goal) return {};
+  const Box& box = run.lattice();
+  const InformedSet<3> set(place_in(box.position(start)), place_in(box.position(goal)),
+                           {static_cast<std::int64_t>(state.scalar(Scalar::best))});
+  constexpr int kPieces = 96;
+  std::vector<Point> rim;
+  for (int i = 0; i <= kPieces; ++i) {
+    const double angle = 2 * 3.141592653589793 * i / kPieces;
+    const double along = set.along() * std::cos(angle), across = set.across() * std::sin(angle);
+    const auto part = [&](std::size_t k) {
+      return (set.centre()[k] + along * set.axis(0)[k] + across * set.upright(box.solid())[k]) /
+             static_cast<double>(kPlaceUnits);
+    };
+    rim.push_back({part(0), part(1), part(2)});
+  }
+  return rim;
+}
+
+/// The sample in hand on a slice.
+class SampleMarks {
+ public:
+  SampleMarks(SceneContext& context, const SampleInHand& hand)
+      : context_(context), hand_(hand), solid_(context.run.lattice().solid()) {}
+
+  void add() {
+    if (!hand_.sample) return;
+    add_candidates();
+    const Point sample = seen(*hand_.sample);
+    const Palette& palette = context_.palette;
+    const Colour colour = hand_.rejected ? palette.bad : palette.accent;
+    if (hand_.nearest && hand_.place) {
+      const Point from = vertex(*hand_.nearest), to = seen(*hand_.place);
+      context_.add(Line{from, to, colour, context_.pixels(1.6)});
+      add_through_layers(context_,
+                         {{to, sample}, faded(colour, 0.6), context_.pixels(1), 0, context_.pixels(3)});
+    }
+    context_.scene.show(hand_.rejected ? Sign::rejected : Sign::sample);
+    const double arm = context_.world(5);
+    for (const double side : {-arm, arm})
+      context_.add(Line{{sample.x - arm, sample.y - side, sample.z},
+                        {sample.x + arm, sample.y + side, sample.z},
+                        colour,
+                        context_.pixels(2)});
+    if (hand_.added)
+      context_.add(Disc{vertex(*hand_.added), context_.pixels(4), palette.accent, palette.outline, 1});
+    add_rewired();
+  }
+
+ private:
+  [[nodiscard]] Point seen(const Place& place) const { return context_.seen(point_of(place)); }
+  [[nodiscard]] Point vertex(std::uint32_t v) const { return seen(vertex_place(context_.state, v, solid_)); }
+
+  /// The vertices that the new place could hang on; near enough each with its sum.
+  void add_candidates() {
+    if (hand_.candidates.empty() || !hand_.place) return;
+    context_.scene.show(Sign::tried);
+    const auto least = std::min_element(hand_.candidates.begin(), hand_.candidates.end(),
+                                        [](const auto& a, const auto& b) { return a.cost < b.cost; });
+    const bool few = hand_.candidates.size() <= 12;
+    for (const SampleInHand::Candidate& candidate : hand_.candidates) {
+      const bool wins = candidate.vertex == least->vertex;
+      const Point at = vertex(candidate.vertex);
+      const Colour colour = candidate.cost.is_infinite() ? context_.palette.bad : context_.palette.accent;
+      context_.add(
+          Line{at, seen(*hand_.place), faded(colour, wins ? 1 : 0.4), context_.pixels(wins ? 2.4 : 1)});
+      if (few && at.z >= context_.slice && at.z < context_.slice + 1)
+        context_.notes.push_back(
+            {cell_of(at), {cost_text(candidate.cost, 1)}, wins ? colour : context_.palette.dim});
+    }
+  }
+  void add_rewired() {
+    for (const SampleInHand::Rewired& rewired : hand_.rewired) {
+      context_.scene.show(Sign::rewired);
+      const Point at = vertex(rewired.vertex);
+      if (hand_.added)
+        context_.add(Line{vertex(*hand_.added), at, context_.palette.good, context_.pixels(2.4)});
+      if (at.z >= context_.slice && at.z < context_.slice + 1)
+        context_.notes.push_back({cell_of(at), {"−" + cost_text(rewired.saves, 1)}, context_.palette.good});
+    }
+  }
+
+  SceneContext& context_;
+  const SampleInHand& hand_;
+  bool solid_;
+};
+
+void draw_tree(SceneContext& context) {
+  if (!context.run.info().sampling) return;
+  const float width = context.pixels(1);
+  const Box& box = context.run.lattice();
+  each_edge(context.state, box.solid(), [&](const TreeEdge& edge) {
+    context.scene.show(edge.from_goal ? Sign::goal_tree : Sign::tree);
+    const Point from = context.seen(edge.from), to = context.seen(edge.to);
+    const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2, (from.z + to.z) / 2};
+    context.add(Line{from, to, context.seen_at(middle, colour_of(context.palette, edge)), width});
+  });
+  if (std::vector<Point> rim = informed_rim(context.run, context.state); !rim.empty()) {
+    context.scene.show(Sign::informed);
+    for (Point& point : rim) point = context.seen(point);
+    context.add(Polyline{std::move(rim), context.palette.warning, context.pixels(1.4), 0, context.pixels(4)});
+  }
+  if (const auto hand = sample_in_hand(context.run.log_view())) SampleMarks(context, *hand).add();
+}
+
+void tree_in_space(SolidPen& pen) {
+  const Run& run = pen.context().run;
+  if (!run.info().sampling) return;
+  each_edge(pen.state(), run.lattice().solid(), [&](const TreeEdge& edge) {
+    pen.show(edge.from_goal ? Sign::goal_tree : Sign::tree);
+    pen.line(edge.from, edge.to, colour_of(pen.palette(), edge), 1);
+  });
+  if (const std::vector<Point> rim = informed_rim(run, pen.state()); !rim.empty()) {
+    pen.show(Sign::informed);
+    pen.polyline(rim, pen.palette().warning, 1.4f);
+  }
+}
+
+}  // namespace
+
+OverlayKind overlay_tree() {
+  return {
+      .info =
+          {.label = "tree",
+           .help =
+               "The tree of a planner that samples, by the cost of its vertices; the sample in hand with the "
+               "vertices that it could hang on and what rewiring saved; and, of an informed planner, the "
+               "ellipse "
+               "that a shorter path cannot leave.",
+           .at_first = true},
+      .layer = Layer::lines,
+      .draw = draw_tree,
+      .draw_in_space = tree_in_space};
+}
+
+}  // namespace replan
