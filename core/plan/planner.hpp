@@ -75,6 +75,8 @@ class Planner {
   [[nodiscard]] virtual PlanStatus status() const = 0;
   /// Cost of the plan: of the lattice path, penalties included; infinite without a path.
   [[nodiscard]] virtual Cost cost() const = 0;
+  /// Cost of the path that there is even while better ones are looked for: of planners that have one then, else cost().
+  [[nodiscard]] virtual Cost cost_so_far() const { return cost(); }
   /// The path from the start, read out of the search. Counts the sight checks that this takes.
   virtual Path path() = 0;
   [[nodiscard]] virtual Counters counters() const = 0;

@@ -90,6 +90,7 @@ class TreeSearch : public Planner<L> {
     return best_.is_infinite() ? PlanStatus::none_found : PlanStatus::found;
   }
   [[nodiscard]] Cost cost() const final { return status() == PlanStatus::found ? best_ : Cost::infinity(); }
+  [[nodiscard]] Cost cost_so_far() const final { return best_; }
   Path path() final {
     if (status() != PlanStatus::found) return {};
     std::vector<Point> way;
