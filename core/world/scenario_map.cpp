@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "core/world/formats/movingai.hpp"
 #include "core/world/formats/text_lines.hpp"
 #include "core/world/map_file.hpp"
+#include "core/world/place_writer.hpp"
+#include "core/world/scenario_places.hpp"
 
 namespace replan {
 namespace {
@@ -117,6 +120,45 @@ void read_file_of(const JsonNode& file, const std::string& folder, Scenario& sce
   scenario.map_found = std::move(map->found);
 }
 
+/// A map of that size, free but for the listed obstacles.
+void read_listed(const JsonNode& size, const JsonNode& obstacles, GridMap& map) {
+  const auto sides = size.items(2, 3, "a size [width, height], or [width, height, depth]");
+  if (sides.empty()) return;
+  std::array<std::int64_t, 3> side{1, 1, 1};
+  for (std::size_t axis = 0; axis < sides.size(); ++axis) side[axis] = sides[axis].whole(1, kMaxCells);
+  const std::int64_t most = side[2] == 1 ? kMaxCells : kMaxVoxels;
+  if (side[0] > most / side[1] || side[2] > most / (side[0] * side[1]))
+    return size.fail("too large: at most " + std::to_string(most) + " cells");
+  map = GridMap(static_cast<int>(side[0]), static_cast<int>(side[1]), static_cast<int>(side[2]));
+  std::vector<CellChange> listed;
+  PlaceReader(map.box()).cells(obstacles, true, listed);
+  for (const CellChange& obstacle : listed) map.set(obstacle.cell, true);
+}
+
+/// The obstacles of a large map, if they are few boxes: they are listed then, not drawn.
+std::optional<std::vector<Cell>> few_boxes(const GridMap& map) {
+  constexpr std::size_t kLarge = 10'000, kMostListed = 1'000'000, kMostBoxes = 1'000;
+  if (map.blocked.size() <= kLarge) return std::nullopt;
+  const Box box = map.box();
+  std::vector<Cell> cells;
+  std::size_t corners = 0;  // cells with nothing before them along any axis: each box begins with one
+  for (NodeId n = 0; n < map.blocked.size(); ++n) {
+    if (map.blocked[n] == kFree) continue;
+    const Cell at = box.position(n);
+    if (map.blocked[n] != kObstacle || cells.size() == kMostListed) return std::nullopt;
+    const auto taken = [&](const Cell& cell) {
+      return box.contains(cell) && map.blocked[map.index(cell)] != kFree;
+    };
+    corners +=
+        !taken({at.x - 1, at.y, at.z}) && !taken({at.x, at.y - 1, at.z}) && !taken({at.x, at.y, at.z - 1})
+            ? 1
+            : 0;
+    if (corners > kMostBoxes) return std::nullopt;
+    cells.push_back(at);
+  }
+  return cells;
+}
+
 Json rows_json(const GridMap& map, int z) {
   Json rows = Json::array();
   for (int y = 0; y < map.height; ++y) {
@@ -130,22 +172,25 @@ Json rows_json(const GridMap& map, int z) {
 }  // namespace
 
 void read_map_of(const JsonNode& node, const std::string& folder, Scenario& scenario) {
-  if (!node.expect_object({"file", "rows", "layers", "resolution", "origin", "threshold", "invert", "unknown",
-                           "occupied", "heights"}))
+  if (!node.expect_object({"file", "rows", "layers", "size", "obstacles", "resolution", "origin", "threshold",
+                           "invert", "unknown", "occupied", "heights"}))
     return;
-  const auto file = node.find("file"), rows = node.find("rows"), layers = node.find("layers");
+  const auto file = node.find("file"), rows = node.find("rows"), layers = node.find("layers"),
+             size = node.find("size"), obstacles = node.find("obstacles");
   const auto resolution = node.find("resolution"), origin = node.find("origin");
-  if (int{file.has_value()} + int{rows.has_value()} + int{layers.has_value()} != 1)
-    return node.fail("needs exactly one of 'file', 'rows' and 'layers'");
+  if (int{file.has_value()} + int{rows.has_value()} + int{layers.has_value()} + int{size.has_value()} != 1)
+    return node.fail("needs exactly one of 'file', 'rows', 'layers' and 'size'");
+  if (obstacles.has_value() != size.has_value()) return node.fail("'size' and 'obstacles' go together");
   GridMap& map = scenario.map;
   if (rows) read_cells(*rows, {rows_of(*rows)}, kMaxCells, map);
   if (layers) read_cells(*layers, layers_of(*layers), kMaxVoxels, map);
+  if (size) read_listed(*size, *obstacles, map);
   if (!file && resolution) map.resolution = resolution->number(kMinResolution, kMaxResolution);
   if (!file && origin) read_origin(*origin, map);
   const MapReading reading = read_reading(node, !file);
   if (!file) return;
-  if (resolution) return resolution->fail("goes with 'rows' or 'layers'; a map file has its own");
-  if (origin) return origin->fail("goes with 'rows' or 'layers'; a map file has its own");
+  if (resolution) return resolution->fail("is for a map that is held here; a map file has its own");
+  if (origin) return origin->fail("is for a map that is held here; a map file has its own");
   scenario.map_reading = reading;
   read_file_of(*file, folder, scenario);
 }
@@ -164,10 +209,15 @@ Json map_json(const Scenario& scenario) {
     if (reading.heights) map["heights"] = height_reading_json(*reading.heights);
     return map;
   }
-  if (scenario.map.depth == 1)
+  if (auto cells = few_boxes(scenario.map)) {
+    map["size"] = {scenario.map.width, scenario.map.height};
+    if (scenario.map.depth > 1) map["size"].push_back(scenario.map.depth);
+    map["obstacles"] = PlaceWriter(scenario.map.box()).cells(std::move(*cells));
+  } else if (scenario.map.depth == 1) {
     map["rows"] = rows_json(scenario.map, 0);
-  else
+  } else {
     for (int z = 0; z < scenario.map.depth; ++z) map["layers"].push_back(rows_json(scenario.map, z));
+  }
   if (scenario.map.resolution != 1) map["resolution"] = plain_number(scenario.map.resolution);
   if (scenario.map.origin != std::array<double, 3>{})
     for (const double part : scenario.map.origin) map["origin"].push_back(plain_number(part));

@@ -10,7 +10,7 @@
 namespace replan {
 namespace {
 
-constexpr std::size_t kMaxListed = std::size_t{1} << 22;  // cells in all surprises together
+constexpr std::size_t kMaxListed = std::size_t{1} << 22;  // cells that are listed, in all surprises or as obstacles
 
 /// What is expected of a list of numbers, in a plane and in space.
 struct Expected {
@@ -91,7 +91,7 @@ void PlaceReader::box(const JsonNode& node, bool blocked, std::vector<CellChange
 bool PlaceReader::take(const JsonNode& node, std::size_t count) {
   listed_ += count;
   if (listed_ > kMaxListed)
-    node.fail("the surprises list more than " + std::to_string(kMaxListed) + " cells");
+    node.fail("more than " + std::to_string(kMaxListed) + " cells are listed");
   return listed_ <= kMaxListed;
 }
 

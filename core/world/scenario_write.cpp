@@ -1,12 +1,9 @@
-#include <algorithm>
-#include <array>
-#include <optional>
-
 #include "core/base/file.hpp"
 #include "core/base/words.hpp"
 #include "core/plan/stage.hpp"
 #include "core/world/choices.hpp"
 #include "core/world/json_reader.hpp"
+#include "core/world/place_writer.hpp"
 #include "core/world/scenario.hpp"
 #include "core/world/scenario_map.hpp"
 
@@ -45,116 +42,32 @@ Json planner_json(const PlannerChoice& choice) {
   return planner;
 }
 
-/// Cells that are still to be written.
-class Untaken {
- public:
-  explicit Untaken(std::vector<Cell> cells) : cells_(std::move(cells)), taken_(cells_.size()) {
-    std::sort(cells_.begin(), cells_.end(), in_node_order);
-  }
-
-  /// The first of them.
-  std::optional<Cell> next() {
-    while (first_ < cells_.size() && taken_[first_]) ++first_;
-    return first_ < cells_.size() ? std::optional(cells_[first_]) : std::nullopt;
-  }
-
-  /// Takes the largest box that grows from `first` along one axis after the other, and returns its size.
-  Box take_box(Cell first) {
-    std::array<int, 3> size{1, 1, 1};
-    for (std::size_t axis = 0; axis < size.size(); ++axis) {
-      std::array<int, 3> from{0, 0, 0}, slab = size;  // the cells by which the box would grow
-      slab[axis] = 1;
-      const auto moved = [&] { return Cell{first.x + from[0], first.y + from[1], first.z + from[2]}; };
-      for (from[axis] = 1; all_there(moved(), slab); ++from[axis]) ++size[axis];
-    }
-    each_of(first, size, [this](Cell cell) { taken_[find(cell)] = true; });
-    return {size[0], size[1], size[2]};
-  }
-
- private:
-  template <class Visit>
-  static void each_of(Cell first, const std::array<int, 3>& size, const Visit& visit) {
-    for (int z = 0; z < size[2]; ++z)
-      for (int y = 0; y < size[1]; ++y)
-        for (int x = 0; x < size[0]; ++x) visit(Cell{first.x + x, first.y + y, first.z + z});
-  }
-  [[nodiscard]] bool all_there(Cell first, const std::array<int, 3>& size) const {
-    bool all = true;
-    each_of(first, size, [&](Cell cell) { all = all && find(cell) != cells_.size(); });
-    return all;
-  }
-  /// The index of an untaken cell, or the end.
-  [[nodiscard]] std::size_t find(Cell cell) const {
-    const auto at = static_cast<std::size_t>(
-        std::lower_bound(cells_.begin(), cells_.end(), cell, in_node_order) - cells_.begin());
-    return at < cells_.size() && cells_[at] == cell && !taken_[at] ? at : cells_.size();
-  }
-
-  std::vector<Cell> cells_;
-  std::vector<bool> taken_;
-  std::size_t first_ = 0;
-};
-
-/// Writes the places of one world.
-class PlaceWriter {
- public:
-  explicit PlaceWriter(const Box& world) : solid_(world.solid()) {}
-
-  [[nodiscard]] Json cell(Cell cell) const { return coordinates_of(cell, solid_); }
-
-  /// The cells as few rectangles, or boxes: each grows from its first cell to the right, then down, then to the next
-  /// layers. Single cells are kept apart.
-  [[nodiscard]] Json cells(std::vector<Cell> cells) const {
-    Untaken untaken(std::move(cells));
-    Json singles = Json::array(), boxes = Json::array();
-    while (const auto first = untaken.next()) {
-      const Box size = untaken.take_box(*first);
-      if (size.node_count() == 1)
-        singles.push_back(cell(*first));
-      else if (solid_)
-        boxes.push_back({first->x, first->y, first->z, size.width(), size.height(), size.depth()});
-      else
-        boxes.push_back({first->x, first->y, size.width(), size.height()});
-    }
-    Json result = Json::object();
-    if (!singles.empty()) result["cells"] = std::move(singles);
-    if (!boxes.empty()) result[solid_ ? "boxes" : "rectangles"] = std::move(boxes);
-    return result;
-  }
-
-  [[nodiscard]] Json surprise(const Surprise& surprise) const;
-  [[nodiscard]] Json mover(const MovingObstacle& mover) const;
-
- private:
-  bool solid_;
-};
-
-Json PlaceWriter::surprise(const Surprise& surprise) const {
+Json surprise_json(const PlaceWriter& places, const Surprise& surprise) {
   Json at = Json::object();
   if (surprise.at.move) at["move"] = *surprise.at.move;
   if (surprise.at.near) {
-    at["near"] = cell(*surprise.at.near);
+    at["near"] = places.cell(*surprise.at.near);
     at["within"] = plain_number(surprise.at.within);
   }
   std::vector<Cell> added, removed;
   for (const CellChange& change : surprise.cells) (change.blocked ? added : removed).push_back(change.cell);
   Json result = {{"at", std::move(at)}};
   const bool nothing_else = removed.empty() && !surprise.goal && !surprise.robot;
-  if (!added.empty() || nothing_else) result["add"] = cells(std::move(added));
-  if (!removed.empty()) result["remove"] = cells(std::move(removed));
+  if (!added.empty() || nothing_else) result["add"] = places.cells(std::move(added));
+  if (!removed.empty()) result["remove"] = places.cells(std::move(removed));
   if (surprise.announced) result["announced"] = true;
-  if (surprise.goal) result["goal"] = cell(*surprise.goal);
-  if (surprise.robot) result["robot"] = cell(*surprise.robot);
+  if (surprise.goal) result["goal"] = places.cell(*surprise.goal);
+  if (surprise.robot) result["robot"] = places.cell(*surprise.robot);
   return result;
 }
 
-Json PlaceWriter::mover(const MovingObstacle& mover) const {
+Json mover_json(const PlaceWriter& places, const MovingObstacle& mover) {
   constexpr const char* kAtEnd[] = {"back", "loop", "stop"};
   Json result = Json::object();
-  for (const Cell corner : mover.way) result["way"].push_back(cell(corner));
+  for (const Cell corner : mover.way) result["way"].push_back(places.cell(corner));
   if (mover.width != 1 || mover.height != 1 || mover.depth != 1) {
     result["size"] = {mover.width, mover.height};
-    if (solid_) result["size"].push_back(mover.depth);
+    if (places.solid()) result["size"].push_back(mover.depth);
   }
   result["speed"] = plain_number(mover.speed);
   result["at_end"] = kAtEnd[static_cast<std::size_t>(mover.at_end)];
@@ -216,8 +129,8 @@ std::string scenario_text(const Scenario& scenario) {
   for (const PlannerChoice& choice : scenario.planners) planners.push_back(planner_json(choice));
   document["robot"] = robot_json(scenario.robot);
   for (const Surprise& surprise : scenario.surprises)
-    document["surprises"].push_back(places.surprise(surprise));
-  for (const MovingObstacle& mover : scenario.movers) document["movers"].push_back(places.mover(mover));
+    document["surprises"].push_back(surprise_json(places, surprise));
+  for (const MovingObstacle& mover : scenario.movers) document["movers"].push_back(mover_json(places, mover));
   if (scenario.view != ViewSetup{}) document["view"] = view_json(scenario.view);
   if (scenario.debug != DebugSetup{}) document["debug"] = debug_json(scenario.debug);
   document["seed"] = scenario.seed;

@@ -146,7 +146,7 @@ TEST(VoxelScenario, LayersAreOfOneSize) {
             std::string::npos);
   EXPECT_NE(error_with("/map/layers", json::array()).find("must be a list of layers"), std::string::npos);
   EXPECT_NE(error_with("/map/layers/0", json::array()).find("must be a list of rows"), std::string::npos);
-  EXPECT_NE(error_with("/map/rows", {"...."}).find("needs exactly one of 'file', 'rows' and 'layers'"),
+  EXPECT_NE(error_with("/map/rows", {"...."}).find("needs exactly one of 'file', 'rows', 'layers' and 'size'"),
             std::string::npos);
   EXPECT_NE(error_with("/map", {{"layers", {{"...."}}}, {"invert", true}}).find("goes with 'file'"),
             std::string::npos);

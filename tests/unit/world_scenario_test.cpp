@@ -156,6 +156,61 @@ TEST(Scenario, TextIsReadable) {
   EXPECT_NE(text.find("{\"rectangles\": [[2, 0, 1, 3], [3, 1, 1, 2]]}"), std::string::npos) << text;
 }
 
+/// A world of rectangles, as the papers on sampling have them.
+TEST(Scenario, ReadsAMapByItsSizeAndItsObstacles) {
+  json document = full_document();
+  document.erase("surprises");
+  document["map"] = {{"size", {4, 3}},
+                     {"obstacles", {{"rectangles", {{1, 0, 1, 2}, {1, 1, 2, 1}}}, {"cells", {{3, 2}}}}},
+                     {"resolution", 0.01}};
+  const auto read = parse(document);
+  ASSERT_TRUE(read.ok()) << read.error();
+  EXPECT_EQ(read->map.width, 4);
+  EXPECT_EQ(read->map.resolution, 0.01);
+  EXPECT_EQ(read->map.blocked.plain(), (std::vector<std::uint8_t>{0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1}));
+  EXPECT_EQ(test::SchemaCheck(schema()).check(document), "");
+
+  const auto error = [&](const char* pointer, const json& value) {
+    json changed = document;
+    changed[json::json_pointer(pointer)] = value;
+    return error_of(changed);
+  };
+  EXPECT_NE(error("/map/obstacles/rectangles/0", {1, 0, 4, 1}).find("from 1 to 3, not 4"), std::string::npos);
+  EXPECT_NE(error("/map/obstacles/boxes", json::array()).find("the map is a plane"), std::string::npos);
+  EXPECT_NE(error("/map/size", {4, 0}).find("from 1"), std::string::npos);
+  EXPECT_NE(error("/map/size", {4}).find("a size [width, height]"), std::string::npos);
+  EXPECT_NE(error("/map/size", {100000, 100000}).find("too large"), std::string::npos);
+  document["map"].erase("obstacles");
+  EXPECT_NE(error_of(document).find("'size' and 'obstacles' go together"), std::string::npos);
+}
+
+/// Rows of hundreds of cells are no text to read where a few rectangles say the same.
+TEST(Scenario, ALargeMapOfFewBoxesIsWrittenByThem) {
+  Scenario scenario;
+  scenario.planners = {{"astar", {}}};
+  const auto text_of = [&] {
+    std::string text = scenario_text(scenario);
+    const auto back = parse_scenario(text, "s.json", ".");
+    EXPECT_TRUE(back.ok()) << back.error();
+    if (back) EXPECT_EQ(*back, scenario);
+    return text;
+  };
+  scenario.map = GridMap(900, 700);
+  EXPECT_NE(text_of().find("\"size\": [900, 700]"), std::string::npos);
+  for (int y = 100; y < 300; ++y)
+    for (int x = 200; x < 260; ++x) scenario.map.set({x, y, 0}, true);
+  EXPECT_NE(text_of().find("\"rectangles\": [[200, 100, 60, 200]]"), std::string::npos);
+  scenario.map.blocked[0] = kUnmapped;  // which rectangles have no word for
+  EXPECT_EQ(text_of().find("\"size\""), std::string::npos);
+  scenario.map = GridMap(200, 200);
+  for (int y = 0; y < 200; ++y)
+    for (int x = y % 2; x < 200; x += 2) scenario.map.set({x, y, 0}, true);
+  EXPECT_EQ(text_of().find("\"size\""), std::string::npos);
+  scenario.map = GridMap(40, 30, 20);
+  scenario.map.set({5, 6, 7}, true);
+  EXPECT_NE(text_of().find("\"size\": [40, 30, 20]"), std::string::npos);
+}
+
 TEST(Scenario, EverySettingOfEveryPlannerIsReadBack) {
   for (const PlannerInfo& info : choices()) {
     Scenario scenario;
@@ -315,9 +370,10 @@ TEST(Scenario, RefusesWhatIsOutOfPlace) {
   EXPECT_NE(error_with("/replan", 2).find("replan: must be 1, the only version"), std::string::npos);
   EXPECT_NE(error_with("/planners", json::array()).find("must be a list of 1 to 16 planners"),
             std::string::npos);
-  EXPECT_NE(error_with("/map", json::object()).find("needs exactly one of 'file', 'rows' and 'layers'"),
-            std::string::npos);
-  EXPECT_NE(error_with("/map/file", "x.map").find("needs exactly one of 'file', 'rows' and 'layers'"),
+  EXPECT_NE(
+      error_with("/map", json::object()).find("needs exactly one of 'file', 'rows', 'layers' and 'size'"),
+      std::string::npos);
+  EXPECT_NE(error_with("/map/file", "x.map").find("needs exactly one of 'file', 'rows', 'layers' and 'size'"),
             std::string::npos);
   EXPECT_NE(error_with("/map/rows", json::array()).find("must be a list of rows"), std::string::npos);
   EXPECT_NE(error_with("/map/rows/0", "").find("at least one cell"), std::string::npos);
@@ -348,7 +404,7 @@ TEST(Scenario, SurprisesCannotAskForEndlessMemory) {
   document["surprises"] = {{{"at", {{"move", 0}}}, {"add", {{"rectangles", {{0, 0, 2000, 2000}}}}}}};
   EXPECT_EQ(error_of(document), "");
   document["surprises"][0]["add"]["rectangles"].push_back({0, 0, 2000, 2000});
-  EXPECT_NE(error_of(document).find("list more than 4194304 cells"), std::string::npos);
+  EXPECT_NE(error_of(document).find("more than 4194304 cells are listed"), std::string::npos);
 }
 
 /// Walks a document and its schema side by side and calls `visit` for each part that the schema describes.
