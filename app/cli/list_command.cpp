@@ -15,6 +15,7 @@
 #include "core/plan/pages.hpp"
 #include "core/plan/stage.hpp"
 #include "core/scene/view.hpp"
+#include "core/study/study.hpp"
 #include "core/world/choices.hpp"
 #include "core/world/generators/list.hpp"
 #include "core/world/library.hpp"
@@ -208,6 +209,22 @@ Result<Listing> list_lessons() {
   return listing;
 }
 
+Result<Listing> list_studies() {
+  Listing listing;
+  Table table({{"id", left}, {"name", left}, {"seeds"}, {"after", left}});
+  for (const StudyInfo& study : studies()) {
+    table.add({std::string(study.id), std::string(study.title), std::to_string(study.seeds),
+               std::string(study.source)});
+    listing.json["studies"].push_back({{"id", study.id},
+                                       {"name", study.title},
+                                       {"source", study.source},
+                                       {"setting", study.setting},
+                                       {"seeds", study.seeds}});
+  }
+  listing.text = table.text();
+  return listing;
+}
+
 Result<Listing> list_terms() {
   constexpr std::size_t kIndent = 4;
   Listing listing;
@@ -235,10 +252,11 @@ struct Kind {
   std::string_view name;
   Result<Listing> (*list)();
 };
-constexpr Kind kKinds[] = {
-    {"planners", list_planners}, {"stages", list_stages},     {"robots", list_robots},
-    {"maps", list_maps},         {"overlays", list_overlays}, {"generators", list_generators},
-    {"terms", list_terms},       {"actions", list_actions},   {"lessons", list_lessons}};
+constexpr Kind kKinds[] = {{"planners", list_planners}, {"stages", list_stages},
+                           {"robots", list_robots},     {"maps", list_maps},
+                           {"overlays", list_overlays}, {"generators", list_generators},
+                           {"terms", list_terms},       {"actions", list_actions},
+                           {"lessons", list_lessons},   {"studies", list_studies}};
 
 Result<int> list(const std::string& what, bool json) {
   std::vector<std::string_view> names;
@@ -252,8 +270,9 @@ Result<int> list(const std::string& what, bool json) {
   }
   return Error{
       "cannot list '" + what + "'" +
-      suggestion(what, names,
-                 "; give planners, stages, robots, maps, overlays, generators, terms, actions or lessons")};
+      suggestion(
+          what, names,
+          "; give planners, stages, robots, maps, overlays, generators, terms, actions, lessons or studies")};
 }
 
 std::string list_footer() {
@@ -276,11 +295,11 @@ Command add_list(CLI::App& program) {
   };
   CLI::App* app = program.add_subcommand(
       "list",
-      "Show which planners, stages, robots, maps, overlays, generators, lessons or actions of the "
+      "Show which planners, stages, robots, maps, overlays, generators, lessons, studies or actions of the "
       "window there are, and what words mean");
   const auto arguments = std::make_shared<Arguments>();
   app->add_option("WHAT", arguments->what,
-                  "planners, stages, robots, maps, overlays, generators, terms, actions or lessons")
+                  "planners, stages, robots, maps, overlays, generators, terms, actions, lessons or studies")
       ->required();
   app->add_flag("--json", arguments->json, "Print the list as JSON");
   app->footer(list_footer);

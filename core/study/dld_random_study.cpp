@@ -1,0 +1,182 @@
+// Four planners on ten random maps: grid search, any-angle search that keeps clear of obstacles, samples, and evolution.
+//
+//  Huang L. & Zhou F., "Path planning of moving robot based on path optimization of D* Lite algorithm", Control and
+//  Decision, 2018 (in Chinese), doi 10.13195/j.kzyjc.2018.0583, figure 5
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/study/paper_studies.hpp"
+#include "core/study/run_report.hpp"
+#include "core/study/study_words.hpp"
+#include "core/world/choices.hpp"
+#include "core/world/generators/generators.hpp"
+
+namespace replan {
+namespace {
+
+constexpr int kSide = 200, kMaps = 10;
+constexpr Cell kFrom{15, 15, 0}, kTo{175, 175, 0};
+
+enum RandomFigure : std::size_t { kNodes, kLength, kClearance, kPlanTime, kFigureCount };
+enum RandomEntry : std::size_t { kDstarLite, kDld, kRrtStar, kGenetic, kEntries };
+
+Result<std::vector<PlannerChoice>> entries() {
+  struct Entry {
+    const char* id;
+    std::vector<std::pair<const char*, const char*>> settings;
+  };
+  const std::array<Entry, kEntries> listed{
+      {{"dstar-lite", {}},
+       {"dld-dstar-lite", {{"radius", "2"}}},
+       {"rrt-star", {{"step", "20"}, {"goal_reach", "20"}, {"samples", "5000"}}},
+       {"improved-ga", {}}}};
+  std::vector<PlannerChoice> choices;
+  for (const Entry& entry : listed) {
+    const auto info = require_choice(entry.id);
+    if (!info) return Error{info.error()};
+    PlannerChoice choice;
+    choice.id = entry.id;
+    for (const auto& [key, value] : entry.settings)
+      if (const auto set = set_from_text(choice.settings, (*info)->parameters, key, value); !set)
+        return Error{set.error()};
+    choices.push_back(std::move(choice));
+  }
+  return choices;
+}
+
+StudyRun run_on(const GridMap& map, PlannerChoice choice, std::uint64_t seed) {
+  const auto& parameters = find_choice(choice.id)->parameters;
+  if (find_parameter(parameters, "seed") != nullptr) choice.settings.set("seed", static_cast<double>(seed));
+  const RunReport report = plan_once(map, kFrom, kTo, choice);
+  StudyRun run{
+      .seed = seed, .found = report.succeeded(), .values = std::vector<std::optional<double>>(kFigureCount)};
+  run.values[kPlanTime] = report.plan_ms;
+  if (!run.found) return run;
+  run.values[kNodes] = static_cast<double>(report.figures.nodes);
+  run.values[kLength] = report.figures.length;
+  run.values[kClearance] = report.figures.min_clearance;
+  return run;
+}
+
+using ByEntry = std::array<double, kEntries>;
+
+ByEntry values_of(const StudyReport& report, RandomFigure figure) {
+  ByEntry values{};
+  for (std::size_t p = 0; p < kEntries; ++p)
+    if (const auto spread = spread_of(report, figure, p))
+      values[p] = report.figures[figure].wall_time ? spread->median : spread->mean;
+  return values;
+}
+
+StudyClaim nodes_claim(const ByEntry& nodes) {
+  const bool most = nodes[kDstarLite] > 3 * nodes[kDld],
+             fewest = std::max(nodes[kRrtStar], nodes[kGenetic]) < nodes[kDld];
+  return {
+      "D* Lite's paths have by far the most nodes (182.7), DLD* Lite's fewer (31.2), those of RRT* and of "
+      "the genetic "
+      "algorithm the fewest (15.1 and 13.3).",
+      "D* Lite " + told(nodes[kDstarLite], 1) + ", DLD* Lite " + told(nodes[kDld], 1) + ", RRT* " +
+          told(nodes[kRrtStar], 1) + ", genetic algorithm " + told(nodes[kGenetic], 1) + ".",
+      most && fewest ? Verdict::reproduced
+      : most         ? Verdict::partly
+                     : Verdict::not_reproduced,
+      most && fewest ? ""
+                     : "How many nodes a path of samples has depends on the length of their steps, which the "
+                       "paper does not name."};
+}
+
+StudyClaim length_claim_of(const ByEntry& length) {
+  const bool alike = std::abs(length[kDld] / length[kDstarLite] - 1) <= 0.03,
+             best = std::max(
+                 length[kDld],
+                 length[kDstarLite])<std::min(length[kRrtStar], length[kGenetic]), last = length[kGenetic]>
+                 length[kRrtStar];
+  const Verdict verdict = alike && best && last ? Verdict::reproduced
+                          : alike               ? Verdict::partly
+                                                : Verdict::not_reproduced;
+  return {
+      "The paths of D* Lite and DLD* Lite are about equally long and the shortest; those of the genetic "
+      "algorithm are the longest.",
+      "D* Lite " + told(length[kDstarLite], 1) + ", DLD* Lite " + told(length[kDld], 1) + ", RRT* " +
+          told(length[kRrtStar], 1) + ", genetic algorithm " + told(length[kGenetic], 1) + " cells.",
+      verdict,
+      verdict == Verdict::reproduced
+          ? ""
+          : "A path that goes from one cell to its neighbours is up to 8 % longer than the "
+            "shortest one; samples and genes are not bound to eight directions, and with enough "
+            "of them come below it."};
+}
+
+StudyClaim time_claim_of(const ByEntry& time) {
+  const bool grids_first =
+                 time[kDstarLite] < time[kDld] && time[kDld] < std::min(time[kRrtStar], time[kGenetic]),
+             same_order = grids_first && time[kGenetic] < time[kRrtStar];
+  return {
+      "D* Lite is the fastest (502 ms), DLD* Lite takes 1.45 times as long (727 ms), the genetic algorithm "
+      "3.8 times (1 900 ms) "
+      "and RRT* 4.9 times (2 464 ms).",
+      "DLD* Lite takes " + told(time[kDld] / time[kDstarLite], 2) +
+          " times as long as D* Lite, the genetic algorithm " + told(time[kGenetic] / time[kDstarLite], 1) +
+          " times and RRT* " + told(time[kRrtStar] / time[kDstarLite], 1) + " times.",
+      same_order    ? Verdict::reproduced
+      : grids_first ? Verdict::partly
+                    : Verdict::not_reproduced,
+      same_order ? ""
+                 : "How long samples and generations take is set by how many of them are asked for, which "
+                   "the paper does not name."};
+}
+
+Result<StudyReport> run_random(const StudyWatch& watch) {
+  const auto choices = entries();
+  if (!choices) return Error{choices.error()};
+  StudyReport report;
+  report.planners = {"D* Lite", "DLD* Lite", "RRT*", "improved GA"};
+  report.figures = {{"nodes", "nodes", "", 1},
+                    {"length", "length", "cells", 2},
+                    {"min_clearance", "least clearance", "cells", 2},
+                    {"plan_ms", "time", "ms", 2, true}};
+  report.paper = {{kNodes, kDstarLite, {}, 182.7},  {kNodes, kDld, {}, 31.2},
+                  {kNodes, kRrtStar, {}, 15.1},     {kNodes, kGenetic, {}, 13.3},
+                  {kPlanTime, kDstarLite, {}, 502}, {kPlanTime, kDld, {}, 727},
+                  {kPlanTime, kRrtStar, {}, 2464},  {kPlanTime, kGenetic, {}, 1900}};
+  const std::array keep_free{kFrom, kTo};
+  for (std::uint64_t number = 1; number <= kMaps; ++number) {
+    const auto map = random_rectangles(kSide, kSide, 0.17, 5, 15, number, keep_free);
+    if (!map) return Error{map.error()};
+    report.worlds.push_back("map " + std::to_string(number));
+    for (std::uint64_t seed = 1; seed <= watch.seeds; ++seed)
+      for (std::size_t p = 0; p < kEntries; ++p) {
+        if (watch.stop.stop_requested()) return report;
+        report.runs.push_back(run_on(*map, (*choices)[p], seed));
+        report.runs.back().world = number - 1;
+        report.runs.back().planner = p;
+        if (watch.progress) watch.progress(report.runs.size(), kMaps * watch.seeds * kEntries);
+      }
+  }
+  report.claims = {nodes_claim(values_of(report, kNodes)), length_claim_of(values_of(report, kLength)),
+                   time_claim_of(values_of(report, kPlanTime))};
+  return report;
+}
+
+}  // namespace
+
+StudyInfo dld_random_study() {
+  return {"dld-random",
+          "DLD* Lite beside D* Lite, RRT* and a genetic algorithm on random maps",
+          "Huang & Zhou 2018, doi 10.13195/j.kzyjc.2018.0583, figure 5",
+          "Ten maps of 200 x 200 cells from (15, 15) to (175, 175), of rectangles with sides of 5 to 15 "
+          "cells that cover 17 in "
+          "100: with these D* Lite's paths have as many nodes as the paper's. DLD* Lite keeps clear within 2 "
+          "cells. RRT* takes "
+          "steps of 20 cells and 5 000 samples; the genetic algorithm is set as it is by itself. Each seed "
+          "is a run of every "
+          "planner on every map, which for the first two are alike but for the time. The first map opens in "
+          "the window as "
+          "maps/dld-fig-5.json.",
+          5,
+          1,
+          run_random};
+}
+
+}  // namespace replan

@@ -1,0 +1,11 @@
+// The studies there are, each in a file of its own: for the list of them alone.
+#pragma once
+
+#include "core/study/study.hpp"
+
+namespace replan {
+
+StudyInfo dld_random_study();
+StudyInfo informed_rrt_study();
+
+}  // namespace replan

@@ -1,0 +1,102 @@
+// Studies: the experiments of the papers, run anew, with what each paper reports beside what comes out here.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.hpp"
+
+namespace replan {
+
+/// What is measured of each run.
+struct StudyFigure {
+  std::string_view key;    ///< its fixed name in CSV and JSON: "first_length"
+  std::string_view label;  ///< "first path"
+  std::string_view unit;   ///< may be empty
+  int decimals = 0;
+  bool wall_time = false;  ///< differs from run to run and from machine to machine
+};
+
+/// One run of one planner.
+struct StudyRun {
+  std::size_t world = 0, planner = 0;  ///< places in StudyReport's lists
+  std::uint64_t seed = 0;
+  bool found = false;
+  std::vector<std::optional<double>> values;  ///< by figure; nothing where there is none
+};
+
+/// What the paper reports as a number: of a planner in a world, or over all of them.
+struct PaperFigure {
+  std::size_t figure = 0, planner = 0;
+  std::optional<std::size_t> world = {};
+  double value = 0;
+};
+
+enum class Verdict : std::uint8_t { reproduced, partly, not_reproduced };
+/// "reproduced", ...
+const char* verdict_name(Verdict verdict);
+
+/// What the paper claims, as a sentence; what came out here; and, where that is not the same, why.
+struct StudyClaim {
+  std::string paper;
+  std::string ours;
+  Verdict verdict = Verdict::not_reproduced;
+  std::string why;
+};
+
+struct StudyReport {
+  std::vector<std::string> worlds, planners;  ///< by their names
+  std::vector<StudyFigure> figures;
+  std::vector<PaperFigure> paper;
+  std::vector<StudyRun> runs;
+  std::vector<StudyClaim> claims;
+  bool worlds_apart = false;  ///< each world has a table of its own; else they are taken together
+};
+
+/// How a study is run, watched and stopped.
+struct StudyWatch {
+  std::uint64_t seeds = 1;
+  std::function<void(std::size_t done, std::size_t all)> progress = {};  ///< after each run
+  std::stop_token stop = {};  ///< the report then has the runs done so far, and no claims
+};
+
+struct StudyInfo {
+  std::string_view id;
+  std::string_view title;
+  std::string_view source;   ///< the paper, and which of its figures
+  std::string_view setting;  ///< how it is run here, and what the paper leaves open
+  std::uint64_t seeds = 1;   ///< as many as the paper's, or as its claims need
+  std::uint64_t quick_seeds = 1;
+  Result<StudyReport> (*run)(const StudyWatch& watch) = nullptr;
+};
+
+/// All of them, in the order of the papers.
+std::span<const StudyInfo> studies();
+/// With an error that suggests the nearest id.
+Result<const StudyInfo*> require_study(std::string_view id);
+
+/// How the values of a figure are spread; nothing of no values.
+struct Spread {
+  std::size_t count = 0;
+  double mean = 0, deviation = 0;        ///< the sample's standard deviation; 0 of one value
+  double low = 0, median = 0, high = 0;  ///< quartiles, between two values by their share
+};
+std::optional<Spread> spread_of(std::vector<double> values);
+/// Of a figure of a planner's runs, in a world or in all.
+std::optional<Spread> spread_of(const StudyReport& report, std::size_t figure, std::size_t planner,
+                                std::optional<std::size_t> world = {});
+
+/// The report for people: tables with the paper's figures, and a verdict for each claim.
+std::string study_markdown(const StudyInfo& info, const StudyReport& report);
+/// A line for each run under a line of names with units.
+std::string study_csv(const StudyReport& report);
+/// Everything, for programs.
+std::string study_json(const StudyInfo& info, const StudyReport& report);
+
+}  // namespace replan
