@@ -43,7 +43,8 @@ SampleInHand read_sample(const Timeline& log, std::size_t pop, std::size_t end, 
     const Event& event = log.event(i);
     const Cost cost{static_cast<std::int64_t>(event.delta)};
     if (event.line >= kFirstLineOfPulling && event.line < kFirstLineOfMission) hand.pulls = true;
-    if (event.line >= 4) hand.sample = read_place(state, Scalar::sample_x, in_space);
+    if (event.line >= (hand.pulls ? 21 : 4) || event.kind == EventKind::rejected)
+      hand.sample = read_place(state, Scalar::sample_x, in_space);
     if (event.line >= (hand.pulls ? 21 : 4))
       hand.nearest = static_cast<std::uint32_t>(state.scalar(Scalar::nearest)) - 1u;
     if (event.line >= (hand.pulls ? 22 : 5)) hand.place = read_place(state, Scalar::new_x, in_space);

@@ -133,6 +133,8 @@ class TreeSearch : public Planner<L> {
   virtual void planted() {}
   /// Where the sample of that number lies, once there is a path.
   [[nodiscard]] virtual Place sample_with_path(std::int64_t number) const = 0;
+  /// The line on which samples are drawn now.
+  [[nodiscard]] virtual int sampling_line() const { return 3; }
   /// Whether samples can make the path that there is any better.
   [[nodiscard]] virtual bool path_could_gain() const = 0;
 
@@ -273,9 +275,8 @@ class TreeSearch : public Planner<L> {
     return true;
   }
 
-  // Line 3.
   Place draw() {
-    tr_.line(3);
+    tr_.line(sampling_line());
     const std::int64_t number = ++counters_.expansions;
     const Place sample = sample_of(number);
     const NodeId cell = space_.node(sample);

@@ -127,20 +127,13 @@ class CurvePlot {
     words(left_ + kWidth, y(*optimum_) + 14, "end", "optimum " + curve_number(*optimum_, 3));
   }
   /// In steps: a length holds until there is a shorter one.
-  std::string steps(std::span<const CurvePoint> curve, double end) const {
-    std::string points;
-    for (std::size_t i = 0; i < curve.size(); ++i) {
-      const auto add = [&](double at, double length) {
-        points += curve_number(x(at), 1) + "," + curve_number(y(length), 1) + " ";
-      };
-      add(curve[i].at, curve[i].length);
-      add(i + 1 < curve.size() ? curve[i + 1].at : std::max(end, curve[i].at), curve[i].length);
-    }
-    return points;
-  }
   void draw_curve(std::span<const CurvePoint> curve, double end, const std::string& style) {
     if (curve.empty()) return;
-    out_ += "<polyline points=\"" + steps(curve, end) + "\" fill=\"none\" " + style + "/>\n";
+    std::string steps = "M" + curve_number(x(curve[0].at), 1) + " " + curve_number(y(curve[0].length), 1);
+    for (const CurvePoint& point : curve.subspan(1))
+      steps += "H" + curve_number(x(point.at), 1) + "V" + curve_number(y(point.length), 1);
+    steps += "H" + curve_number(x(std::max(end, curve.back().at)), 1);
+    out_ += "<path d=\"" + steps + "\" fill=\"none\" " + style + "/>\n";
   }
   void draw_plans(std::span<const AnytimeRun> runs, const char* colour) {
     for (const AnytimeRun& run : runs) {
