@@ -141,7 +141,8 @@ const char* value_name(Scalar scalar) {
       "the nearest vertex",
       "the best path",
       "samples before the plan",
-      "the last sample that made the path shorter"};
+      "the last sample that made the path shorter",
+      "the ball"};
   return scalar < Scalar::count ? kNames[static_cast<std::size_t>(scalar)] : "";
 }
 

@@ -61,14 +61,14 @@ StudyRun run_once(const World& world, const Grid2& lattice, Entry entry, std::ui
   planner->begin(lattice.node(world.scenario.start), lattice.node(world.scenario.goal));
   for (bool done = false; !done;) {
     done = planner->advance(1);
-    if (run.found || planner->cost_so_far().is_infinite()) continue;
+    if (run.found || planner->best_so_far().is_infinite()) continue;
     run.found = true;
     run.values[kFirstSamples] = static_cast<double>(planner->counters().expansions);
     run.values[kFirstTime] = passed();
-    run.values[kFirstLength] = planner->cost_so_far().to_double() * metres;
+    run.values[kFirstLength] = planner->best_so_far().to_double() * metres;
   }
   run.values[kTime] = passed();
-  if (run.found) run.values[kLastLength] = planner->cost_so_far().to_double() * metres;
+  if (run.found) run.values[kLastLength] = planner->best_so_far().to_double() * metres;
   return run;
 }
 

@@ -129,6 +129,7 @@ enum class Scalar : std::uint8_t {
   best,         ///< the cost of the best path so far, raw; 0: there is none
   plan_sample,  ///< the number of the last sample before the plan
   gain_sample,  ///< the number of the last sample by which the path became shorter
+  ball,         ///< how far around the latest new place parents were looked for, as coordinates are told
   count
 };
 
@@ -155,6 +156,7 @@ constexpr ScalarType scalar_type(Scalar scalar) {
     case Scalar::new_x:
     case Scalar::new_y:
     case Scalar::new_z:
+    case Scalar::ball:
       return ScalarType::cost;
     case Scalar::best:
       return ScalarType::found_cost;

@@ -167,7 +167,7 @@ std::vector<double> costs(const PlannerInfo& info, const Problem& problem, const
   std::vector<double> all;
   for (bool done = false; !done && (all.empty() || all.back() >= enough);) {
     done = planner->advance(1);
-    const Cost cost = planner->cost_so_far();
+    const Cost cost = planner->best_so_far();
     if (cost.is_infinite() || (!all.empty() && cost.to_double() == all.back())) continue;
     EXPECT_TRUE(all.empty() || cost.to_double() < all.back());
     all.push_back(cost.to_double());

@@ -41,7 +41,7 @@ Race run_ours(const RaceProblem& problem, Racer racer, std::uint32_t seed, doubl
   Race race;
   for (bool done = false; !done && passed() < seconds;) {
     done = planner->advance(1);
-    const Cost cost = planner->cost_so_far();
+    const Cost cost = planner->best_so_far();
     if (!cost.is_infinite() && (race.empty() || cost.to_double() < race.back().cost))
       race.push_back({passed(), cost.to_double()});
   }
