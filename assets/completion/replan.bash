@@ -38,6 +38,7 @@ _replan_options() {
     batch) echo "-h --help --map --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --limit --json" ;;
     anytime) echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --seeds --time --csv --svg" ;;
     barn) echo "-h --help --global --set --world --csv" ;;
+    study) echo "-h --help --out --seeds --quick --json" ;;
     render)
       echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage -o --output --size --scale" \
         "--at --at-end --at-plan" \
@@ -51,7 +52,7 @@ _replan_options() {
 }
 
 _replan() {
-  local maps="map yaml yml cfg txt csv npy asc png bmp tga pgm ppm pbm pnm gif jpg jpeg" commands="run batch anytime barn render convert show list"
+  local maps="map yaml yml cfg txt csv npy asc png bmp tga pgm ppm pbm pnm gif jpg jpeg" commands="run batch anytime barn study render convert show list"
   local cur="${COMP_WORDS[COMP_CWORD]}" before="${COMP_WORDS[COMP_CWORD - 1]}" command=""
   COMPREPLY=()
   [ "$COMP_CWORD" -gt 1 ] && command="${COMP_WORDS[1]}"
@@ -92,8 +93,9 @@ _replan() {
     run | render | show | anytime) _replan_files json ;;
     batch) _replan_files scen 3dscen ;;
     barn) _replan_files json ;;
+    study) COMPREPLY=($(compgen -W "dld-random informed-rrt" -- "$cur")) ;;
     convert) _replan_files json 3dmap $maps ;;
-    list) COMPREPLY=($(compgen -W "planners stages robots maps overlays generators terms actions lessons" -- "$cur")) ;;
+    list) COMPREPLY=($(compgen -W "planners stages robots maps overlays generators terms actions lessons studies" -- "$cur")) ;;
     *)
       _replan_files json $maps
       COMPREPLY+=($(compgen -W "$commands" -- "$cur"))

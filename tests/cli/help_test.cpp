@@ -11,7 +11,7 @@
 namespace replan::test::help_test {
 namespace {
 
-const std::vector<std::string> kCommands = {"run",    "batch",   "anytime", "barn",
+const std::vector<std::string> kCommands = {"run",    "batch",   "anytime", "barn", "study",
                                             "render", "convert", "show",    "list"};
 
 /// The options of a help text: the words that begin with "-" in its first column.
