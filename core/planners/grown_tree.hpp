@@ -26,7 +26,8 @@ class GrownTree {
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(places_.size()); }
   [[nodiscard]] bool full() const { return size() >= kMostVertices; }
-  [[nodiscard]] const Place& place(std::uint32_t v) const { return places_[v]; }
+  /// By value: growing the tree moves its places.
+  [[nodiscard]] Place place(std::uint32_t v) const { return places_[v]; }
   [[nodiscard]] Cost cost(std::uint32_t v) const { return links_[v].cost; }
   /// What it hangs on; kNone for a root, and for what was cut off.
   [[nodiscard]] std::uint32_t parent(std::uint32_t v) const { return links_[v].parent; }

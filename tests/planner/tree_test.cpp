@@ -59,6 +59,22 @@ TEST(Trees, FindTheStraightWayWhereItIsFree) {
   }
 }
 
+/// While one tree takes step after step towards the other one's new vertex it grows, and all places move. Under sanitizers it
+/// is seen if the vertex is still looked for where it was.
+TEST(Trees, ThatConnectFindTheSameWayEachTime) {
+  const Grid2 open({300, 200});
+  Settings settings;
+  settings.set("step", 1);
+  for (int seed = 1; seed <= 8; ++seed) {
+    settings.set("seed", seed);
+    const Found one = find<2>("rrt-connect", open, settings, {5, 5}, {290, 190}),
+                other = find<2>("rrt-connect", open, settings, {5, 5}, {290, 190});
+    EXPECT_EQ(one.status, PlanStatus::found);
+    EXPECT_EQ(one.cost, other.cost);
+    EXPECT_EQ(one.samples, other.samples);
+  }
+}
+
 /// toy-gap: round the wall it is 96.02, through the gap 80.71.
 TEST(Trees, InformedOnesFindTheGapAfterTheWayRoundTheWall) {
   const Grid2 frame({100, 100});
