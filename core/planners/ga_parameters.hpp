@@ -39,7 +39,7 @@ inline const Parameter kMostCells{.key = "most_cells",
                                   .type = ParameterType::whole,
                                   .initial = 16,
                                   .low = 1,
-                                  .high = 1000,
+                                  .high = 200,
                                   .help = "How many cells a path has between its ends at most."};
 inline const Parameter kFirstPaths{
     .key = "first_paths",
@@ -94,7 +94,7 @@ inline const Parameter kMutationReach{
     .type = ParameterType::whole,
     .initial = 1,
     .low = 1,
-    .high = 8,
+    .high = 5,
     .unit = "cells",
     .help =
         "How far away a neighbour may be, along each axis. 1: the cells around it, as in the paper; more "
