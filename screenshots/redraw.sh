@@ -54,6 +54,13 @@ for planner in weighted-astar adaptive-astar jps visibility-graph theta-star laz
     --canvas-only --panes all --size 960x520
 done
 
+# Trees of samples: what each sample comes to, and the ellipse that a shorter path must lie in.
+world=gap-for-samples draw rrt-star.png --theme dark --at-plan --panes all --size 1440x900 --action show_figures
+# Why a vertex hangs where it does.
+world=gap-for-samples draw why-edge.png --theme light --at-plan --panes 1 --pin 50,56 --camera 50,52,16 --action show_cell
+"$program" anytime maps/gap-for-samples.json --planner rrt-connect,rrt-star,informed-rrt-star,greedy-informed-rrt-star --seeds 20 \
+  --svg screenshots/anytime.svg > /dev/null
+
 # What coming near obstacles costs, and the path that pays it beside one that does not.
 world=office draw threat-astar.png --theme light --planner astar,threat-astar --overlay dist,path,grid --canvas-only \
   --panes all --at plan --size 1280x520

@@ -22,6 +22,7 @@ struct Command {
 Command add_run(CLI::App& program);
 Command add_batch(CLI::App& program);
 Command add_barn(CLI::App& program);
+Command add_anytime(CLI::App& program);
 Command add_convert(CLI::App& program);
 Command add_show(CLI::App& program);
 Command add_list(CLI::App& program);

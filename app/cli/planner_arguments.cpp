@@ -13,7 +13,7 @@
 namespace replan::cli {
 namespace {
 
-/// One `--set [ID.]KEY=VALUE`, taken apart.
+/// One `--set [ID[#N].]KEY=VALUE`, taken apart.
 struct Assignment {
   std::string_view typed, owner, key, value;
 };
@@ -34,16 +34,25 @@ Result<Assignment> take_apart(std::string_view typed) {
 /// What has settings: a planner, or a stage of one.
 struct Settable {
   std::string_view id;
+  std::size_t number;  ///< it is so manyeth of that id here
   std::span<const Parameter> declared;
   Settings& settings;
+
+  /// Whether "ID", or "ID#N" for the N-th of several, names it.
+  [[nodiscard]] bool is_named(std::string_view owner) const {
+    return owner == id || owner == std::string(id) + "#" + std::to_string(number);
+  }
 };
 
 std::vector<Settable> settables(std::span<PlannerChoice> choices) {
   std::vector<Settable> all;
+  const auto add = [&all](std::string_view id, std::span<const Parameter> declared, Settings& settings) {
+    const auto before = std::count_if(all.begin(), all.end(), [id](const Settable& e) { return e.id == id; });
+    all.push_back({id, static_cast<std::size_t>(before) + 1, declared, settings});
+  };
   for (PlannerChoice& choice : choices) {
-    all.push_back({choice.id, find_choice(choice.id)->parameters, choice.settings});
-    for (StageChoice& stage : choice.stages)
-      all.push_back({stage.id, find_stage(stage.id)->parameters, stage.settings});
+    add(choice.id, find_choice(choice.id)->parameters, choice.settings);
+    for (StageChoice& stage : choice.stages) add(stage.id, find_stage(stage.id)->parameters, stage.settings);
   }
   return all;
 }
@@ -68,7 +77,10 @@ Error unknown_setting(const Assignment& set, std::span<const Settable> here) {
 
 /// Why the one that is named has no settings here.
 Error nobody_here(const Assignment& set) {
-  const std::string start = "--set " + std::string(set.typed) + ": ", id(set.owner);
+  const std::string start = "--set " + std::string(set.typed) + ": ",
+                    id(set.owner.substr(0, set.owner.find('#')));
+  if (id != set.owner && find_choice(id) != nullptr)
+    return {start + "there are not so many of '" + id + "' here; they are counted from 1"};
   if (find_stage(id) != nullptr)
     return {start + "stage '" + id + "' is not among those here; add it with --stage"};
   if (const auto info = require_choice(id); !info) return {start + info.error()};
@@ -96,7 +108,7 @@ Result<void> assign(const Assignment& set, std::span<PlannerChoice> choices, con
   const std::vector<Settable> here = settables(choices);
   bool known = false, present = set.owner.empty();
   for (const Settable& each : here) {
-    if (!set.owner.empty() && set.owner != each.id) continue;
+    if (!set.owner.empty() && !each.is_named(set.owner)) continue;
     present = true;
     if (find_parameter(each.declared, set.key) == nullptr) continue;
     known = true;
@@ -180,10 +192,11 @@ void PlannerArguments::declare(CLI::App& command) {
       ->allow_extra_args(false);
   command
       .add_option("--set", settings,
-                  "A setting, for each planner and stage that has it or for the one named; a length in "
+                  "A setting, for each planner and stage that has it or for the one named (ID#2: the second "
+                  "of that ID); a length in "
                   "metres too (0.8m) where "
                   "the map says how large its cells are (repeatable)")
-      ->type_name("[ID.]KEY=VALUE")
+      ->type_name("[ID[#N].]KEY=VALUE")
       ->allow_extra_args(false);
   command
       .add_option(

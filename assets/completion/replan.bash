@@ -36,6 +36,7 @@ _replan_options() {
   case "$1" in
     run) echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --json --csv --markdown --latex --cells --check --trace --trace-map --break" ;;
     batch) echo "-h --help --map --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --limit --json" ;;
+    anytime) echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --seeds --time --csv --svg" ;;
     barn) echo "-h --help --global --set --world --csv" ;;
     render)
       echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage -o --output --size --scale" \
@@ -50,7 +51,7 @@ _replan_options() {
 }
 
 _replan() {
-  local maps="map yaml yml cfg txt csv npy asc png bmp tga pgm ppm pbm pnm gif jpg jpeg" commands="run batch barn render convert show list"
+  local maps="map yaml yml cfg txt csv npy asc png bmp tga pgm ppm pbm pnm gif jpg jpeg" commands="run batch anytime barn render convert show list"
   local cur="${COMP_WORDS[COMP_CWORD]}" before="${COMP_WORDS[COMP_CWORD - 1]}" command=""
   COMPREPLY=()
   [ "$COMP_CWORD" -gt 1 ] && command="${COMP_WORDS[1]}"
@@ -88,7 +89,7 @@ _replan() {
     -*) COMPREPLY=($(compgen -W "$(_replan_options "$command")" -- "$cur")); return ;;
   esac
   case "$command" in
-    run | render | show) _replan_files json ;;
+    run | render | show | anytime) _replan_files json ;;
     batch) _replan_files scen 3dscen ;;
     barn) _replan_files json ;;
     convert) _replan_files json 3dmap $maps ;;

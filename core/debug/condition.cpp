@@ -31,6 +31,10 @@ std::string literal_text(double value) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
+std::string vertex_in_parentheses(const Term& term) {
+  return "(" + literal_text(term.number) + ")";
+}
+
 std::string leaf_text(const Condition& condition, const Term& term) {
   const auto names = condition_names();
   const auto name =
@@ -52,6 +56,11 @@ std::string leaf_text(const Condition& condition, const Term& term) {
     case Op::own_count:
     case Op::own_cell:
       return std::string(term.field) + cell_text(term.cell, condition.solid);
+    case Op::tree_cost:
+    case Op::tree_count:
+      return std::string(term.field) + vertex_in_parentheses(term);
+    case Op::rewired:
+      return "rewired" + vertex_in_parentheses(term);
     default:
       return is_of_vertex(term.op) || term.op == Op::taken
                  ? std::string(name->name) + cell_text(term.cell, condition.solid)
@@ -105,9 +114,13 @@ bool is_of_vertex(Op op) {
   return op >= Op::g && op <= Op::own_cell;
 }
 
+bool is_of_tree(Op op) {
+  return op == Op::tree_cost || op == Op::tree_count || op == Op::rewired;
+}
+
 bool is_cost(Op op) {
   return op == Op::g || op == Op::rhs || op == Op::dist || op == Op::k1 || op == Op::k2 ||
-         op == Op::own_cost || op == Op::km || op == Op::best;
+         op == Op::own_cost || op == Op::tree_cost || op == Op::km || op == Op::best;
 }
 
 }  // namespace replan

@@ -47,6 +47,9 @@ enum class Op : std::uint8_t {
   own_cost,  ///< of a planner's own: Term::field says which
   own_count,
   own_cell,
+  // Values of a vertex of a tree, by its number: Term::field says which
+  tree_cost,
+  tree_count,
   // Values of the run
   km,
   queue_size,
@@ -67,6 +70,7 @@ enum class Op : std::uint8_t {
   on_line,
   taken,
   taken_any,
+  rewired,
   changed,
   event,
   // Made of other terms
@@ -112,9 +116,9 @@ struct Term {
   Happening happening = Happening::plan;  ///< of Op::event
   bool truth = false;                     ///< of Op::truth_literal
   std::uint16_t left = 0, right = 0;      ///< the only one is `left`
-  double number = 0;                      ///< of Op::number_literal; the line of Op::on_line
-  Cell cell = {0, 0};                     ///< of Op::cell_literal and of values of a vertex
-  std::string_view field = {};            ///< of a planner's own value: its name
+  double number = 0;            ///< of Op::number_literal; the line of Op::on_line; the vertex of a tree
+  Cell cell = {0, 0};           ///< of Op::cell_literal and of values of a vertex
+  std::string_view field = {};  ///< of a planner's own value: its name
   friend bool operator==(const Term&, const Term&) = default;
 };
 
@@ -179,6 +183,8 @@ std::span<const HappeningName> happening_names();
 [[nodiscard]] bool is_value(Op op);
 /// Values of one vertex.
 [[nodiscard]] bool is_of_vertex(Op op);
+/// What is about a vertex of a tree.
+[[nodiscard]] bool is_of_tree(Op op);
 /// Path costs, which are compared exactly with one another.
 [[nodiscard]] bool is_cost(Op op);
 

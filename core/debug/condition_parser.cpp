@@ -197,6 +197,7 @@ class ConditionParser {
 
   /// A value that some planner keeps of its own.
   Index own_value(std::size_t begin, const Field& field) {
+    if (field.table == FieldTable::vertices) return tree_value(begin, field);
     const bool cost = field.type == FieldType::cost, leads = field.type == FieldType::node;
     Term term{.op = cost    ? Op::own_cost
                     : leads ? Op::own_cell
@@ -208,6 +209,18 @@ class ConditionParser {
     term.cell = *where;
     term.field = field.name;
     return add(begin, term);
+  }
+
+  Index tree_value(std::size_t begin, const Field& field) {
+    const auto vertex = whole_in_parentheses(kMostVertices - 1);
+    if (!vertex) return no_vertex(begin, field.name);
+    return add(begin, {.op = field.type == FieldType::cost ? Op::tree_cost : Op::tree_count,
+                       .number = *vertex,
+                       .field = field.name});
+  }
+  Index no_vertex(std::size_t begin, std::string_view name) {
+    return failed(begin,
+                  "'" + std::string(name) + "' needs the number of a vertex: " + std::string(name) + "(17)");
   }
 
   Index unknown_name(std::size_t begin, std::string_view name) {
@@ -240,9 +253,13 @@ class ConditionParser {
       if (!in_.take('(') || in_.take_name() != "winner" || !in_.take(')'))
         return failed(begin, "'score' is told of the arc that was chosen only: score(winner)");
     } else if (name.op == Op::on_line) {
-      const auto number = whole_in_parentheses();
+      const auto number = whole_in_parentheses(std::numeric_limits<std::uint8_t>::max());
       if (!number) return failed(begin, "'line' needs the number of a pseudo-code line: line(48)");
       term.number = *number;
+    } else if (name.op == Op::rewired) {
+      const auto vertex = whole_in_parentheses(kMostVertices - 1);
+      if (!vertex) return no_vertex(begin, name.name);
+      term.number = *vertex;
     } else if (name.op == Op::changed) {
       const auto value = value_in_parentheses(begin);
       if (!value) return std::nullopt;
@@ -280,11 +297,10 @@ class ConditionParser {
     in_.fail(begin, written + ") is outside the world: " + range_text(world_));
     return std::nullopt;
   }
-  std::optional<double> whole_in_parentheses() {
+  std::optional<double> whole_in_parentheses(std::int64_t most) {
     if (!in_.take('(')) return std::nullopt;
     const auto value = in_.take_whole();
-    if (!value || *value < 0 || *value > std::numeric_limits<std::uint8_t>::max() || !in_.take(')'))
-      return std::nullopt;
+    if (!value || *value < 0 || *value > most || !in_.take(')')) return std::nullopt;
     return static_cast<double>(*value);
   }
 

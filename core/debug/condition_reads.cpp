@@ -41,9 +41,8 @@ KindSet kinds_of(Op op) {
 
 KindSet kinds_of(const Term& term, const SearchValues& values) {
   if (term.field.empty()) return kinds_of(term.op);
-  for (const Field& field : values.fields)
-    if (field.name == term.field) return {field.kind};
-  return {};
+  const Field* field = values.find(term.field);
+  return field == nullptr ? KindSet() : KindSet{field->kind};
 }
 
 std::optional<Scalar> scalar_of(Op op) {

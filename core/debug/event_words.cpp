@@ -170,6 +170,7 @@ const char* value_name(Scalar scalar) {
       "the best path",
       "samples before the plan",
       "the last sample that made the path shorter",
+      "the ball",
       "paths of the population and the child",
       "the child",
       "the fittest path",

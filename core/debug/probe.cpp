@@ -39,16 +39,17 @@ Probe::Probe(const LogView& view, Condition condition, std::size_t position, Ver
 
 /// Notes what a term reads.
 void Probe::collect(const Term& term) {
-  const bool asks =
-      term.op == Op::event || term.op == Op::changed || term.op == Op::taken || term.op == Op::taken_any;
+  const bool asks = term.op == Op::event || term.op == Op::changed || term.op == Op::taken ||
+                    term.op == Op::taken_any || term.op == Op::rewired;
   pulses_ |= asks;
   reads_line_ |= term.op == Op::line || term.op == Op::on_line;
-  if (is_of_vertex(term.op))
+  if (is_of_vertex(term.op) || is_of_tree(term.op))
     for_kinds(kinds_of(term, *values_), [&](EventKind kind) { collect_slot(kind, node_of(term)); });
   if (const auto scalar = scalar_of(term.op)) collect_slot(EventKind::scalar, static_cast<NodeId>(*scalar));
   if (term.op == Op::queue_size) walked_.add(EventKind::queue);
   if (term.op == Op::expansions) noted_.add(EventKind::visit);
   if (term.op == Op::taken || term.op == Op::taken_any) noted_.add(EventKind::pop);
+  if (term.op == Op::rewired) noted_.add(EventKind::rewired);
   if (term.op != Op::event) return;
   for_kinds(kinds_of(term.happening), [&](EventKind kind) { noted_.add(kind); });
   reads_breaches_ |= term.happening == Happening::invariant;
@@ -95,7 +96,7 @@ void Probe::read_values() {
 }
 
 NodeId Probe::node_of(const Term& term) const {
-  return lattice_->node(term.cell);
+  return is_of_tree(term.op) ? static_cast<NodeId>(term.number) : lattice_->node(term.cell);
 }
 
 Probe::Slot* Probe::find_slot(EventKind kind, NodeId node) {

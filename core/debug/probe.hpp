@@ -104,6 +104,7 @@ class Probe {
   [[nodiscard]] Number cost(std::uint64_t raw) const;
   [[nodiscard]] NodeId cell(const Term& term);
   [[nodiscard]] std::uint64_t own(const Term& term, std::uint64_t otherwise);
+  [[nodiscard]] Number tree_count(const Term& term);
   [[nodiscard]] bool happens(const Term& term);
   [[nodiscard]] bool event_is(Happening happening);
   [[nodiscard]] bool changes(const Term& value);

@@ -38,6 +38,7 @@ bool Probe::truth(const Term& term) {
       return line() == term.number;
     case Op::taken:
     case Op::taken_any:
+    case Op::rewired:
     case Op::changed:
     case Op::event:
       return with_event_ && position_ > 0 && happens(term);
@@ -80,9 +81,16 @@ Probe::Number Probe::cost(std::uint64_t raw) const {
 
 /// A value of the planner's own, or what stands for one that it has not.
 std::uint64_t Probe::own(const Term& term, std::uint64_t otherwise) {
-  for (const Field& field : values_->fields)
-    if (field.name == term.field) return raw(field.kind, node_of(term));
-  return otherwise;
+  const Field* field = values_->find(term.field);
+  return field == nullptr ? otherwise : raw(field->kind, node_of(term));
+}
+
+/// A count of a vertex of a tree; of one that it hangs on its number, infinite where there is none.
+Probe::Number Probe::tree_count(const Term& term) {
+  const Field* field = values_->find(term.field);
+  const std::uint64_t held = own(term, 0);
+  if (field == nullptr || field->type != FieldType::vertex) return {static_cast<double>(held), {}};
+  return {held == 0 ? std::numeric_limits<double>::infinity() : static_cast<double>(held - 1), {}};
 }
 
 Probe::Number Probe::number(const Term& term) {
@@ -107,9 +115,12 @@ Probe::Number Probe::number(const Term& term) {
         return std::min(raw(EventKind::g, node_of(term)), raw(EventKind::rhs, node_of(term)));
       });
     case Op::own_cost:
+    case Op::tree_cost:
       return cost(own(term, fields::kInfinite));
     case Op::own_count:
       return count(own(term, 0));
+    case Op::tree_count:
+      return tree_count(term);
     case Op::order:
       return count(raw(EventKind::visit, node_of(term)) & 0xFFFFFFFFu);
     case Op::times:
@@ -163,6 +174,8 @@ bool Probe::happens(const Term& term) {
       return event.kind == EventKind::pop && event.node == node_of(term);
     case Op::taken_any:
       return event.kind == EventKind::pop;
+    case Op::rewired:
+      return event.kind == EventKind::rewired && event.node == node_of(term);
     case Op::changed:
       return changes(part(term.left));
     default:
@@ -207,10 +220,10 @@ bool Probe::changes(const Term& term) {
   const Event event = log_->event(position_ - 1);
   const auto scalar = scalar_of(term.op);
   const KindSet kinds = kinds_of(term, *values_);
-  const bool touched =
-      scalar ? event.kind == EventKind::scalar && event.node == static_cast<NodeId>(*scalar)
-             : (kinds.has(event.kind) && (!is_of_vertex(term.op) || event.node == node_of(term))) ||
-                   (event.kind == EventKind::epoch && kinds.meets(forgotten()));
+  const bool about_node = is_of_vertex(term.op) || is_of_tree(term.op);
+  const bool touched = scalar ? event.kind == EventKind::scalar && event.node == static_cast<NodeId>(*scalar)
+                              : (kinds.has(event.kind) && (!about_node || event.node == node_of(term))) ||
+                                    (event.kind == EventKind::epoch && kinds.meets(forgotten()));
   if (!touched) return false;
   const TermValue after = value(term);
   retreat();

@@ -26,7 +26,9 @@ struct SampleInHand {
   std::optional<Place> sample;           ///< where it was drawn, once that is written
   std::optional<std::uint32_t> nearest;  ///< the vertex that it was steered from, once that is found
   std::optional<Place> place;            ///< where it was steered to, once that is known
+  std::optional<double> ball;            ///< how far around that parents were looked for, in cells
   std::vector<Candidate> candidates;     ///< in the order in which they were tried
+  bool pulls = false;                    ///< it is drawn to pull the path straight, and not for the tree
   std::optional<std::uint32_t> added;    ///< the new vertex, once there is one
   std::vector<Rewired> rewired;
   std::optional<SampleFault> rejected;  ///< why it was given up
@@ -36,8 +38,15 @@ struct SampleInHand {
 /// What is in hand at the log's cursor; nothing if no sample was drawn since the plan began, or its planner draws none.
 std::optional<SampleInHand> sample_in_hand(const LogView& view);
 
-/// Where it came into the tree: the sample by which a vertex got the place that it has at the cursor, as that sample stood
-/// when it was done with; nothing for a root.
-std::optional<SampleInHand> birth_of(const LogView& view, std::uint32_t vertex);
+/// Where a vertex that there is at the cursor came into the tree: the event, and what it could have hung on, in the order in
+/// which that was tried; none where its planner takes the nearest one. Nothing for one that is not to be found.
+struct VertexBirth {
+  std::size_t event = 0;
+  std::vector<SampleInHand::Candidate> candidates = {};
+};
+std::optional<VertexBirth> birth_of(const LogView& view, std::uint32_t vertex);
+
+/// The vertex nearest to a place, of equally near ones the first; kNoNode if the tree has none.
+std::uint32_t nearest_vertex(const SearchState& state, const Place& place, bool in_space);
 
 }  // namespace replan

@@ -18,13 +18,13 @@ std::string_view event_name(const SearchValues& values, EventKind kind) {
 
 std::string_view scalar_name(Scalar scalar) {
   static constexpr std::array<std::string_view, static_cast<std::size_t>(Scalar::count)> kNames = {
-      "km",           "start",       "last",        "goal",   "robot",    "moves",   "replans",
-      "wanted",       "weight",      "share",       "x",      "y",        "heading", "speed",
-      "turning",      "sub_goal",    "admissible",  "score",  "vertices", "root",    "goal_vertex",
-      "sample_x",     "sample_y",    "sample_z",    "new_x",  "new_y",    "new_z",   "nearest",
-      "best",         "plan_sample", "gain_sample", "paths",  "child",    "leader",  "leader_cost",
-      "mean_cost",    "generation",  "mother",      "father", "taken",    "joined",  "crossed_at",
-      "changed_from", "changed_to"};
+      "km",          "start",        "last",        "goal",   "robot",    "moves",   "replans",
+      "wanted",      "weight",       "share",       "x",      "y",        "heading", "speed",
+      "turning",     "sub_goal",     "admissible",  "score",  "vertices", "root",    "goal_vertex",
+      "sample_x",    "sample_y",     "sample_z",    "new_x",  "new_y",    "new_z",   "nearest",
+      "best",        "plan_sample",  "gain_sample", "ball",   "paths",    "child",   "leader",
+      "leader_cost", "mean_cost",    "generation",  "mother", "father",   "taken",   "joined",
+      "crossed_at",  "changed_from", "changed_to"};
   return kNames[static_cast<std::size_t>(scalar)];
 }
 

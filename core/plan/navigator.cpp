@@ -66,6 +66,8 @@ class LatticeNavigator final : public Navigator {
 
   [[nodiscard]] PlanStatus status() const override { return planner_->status(); }
   [[nodiscard]] Cost cost() const override { return planner_->cost(); }
+  [[nodiscard]] Cost best_so_far() const override { return planner_->best_so_far(); }
+  bool settle() override { return planner_->settle(); }
   Path path() override {
     return out_along(known_.box(), way_out_, through_stages(known_, planner_->path(), choice_.stages));
   }

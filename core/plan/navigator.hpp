@@ -39,6 +39,9 @@ class Navigator {
   [[nodiscard]] virtual PlanStatus status() const = 0;
   /// Cost of the plan, penalties included; infinite without a path. A way out ahead of it is not counted.
   [[nodiscard]] virtual Cost cost() const = 0;
+  /// As Planner::best_so_far() and settle().
+  [[nodiscard]] virtual Cost best_so_far() const { return cost(); }
+  virtual bool settle() { return false; }
   /// The path after its stages, from the robot on.
   virtual Path path() = 0;
   [[nodiscard]] virtual Counters counters() const = 0;

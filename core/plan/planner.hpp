@@ -29,6 +29,12 @@ constexpr bool has_path(PlanStatus status) {
   return status == PlanStatus::found || status == PlanStatus::found_nearest;
 }
 
+/// Whether the goal may be out of reach: of samples alone that is not certain.
+constexpr bool may_be_unreachable(PlanStatus status) {
+  return status == PlanStatus::no_path || status == PlanStatus::goal_blocked ||
+         status == PlanStatus::none_found;
+}
+
 /// The status as its fixed name in JSON output: "found", "no-path", "start-blocked", ...
 const char* status_name(PlanStatus status);
 /// The status as a sentence for a user. For a robot with a size a cell is blocked that is too near an obstacle, too.
@@ -75,6 +81,10 @@ class Planner {
   [[nodiscard]] virtual PlanStatus status() const = 0;
   /// Cost of the plan: of the lattice path, penalties included; infinite without a path.
   [[nodiscard]] virtual Cost cost() const = 0;
+  /// Of one that betters its path while it searches: the cost of the best one so far. Of others as cost().
+  [[nodiscard]] virtual Cost best_so_far() const { return cost(); }
+  /// Ends a search under way with the best path so far. False, and nothing happens, if there is none by then.
+  virtual bool settle() { return false; }
   /// The path from the start, read out of the search. Counts the sight checks that this takes.
   virtual Path path() = 0;
   [[nodiscard]] virtual Counters counters() const = 0;

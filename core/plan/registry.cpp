@@ -47,11 +47,16 @@ std::span<const PlannerInfo> sound_planners() {
   return all;
 }
 
+std::span<const PlannerInfo> complete_planners() {
+  static const auto all = before_first(sound_planners(), &PlannerInfo::sampling);
+  return all;
+}
+
 std::span<const Field> own_fields() {
   static const std::vector<Field> all = [] {
     std::vector<Field> fields;
     for (const PlannerInfo& info : planners())
-      for (const Field& field : info.values.fields) {
+      for (const Field& field : info.values.all_fields()) {
         const auto same = [&](const Field& other) { return other.name == field.name; };
         if (is_own_field(field.kind) && std::none_of(fields.begin(), fields.end(), same))
           fields.push_back(field);

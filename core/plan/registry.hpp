@@ -66,6 +66,8 @@ std::span<const PlannerInfo> listed_planners();
 std::span<const PlannerInfo> planners();
 /// All but the exercises, which come last of them.
 std::span<const PlannerInfo> sound_planners();
+/// Those of them that find a path wherever there is one; what samples may miss it, and comes behind them.
+std::span<const PlannerInfo> complete_planners();
 /// The values that planners keep of their own, each name once.
 std::span<const Field> own_fields();
 /// The planner of that id, or what is blind; else nullptr.

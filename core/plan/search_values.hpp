@@ -53,6 +53,13 @@ struct SearchValues {
         std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.kind == kind; });
     return found == fields.end() ? nullptr : &*found;
   }
+  /// By its name, be it for nodes or for vertices.
+  [[nodiscard]] const Field* find(std::string_view name) const {
+    for (const auto* all : {&fields, &vertex_fields})
+      for (const Field& field : *all)
+        if (field.name == name) return &field;
+    return nullptr;
+  }
   [[nodiscard]] bool declares(EventKind kind) const { return find(kind) != nullptr; }
   /// Whether a node has a cost and a lookahead of it, which make it consistent or not.
   [[nodiscard]] bool lookahead() const { return declares(EventKind::rhs); }

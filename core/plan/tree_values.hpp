@@ -1,6 +1,8 @@
 // The values of a tree of places (core/planners/grown_tree.hpp), read out of a state of its log.
 #pragma once
 
+#include <vector>
+
 #include "core/space/place.hpp"
 #include "core/trace/search_state.hpp"
 
@@ -29,6 +31,18 @@ inline Place vertex_place(const SearchState& state, std::uint32_t v, bool in_spa
 /// Which end it grew from; the start in trees that do not declare it.
 inline TreeSide vertex_side(const SearchState& state, std::uint32_t v) {
   return static_cast<TreeSide>(state.value(fields::kVertexSide.kind, v));
+}
+
+/// That of the goal; kNoNode without a path.
+inline std::uint32_t goal_vertex(const SearchState& state) {
+  return static_cast<std::uint32_t>(state.scalar(Scalar::goal_vertex)) - 1u;
+}
+/// The points from a vertex to the root; none of kNoNode.
+inline std::vector<Point> way_in_tree(const SearchState& state, std::uint32_t v, bool in_space) {
+  std::vector<Point> points;
+  for (; v != kNoNode; v = vertex_parent(state, v))
+    points.push_back(point_of(vertex_place(state, v, in_space)));
+  return points;
 }
 
 }  // namespace replan

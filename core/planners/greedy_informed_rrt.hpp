@@ -52,9 +52,10 @@ class GreedyInformedRrt final : public Rrt<L, T> {
       pull(sample);
   }
 
-  // Lines 19-28: one sample of the second phase.
+  [[nodiscard]] int sampling_line() const override { return this->best().is_infinite() ? 3 : 20; }
+
+  // Lines 19-27: one sample of the second phase.
   void pull(const Place& sample) {
-    tr_.line(20);
     if (const auto hit = space_.hit(sample, sample))
       return this->reject(SampleFault::blocked, space_.known().node(*hit));
     tr_.line(21);

@@ -92,7 +92,11 @@ class Rrt : public TreeSearch<L, T> {
   void add(const Offshoot& offshoot) {
     const auto& [place, nearest] = offshoot;
     std::vector<std::uint32_t> near;
-    if (switches_.rewire) near = tree_.within(place, ball());
+    if (switches_.rewire) {
+      const std::int64_t reach = ball();
+      this->tell_ball(reach);
+      near = tree_.within(place, reach);
+    }
     const std::uint32_t parent = switches_.rewire ? cheapest_parent(place, nearest, near) : nearest;
     tr_.line(9);
     const std::uint32_t added = tree_.grow(place, parent);

@@ -90,6 +90,12 @@ class TreeSearch : public Planner<L> {
     return best_.is_infinite() ? PlanStatus::none_found : PlanStatus::found;
   }
   [[nodiscard]] Cost cost() const final { return status() == PlanStatus::found ? best_ : Cost::infinity(); }
+  [[nodiscard]] Cost best_so_far() const final { return best_; }
+  /// The log does not tell of it: a search that is taken up behind it goes on.
+  bool settle() final {
+    settled_ = !best_.is_infinite();
+    return settled_;
+  }
   Path path() final {
     if (status() != PlanStatus::found) return {};
     std::vector<Point> way;
@@ -127,6 +133,8 @@ class TreeSearch : public Planner<L> {
   virtual void planted() {}
   /// Where the sample of that number lies, once there is a path.
   [[nodiscard]] virtual Place sample_with_path(std::int64_t number) const = 0;
+  /// The line on which samples are drawn now.
+  [[nodiscard]] virtual int sampling_line() const { return 3; }
   /// Whether samples can make the path that there is any better.
   [[nodiscard]] virtual bool path_could_gain() const = 0;
 
@@ -161,6 +169,12 @@ class TreeSearch : public Planner<L> {
     const Place place = steer(tree_.place(vertex), sample, step_);
     tell_place(Scalar::new_x, told_.place, place);
     return place;
+  }
+  /// Line 7.
+  void tell_ball(std::int64_t reach) {
+    tr_.line(7);
+    tell(Scalar::ball, coordinate_bits(told_.ball), coordinate_bits(reach));
+    told_.ball = reach;
   }
   void reject(SampleFault why, NodeId cell) {
     tr_.note(EventKind::rejected, cell, static_cast<std::uint64_t>(why));
@@ -240,6 +254,7 @@ class TreeSearch : public Planner<L> {
     begin_plan();
   }
   void begin_plan() {
+    settled_ = false;
     if (root_ != kNone) planted();
     set_count(Scalar::plan_sample, plan_sample_, counters_.expansions);
     set_count(Scalar::gain_sample, gain_sample_, counters_.expansions);
@@ -247,7 +262,7 @@ class TreeSearch : public Planner<L> {
 
   // Line 2.
   [[nodiscard]] bool search_needed() const {
-    if (ends_blocked() || start_ == goal_ || tree_.full()) return false;
+    if (ends_blocked() || start_ == goal_ || tree_.full() || settled_) return false;
     const std::int64_t drawn = counters_.expansions - plan_sample_;
     if (best_.is_infinite()) return drawn < samples_;
     return drawn < (plan_sample_ == 0 ? samples_ : again_) && path_could_gain();
@@ -260,9 +275,8 @@ class TreeSearch : public Planner<L> {
     return true;
   }
 
-  // Line 3.
   Place draw() {
-    tr_.line(3);
+    tr_.line(sampling_line());
     const std::int64_t number = ++counters_.expansions;
     const Place sample = sample_of(number);
     const NodeId cell = space_.node(sample);
@@ -393,6 +407,7 @@ class TreeSearch : public Planner<L> {
   struct Told {
     Place sample{}, place{};
     std::uint32_t nearest = kNone;
+    std::int64_t ball = 0;
   };
   [[nodiscard]] static Told told_in(const SearchState& state) {
     Told told;
@@ -403,6 +418,7 @@ class TreeSearch : public Planner<L> {
     read(Scalar::sample_x, told.sample);
     read(Scalar::new_x, told.place);
     told.nearest = static_cast<std::uint32_t>(state.scalar(Scalar::nearest)) - 1u;
+    told.ball = units_of(state.scalar(Scalar::ball));
     return told;
   }
 
@@ -413,6 +429,7 @@ class TreeSearch : public Planner<L> {
   std::uint32_t root_ = kNone, goal_vertex_ = kNone;
   Cost best_ = Cost::infinity();
   std::int64_t plan_sample_ = 0, gain_sample_ = 0;
+  bool settled_ = false;
   Told told_;
   Counters counters_;
 };

@@ -24,8 +24,10 @@ Parameter global_parameter() {
   Parameter global{.key = "global",
                    .label = "Global planner",
                    .type = ParameterType::choice,
-                   .help = "Who plans the path whose turns are the sub-goals, with its usual settings."};
-  for (const PlannerInfo& info : sound_planners()) {
+                   .help =
+                       "Who plans the path whose turns are the sub-goals, with its usual settings: any "
+                       "planner that finds a path wherever there is one."};
+  for (const PlannerInfo& info : complete_planners()) {
     if (info.id == kUsualGlobal) global.initial = static_cast<double>(global.choices.size());
     global.choices.push_back(info.id);
   }
@@ -34,7 +36,7 @@ Parameter global_parameter() {
 
 const PlannerInfo& global_of(const Settings& settings) {
   const double index = settings.get("global", global_parameter().initial);
-  return sound_planners()[static_cast<std::size_t>(index)];
+  return complete_planners()[static_cast<std::size_t>(index)];
 }
 
 PlannerInfo driven(std::string_view name, std::string_view summary, std::string_view source) {

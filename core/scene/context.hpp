@@ -6,6 +6,7 @@
 #include "core/scene/coverage.hpp"
 #include "core/scene/digest.hpp"
 #include "core/scene/field.hpp"
+#include "core/scene/first_path.hpp"
 #include "core/scene/open_cells.hpp"
 #include "core/scene/scene.hpp"
 #include "core/scene/size_zone.hpp"
@@ -18,6 +19,7 @@ struct SceneMemory::Parts {
   FieldRanges ranges;
   OpenCells open;
   SizeZone zone;
+  FirstPath first_path;
 };
 
 /// Words about a cell that are put where they hide least, once all else is drawn.

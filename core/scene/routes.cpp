@@ -52,12 +52,10 @@ std::vector<Point> ahead(const SceneContext& context, const Decision& decision) 
 }
 
 /// The path of a tree of samples while no plan stands yet, in which it becomes shorter.
-std::vector<Point> way_in_tree(const SceneContext& context) {
-  std::vector<Point> points;
-  const bool solid = context.run.lattice().solid();
-  for (auto v = static_cast<std::uint32_t>(context.state.scalar(Scalar::goal_vertex)) - 1u; v != kNoNode;
-       v = vertex_parent(context.state, v))
-    points.push_back(context.seen(point_of(vertex_place(context.state, v, solid))));
+std::vector<Point> best_way_so_far(const SceneContext& context) {
+  std::vector<Point> points =
+      way_in_tree(context.state, goal_vertex(context.state), context.run.lattice().solid());
+  for (Point& point : points) point = context.seen(point);
   return points;
 }
 
@@ -93,7 +91,7 @@ PathLine path_line(const SceneContext& context) {
   const std::size_t plans = digest.plans_before(context.cursor);
   const bool searching = plans > 0 && digest.plans()[plans - 1].end > context.cursor;
   const Decision* decision = context.run.decision_at(context.cursor);
-  if (searching && context.run.info().sampling) return {way_in_tree(context), searching};
+  if (searching && context.run.info().sampling) return {best_way_so_far(context), searching};
   if (searching && context.run.info().evolving) return {way_of_leader(context), searching};
   if (decision != nullptr) return {ahead(context, *decision), searching};
   return {searching ? chain_of_parents(context) : std::vector<Point>(), searching};

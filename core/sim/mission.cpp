@@ -141,8 +141,7 @@ void Mission::plan_stands() {
   now_.figures.peak_bytes = std::max(now_.figures.peak_bytes, navigator_->memory_bytes());
   tr_.note(EventKind::plan_end, robot_, static_cast<std::uint64_t>(status));
   now_.state = MissionState::driving;
-  const bool unreachable = status == PlanStatus::no_path || status == PlanStatus::goal_blocked;
-  if (unreachable && seeks_nearest()) make_for_nearest();
+  if (may_be_unreachable(status) && seeks_nearest()) make_for_nearest();
 }
 
 /// A path that is the same as before, as most are that a change elsewhere gave rise to, is not kept twice.
@@ -182,6 +181,7 @@ std::optional<NodeId> Mission::other_aim() {
 
 void Mission::make_for_nearest() {
   const NodeId nearest = navigator_->nearest_reachable(robot_, goal_);
+  if (nearest == goal_ || nearest == aim_) return;  // there is a way, which samples have missed
   tr_.note(EventKind::aim, nearest);
   learn({}, EventKind::sensed, nearest);
 }

@@ -87,12 +87,13 @@ RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoi
   navigator->begin(centre_of(start), centre_of(goal));
   PlanStatus status = finish(*navigator);
   Counters in_vain;
-  const bool blocked = status == PlanStatus::goal_blocked;
-  if (robot.unreachable_goal == UnreachableGoal::nearest && (blocked || status == PlanStatus::no_path)) {
-    in_vain = navigator->counters();
-    const NodeId nearest = navigator->nearest_reachable(map.box().node(start), map.box().node(goal));
-    navigator->begin(centre_of(start), centre_of(map.box().position(nearest)));
-    if (finish(*navigator) == PlanStatus::found) status = PlanStatus::found_nearest;
+  if (robot.unreachable_goal == UnreachableGoal::nearest && may_be_unreachable(status)) {
+    const NodeId aim = map.box().node(goal), nearest = navigator->nearest_reachable(map.box().node(start), aim);
+    if (nearest != aim) {
+      in_vain = navigator->counters();
+      navigator->begin(centre_of(start), centre_of(map.box().position(nearest)));
+      if (finish(*navigator) == PlanStatus::found) status = PlanStatus::found_nearest;
+    }
   }
   report.plan_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
@@ -148,7 +149,8 @@ std::string explanation(const RunReport& report) {
     return "The goal cannot be reached: the path leads to " +
            cell_text(cell_of(report.path.point(report.path.size() - 1)), report.solid) +
            ", the reachable cell nearest to it.";
-  for (const PlanStatus status : {PlanStatus::no_path, PlanStatus::start_blocked, PlanStatus::goal_blocked})
+  for (const PlanStatus status : {PlanStatus::no_path, PlanStatus::start_blocked, PlanStatus::goal_blocked,
+                                  PlanStatus::none_found})
     if (report.status == status_name(status)) return status_sentence(status, report.radius > 0);
   return {};
 }

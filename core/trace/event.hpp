@@ -139,6 +139,7 @@ enum class Scalar : std::uint8_t {
   best,         ///< the cost of the best path so far, raw; 0: there is none
   plan_sample,  ///< the number of the last sample before the plan
   gain_sample,  ///< the number of the last sample by which the path became shorter
+  ball,         ///< how far around the latest new place parents were looked for, as coordinates are told
   // Of a planner that breeds a population of paths. `plan_sample` and `best` are its too: children before the plan, and the
   // cost of the fittest path that hits nothing.
   paths,         ///< how many paths it holds, the child's among them
@@ -181,6 +182,7 @@ constexpr ScalarType scalar_type(Scalar scalar) {
     case Scalar::new_x:
     case Scalar::new_y:
     case Scalar::new_z:
+    case Scalar::ball:
     case Scalar::leader_cost:
     case Scalar::mean_cost:
       return ScalarType::cost;

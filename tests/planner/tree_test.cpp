@@ -84,7 +84,7 @@ TEST(Trees, GoThroughAGapInAThinWallAndNeverThroughTheWall) {
     settings.set("samples", 4000);
     Recorder recorder;
     const auto planner = make_planner(*info, world, settings, recorder);
-    planner->begin(world.node({3, 7}), world.node({20, 7}));
+    planner->begin(world.node(Cell{3, 7}), world.node(Cell{20, 7}));
     finish(*planner);
     ASSERT_EQ(planner->status(), PlanStatus::found);
     EXPECT_GE(planner->cost().to_double(), 19.364);

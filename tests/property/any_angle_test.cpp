@@ -67,10 +67,13 @@ TEST(AnyAngle, IsThereExactlyIfTheLatticeHasAWayAndIsNeverLongerThanAnyPlanners)
       NoTrace nobody;
       Settings settings;
       settings.set("corners", static_cast<double>(rules.corners));
+      settings.set("samples", kFewSamples);
       const auto planner = make_planner(info, world.lattice, settings, nobody);
       planner->begin(start, goal);
-      ASSERT_EQ(finish(*planner) == PlanStatus::found, !path.empty()) << info.id << ", seed " << seed;
-      if (path.empty()) continue;
+      const PlanStatus status = finish(*planner),
+                       right = path.empty() ? PlanStatus::no_path : PlanStatus::found;
+      ASSERT_TRUE(is_right(info, status, right)) << info.id << ", seed " << seed;
+      if (status != PlanStatus::found) continue;
       ASSERT_GE(path_length(planner->path()), path_length(path) - 1e-9) << info.id << ", seed " << seed;
       ++held;
     }

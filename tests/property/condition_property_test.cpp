@@ -2,11 +2,13 @@
 // the same stops.
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include <gtest/gtest.h>
 
 #include "core/base/words.hpp"
 #include "core/debug/probe.hpp"
+#include "core/plan/tree_values.hpp"
 #include "core/sim/mission.hpp"
 #include "tests/support/worlds.hpp"
 
@@ -34,8 +36,12 @@ struct Writer {
   }
   std::string value_number() {
     if (random.chance(0.7)) return pick({"g", "rhs", "dist", "k1", "k2", "order", "times"}) + cell();
-    return pick({"km", "size(U)", "moves", "replans", "expansions", "admissible", "score(winner)"});
+    if (random.chance(0.3))
+      return pick({"vertex_x", "vertex_cost", "vertex_parent", "vertex_side"}) + vertex();
+    return pick({"km", "size(U)", "moves", "replans", "expansions", "admissible", "score(winner)", "best",
+                 "vertices"});
   }
+  std::string vertex() { return "(" + std::to_string(random.below(6)) + ")"; }
   std::string value_cell() {
     return random.chance(0.6) ? pick({"lp", "rp"}) + cell()
                               : pick({"robot", "start", "goal", "last", "sub_goal"});
@@ -51,7 +57,8 @@ struct Writer {
     return "(" + number(depth - 1) + pick({"+", "-", "*", "/"}) + number(depth - 1) + ")";
   }
   std::string pulse() {
-    const std::uint32_t kind = random.below(6);
+    const std::uint32_t kind = random.below(7);
+    if (kind == 6) return "rewired" + vertex();
     if (kind == 0) return "taken";
     if (kind == 1) return "taken" + cell();
     if (kind < 4) {
@@ -61,8 +68,8 @@ struct Writer {
       return "changed(" + value + ")";
     }
     return "event(" +
-           pick({"plan", "replan", "underconsistent", "sight_failed", "no_path", "blocked", "surprise",
-                 "move", "arrival", "invariant", "oracle"}) +
+           pick({"plan", "replan", "underconsistent", "sight_failed", "first_path", "rewired", "no_path",
+                 "blocked", "surprise", "move", "arrival", "invariant", "oracle"}) +
            ")";
   }
   std::string truth(int depth) {
@@ -259,6 +266,8 @@ class Plain {
         return event_ != nullptr && event_->kind == EventKind::pop && event_->node == node(term);
       case Op::taken_any:
         return event_ != nullptr && event_->kind == EventKind::pop;
+      case Op::rewired:
+        return event_ != nullptr && event_->kind == EventKind::rewired && event_->node == term.number;
       case Op::changed:
         return event_ != nullptr && changed(part(term.left));
       case Op::event:
@@ -316,6 +325,16 @@ class Plain {
         return term.cell == kNowhere ? kNoNode : node(term);
     }
   }
+  double of_tree(const Term& term, const SearchState& state) {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    const auto vertex = static_cast<std::uint32_t>(term.number);
+    const bool none = !log_.info->sampling;
+    if (term.field == "vertex_cost") return none ? kNone : vertex_cost(state, vertex).to_double();
+    if (term.field == "vertex_side") return none ? 0 : static_cast<double>(vertex_side(state, vertex));
+    if (term.field == "vertex_x") return none ? kNone : point_of(vertex_place(state, vertex, false)).x;
+    const std::uint32_t parent = none ? 0 : vertex_parent(state, vertex);
+    return parent == kNoNode ? kNone : parent;
+  }
   double number(const Term& term, const Moment& at) {
     const SearchState& state = *at.state;
     const auto l = [&] { return number(part(term.left), at); };
@@ -323,6 +342,9 @@ class Plain {
     switch (term.op) {
       case Op::number_literal:
         return term.number;
+      case Op::tree_cost:
+      case Op::tree_count:
+        return of_tree(term, state);
       case Op::g:
         return state.g(node(term)).to_double();
       case Op::rhs:

@@ -52,6 +52,7 @@ void ask_all(const Scenario& scenario, const PlannerInfo& info, Tally& tally) {
     tally.disagreements += wrong ? 1 : 0;
     const bool same_ends = (question.claimed.raw < oracle::kNever) == (right < oracle::kNever);
     const bool claim_holds = question.exact      ? question.claimed.raw == right
+                             : question.sampling ? question.claimed.is_infinite() || right < oracle::kNever
                              : question.straight ? same_ends && question.claimed.raw <= right
                                                  : same_ends && question.claimed.raw >= right;
     ASSERT_EQ(claim_holds, !wrong.has_value());

@@ -236,6 +236,9 @@ class MissionWitness {
 
   std::string plan_fault(PlanStatus status, MissionTotals& totals) {
     const NodeId aim = state_.node(Scalar::goal), goal = state_.wanted_goal();
+    last_plan_ = status;
+    if (status == PlanStatus::none_found)
+      return info_.sampling ? "" : "a planner that finds all paths says that it found none";
     if (status == PlanStatus::found)
       return aim == goal ? "" : "a path to another cell counts as one to the goal";
     if (status != PlanStatus::found_nearest) return "";
@@ -286,6 +289,7 @@ class MissionWitness {
     }
     if (mission_->state() != MissionState::no_path) return "it ends neither by arriving nor without a path";
     ++totals.no_path;
+    if (last_plan_ == PlanStatus::none_found) return "";  // which is no claim that there is none
     look_at_known();
     if (world_.blocked[robot_] != 0) return "";
     if (scenario_.robot.unreachable_goal == UnreachableGoal::nearest)
@@ -328,6 +332,7 @@ class MissionWitness {
   bool went_ = false;                             // in the latest slice
   std::vector<Event> log_;
   NodeId robot_ = kNoNode;
+  PlanStatus last_plan_ = PlanStatus::searching;
   bool spared_ = false;  // what wall there is came onto the robot's cell while it stood there
 };
 

@@ -143,6 +143,8 @@ inline Settings random_settings(Random& random, const PlannerInfo& info) {
       settings.set(parameter.key, random.below(static_cast<std::uint32_t>(parameter.choices.size())));
     else if (parameter.type == ParameterType::toggle)
       settings.set(parameter.key, random.below(parameter.key == "impassable" ? 8 : 2) == 1 ? 1 : 0);
+    else if (parameter.type == ParameterType::whole)
+      settings.set(parameter.key, random.between(static_cast<int>(parameter.low), 4));
     else
       settings.set(parameter.key, kRanges[random.below(6)]);
   }

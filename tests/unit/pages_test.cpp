@@ -79,7 +79,7 @@ TEST(Pages, HoldEveryLineThatIsRecorded) {
 /// A pilot's page stands before the code of what plans for it, whichever that is, and no line has two numbers.
 TEST(Pages, OfPilotsHoldEveryLineThatIsRecordedByThemOrTheirPlanner) {
   std::vector<PlannerChoice> asked = {{"dwa", {}}};
-  for (std::size_t i = 0; i < sound_planners().size(); ++i) {
+  for (std::size_t i = 0; i < complete_planners().size(); ++i) {
     asked.push_back({"fusion", {}});
     asked.back().settings.set("global", static_cast<double>(i));
   }

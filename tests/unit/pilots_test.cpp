@@ -80,12 +80,12 @@ TEST(Pilots, HaveTheParametersOfTheirRobotAndEachKeyOnce) {
   }
 }
 
-TEST(Pilots, OfferEverySoundPlannerForGlobalAndImprovedAStarAtFirst) {
+TEST(Pilots, OfferEveryPlannerThatIsCompleteForGlobalAndImprovedAStarAtFirst) {
   const Parameter* global = find_parameter(find_choice("fusion")->parameters, "global");
   ASSERT_NE(global, nullptr);
-  ASSERT_EQ(global->choices.size(), sound_planners().size());
+  ASSERT_EQ(global->choices.size(), complete_planners().size());
   for (std::size_t i = 0; i < global->choices.size(); ++i)
-    EXPECT_EQ(global->choices[i], sound_planners()[i].id);
+    EXPECT_EQ(global->choices[i], complete_planners()[i].id);
   EXPECT_EQ(planner_of({"fusion", {}}).id, "adaptive-astar");
   EXPECT_EQ(planner_of(fusion_with("dld-star-lite")).id, "dld-star-lite");
 }
@@ -141,7 +141,7 @@ TEST(Pilots, RunAsTheirPartsDoEventForEvent) {
   Scenario by_cells = driven;
   by_cells.robot.kind = "cells";
   by_cells.robot.settings = {};
-  for (const PlannerInfo& global : sound_planners()) {
+  for (const PlannerInfo& global : complete_planners()) {
     PlannerChoice asked = fusion_with(global.id);
     const std::vector<Event> parts =
         log_of(driven, {.id = std::string(global.id), .settings = {}, .stages = {{"floyd", {}}}});
@@ -266,7 +266,7 @@ TEST(Pilots, AreNotGivenUpForTimeThatTheyCouldDoNothingWith) {
 
 /// A global planner that has no choice of moves is not held to one.
 TEST(Pilots, AreHeldToTheRulesThatTheirPlannerGoesBy) {
-  for (const PlannerInfo& global : sound_planners()) {
+  for (const PlannerInfo& global : complete_planners()) {
     PlannerChoice fusion = fusion_with(global.id);
     fusion.settings.set("moves", 1);
     const bool has = find_parameter(global.parameters, "moves") != nullptr;

@@ -25,7 +25,9 @@ void each_path(const Check& check) {
     for (const PlannerInfo& info : sound_planners()) {
       if (D == 3 && info.planar) continue;
       NoTrace nobody;
-      const auto planner = make_planner(info, world.lattice, {}, nobody);
+      Settings settings;
+      settings.set("samples", kFewSamples);
+      const auto planner = make_planner(info, world.lattice, settings, nobody);
       planner->begin(start, goal);
       finish(*planner);
       check(world.lattice, planner->path());

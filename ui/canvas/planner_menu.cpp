@@ -8,11 +8,20 @@
 
 namespace replan::ui {
 
+namespace {
+
+/// Entries with equal ones stand together: planners, those that sample, pilots, exercises.
+int group_of(const PlannerInfo& info) {
+  return info.exercise ? 3 : find_pilot(info.id) != nullptr ? 2 : info.sampling ? 1 : 0;
+}
+
+}  // namespace
+
 void planner_items(const Look& look, const Session& session, std::size_t pane,
                    std::vector<Command>& commands) {
-  bool exercises = false;
+  int group = 0;
   for (const PlannerInfo& info : choices()) {
-    if (info.exercise && !std::exchange(exercises, true)) ImGui::Separator();
+    if (std::exchange(group, group_of(info)) != group_of(info)) ImGui::Separator();
     const bool chosen = session.runs()[pane]->choice().id == info.id;
     if (menu_item(look, std::string(info.name).c_str(), {.on = chosen}))
       commands.emplace_back(ChoosePlanner{pane, std::string(info.id)});

@@ -62,6 +62,8 @@ Verdict verdict(const Theme& theme, const Run& run) {
       return {theme.bad, "the goal is blocked", "no-path"};
     case PlanStatus::no_path:
       return {theme.bad, "no path", "no-path"};
+    case PlanStatus::none_found:
+      return {theme.bad, "no path found", "no-path"};
     case PlanStatus::found_nearest:
       return {theme.warning, "plan to the nearest reachable cell", "nearest-goal"};
     default:

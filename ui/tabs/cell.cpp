@@ -260,7 +260,7 @@ void CellTab::draw_cell(Frame& frame, Cell cell) {
   const CellView view(frame.run(), cell);
   heading(frame, cell);
   if (view.run.info().sampling) {
-    draw_vertex(frame, view);
+    draw_vertex(frame, view, past_);
     code_excerpt(frame);
     return;
   }

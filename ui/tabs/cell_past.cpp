@@ -91,10 +91,24 @@ void keep_in_sight(Frame& frame, CellPast& past, std::size_t rows) {
 }  // namespace
 
 void CellPast::draw(Frame& frame, Cell cell) {
-  const Look& look = frame.look;
   const Run& run = frame.run();
   history.follow(run.timeline(), run.log_id(), run.lattice().node(cell),
                  kinds_shown(run.info().values, every_value), kReadPerFrame);
+  draw_rows(frame);
+}
+
+void CellPast::draw_vertex(Frame& frame, std::uint32_t vertex) {
+  const Run& run = frame.run();
+  KindSet kinds;
+  for (const Field& field : run.info().values.vertex_fields)
+    if (every_value || field.type == FieldType::vertex || field.kind == fields::kVertexCost.kind)
+      kinds.add(field.kind);
+  history.follow(run.timeline(), run.log_id(), vertex, kinds, kReadPerFrame);
+  draw_rows(frame);
+}
+
+void CellPast::draw_rows(Frame& frame) {
+  const Look& look = frame.look;
   if (!history.complete()) frame.panels.animated = true;
   title(look, *this);
   if (history.size() == 0) {

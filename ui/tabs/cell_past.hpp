@@ -17,6 +17,11 @@ struct CellPast {
 
   /// In the current window.
   void draw(Frame& frame, Cell cell);
+  /// The same of a vertex of a tree.
+  void draw_vertex(Frame& frame, std::uint32_t vertex);
+
+ private:
+  void draw_rows(Frame& frame);
 };
 
 }  // namespace replan::ui

@@ -1,14 +1,16 @@
 // Part of the Cell tab, for planners that grow a tree of samples: the vertex nearest to the cell, and why it hangs where it
 // does.
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "core/debug/sample_in_hand.hpp"
+#include "ui/icons.hpp"
 #include "ui/parts.hpp"
+#include "ui/shell/conditions.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
 #include "ui/shell/term_hint.hpp"
+#include "ui/tabs/cell_past.hpp"
 #include "ui/tabs/cell_view.hpp"
 
 namespace replan::ui {
@@ -16,6 +18,14 @@ namespace {
 
 /// So many candidates are listed.
 constexpr std::size_t kMostListed = 12;
+
+std::uint32_t vertex_near(const CellView& view) {
+  return nearest_vertex(view.state, place_in(view.cell), view.run.lattice().solid());
+}
+
+void no_vertex(const Look& look) {
+  paragraph(look.fonts.ui, look.theme.dim, "The tree has no vertex yet: step on, or play.");
+}
 
 /// What the state tells of a vertex.
 struct VertexView {
@@ -29,22 +39,6 @@ struct VertexView {
   [[nodiscard]] Cost cost() const { return vertex_cost(cell.state, number); }
   [[nodiscard]] std::uint32_t parent() const { return vertex_parent(cell.state, number); }
 };
-
-/// The vertex nearest to the middle of the cell; kNoNode if the tree has none.
-std::uint32_t nearest_vertex(const CellView& view) {
-  const Place middle = place_in(view.cell);
-  const bool solid = view.run.lattice().solid();
-  std::uint32_t nearest = kNoNode;
-  std::int64_t least = std::numeric_limits<std::int64_t>::max();
-  for (std::uint32_t v = 0; v < vertex_count(view.state); ++v) {
-    if (vertex_cost(view.state, v).is_infinite()) continue;
-    const std::int64_t squared = squared_between(vertex_place(view.state, v, solid), middle);
-    if (squared >= least) continue;
-    least = squared;
-    nearest = v;
-  }
-  return nearest;
-}
 
 std::string place_text(const VertexView& vertex) {
   const Point at = point_of(vertex.place());
@@ -66,17 +60,31 @@ void vertex_values(const Look& look, const VertexView& vertex) {
   key_values(look, pairs, 1);
 }
 
+/// To stop where it is rewired, and to follow its cost.
+void vertex_buttons(Frame& frame, std::uint32_t number) {
+  const Look& look = frame.look;
+  const std::string vertex = "(" + std::to_string(number) + ")", rewired = "rewired" + vertex,
+                    cost = "vertex_cost" + vertex;
+  const bool stops = find_breakpoint(frame.session, rewired).has_value(),
+             watched = is_watched(frame.session, cost);
+  if (button(look, stops ? "Do not break on it" : "Break when rewired", ButtonKind::quiet, icon::bug))
+    frame.commands.push_back(toggle_breakpoint(frame.session, rewired));
+  hint(look, {rewired.c_str(), "", "Playing stops where this vertex is hung on another one."});
+  ImGui::SameLine(0, look.px.s);
+  if (button(look, watched ? "Do not watch it" : "Watch its cost", ButtonKind::quiet, icon::eye))
+    frame.commands.push_back(toggle_watch(frame.session, cost));
+  hint(look, {cost.c_str(), "", "A small chart of its cost over the run, in the tab Debug."});
+}
+
 /// The candidates of its birth, the least sum first.
-void candidate_table(const Look& look, const SampleInHand& birth, const VertexView& vertex) {
-  std::vector<SampleInHand::Candidate> all = birth.candidates;
+void candidate_table(const Look& look, std::vector<SampleInHand::Candidate> all, const VertexView& vertex) {
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
   const std::vector<Column> columns = {
       {"candidate", 10, Align::left}, {"way to it", 10}, {"edge", 7}, {"sum", 8}};
   table_head(look, columns);
   for (std::size_t i = 0; i < std::min(all.size(), kMostListed); ++i) {
     const bool blocked = all[i].cost.is_infinite();
-    const Cost length =
-        birth.place ? length_between(*birth.place, vertex.place_of(all[i].vertex)) : Cost::zero();
+    const Cost length = length_between(vertex.place(), vertex.place_of(all[i].vertex));
     const std::string number = grouped(std::int64_t{all[i].vertex}), edge = cost_text(length),
                       sum = blocked ? "blocked" : cost_text(all[i].cost),
                       way = blocked ? "" : cost_text({all[i].cost.raw - length.raw});
@@ -114,9 +122,14 @@ void rewired_line(Frame& frame, const VertexView& vertex) {
   event_line(frame, "rewired", "Rewired by event", *event);
 }
 
+/// Why a vertex hangs where it does that had no candidates.
+const char* nearest_words(const PlannerInfo& info) {
+  return info.informed ? "It was put between two vertices of the path, or is the goal."
+                       : "It was the vertex nearest to the sample that it came from.";
+}
+
 void why_it_hangs(Frame& frame, const VertexView& vertex) {
   const Look& look = frame.look;
-  section_rule(look);
   if (vertex.parent() == kNoNode) {
     section_title(look, "Why does it hang on nothing?");
     paragraph(look.fonts.ui, look.theme.dim, "It is the root: a tree grows from it.");
@@ -127,10 +140,11 @@ void why_it_hangs(Frame& frame, const VertexView& vertex) {
   if (birth && !birth->candidates.empty()) {
     paragraph(look.fonts.ui, look.theme.dim,
               "When it came, the way over the first of these was the shortest that is free:");
-    candidate_table(look, *birth, vertex);
+    candidate_table(look, birth->candidates, vertex);
   } else {
-    paragraph(look.fonts.ui, look.theme.dim, "It was the vertex nearest to the sample that it came from.");
+    paragraph(look.fonts.ui, look.theme.dim, nearest_words(vertex.cell.run.info()));
   }
+  if (birth) event_line(frame, "birth", "It came by event", birth->event);
   rewired_line(frame, vertex);
 }
 
@@ -138,7 +152,10 @@ void why_it_hangs(Frame& frame, const VertexView& vertex) {
 void sample_words(Frame& frame, const SampleInHand& hand) {
   const Look& look = frame.look;
   section_rule(look);
-  section_title(look, "The sample in hand");
+  section_title(look, hand.pulls ? "The sample in hand, of phase 2" : "The sample in hand");
+  if (hand.pulls)
+    paragraph(look.fonts.ui, look.theme.dim,
+              "There is a path: samples pull it straight now, and the tree stays as it is.");
   if (hand.rejected) {
     const Event event{.delta = static_cast<std::uint64_t>(*hand.rejected),
                       .node = hand.rejected_at,
@@ -158,17 +175,24 @@ void sample_words(Frame& frame, const SampleInHand& hand) {
 
 }  // namespace
 
-void draw_vertex(Frame& frame, const CellView& view) {
+void draw_vertex_why(Frame& frame, const CellView& view) {
+  const std::uint32_t number = vertex_near(view);
+  if (number == kNoNode) return no_vertex(frame.look);
+  why_it_hangs(frame, {view, number});
+}
+
+void draw_vertex(Frame& frame, const CellView& view, CellPast& past) {
   const Look& look = frame.look;
-  const std::uint32_t number = nearest_vertex(view);
-  if (number == kNoNode) {
-    paragraph(look.fonts.ui, look.theme.dim, "The tree has no vertex yet: step on, or play.");
-    return;
-  }
+  const std::uint32_t number = vertex_near(view);
+  if (number == kNoNode) return no_vertex(look);
   section_title(look, "The vertex nearest to it");
   const VertexView vertex{view, number};
   vertex_values(look, vertex);
+  vertex_buttons(frame, number);
+  section_rule(look);
   why_it_hangs(frame, vertex);
+  section_rule(look);
+  past.draw_vertex(frame, number);
   if (const auto hand = sample_in_hand(view.run.log_view())) sample_words(frame, *hand);
 }
 

@@ -25,7 +25,11 @@ struct CellView {
 /// Each neighbour with c + g + dist = sum, the winner marked: why the cell's rhs (A*: its g) is what it is.
 void draw_why(Frame& frame, const CellView& view);
 
-/// Of a tree of samples: the vertex nearest to the cell, what it could have hung on with each sum, and what rewiring saved.
-void draw_vertex(Frame& frame, const CellView& view);
+/// The same of a tree of samples, for the vertex nearest to the cell: what it could have hung on, each with its sum.
+void draw_vertex_why(Frame& frame, const CellView& view);
+
+struct CellPast;
+/// All that there is to say of that vertex: its values, why it hangs where it does, and its past; and of the sample in hand.
+void draw_vertex(Frame& frame, const CellView& view, CellPast& past);
 
 }  // namespace replan::ui

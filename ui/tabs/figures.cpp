@@ -186,6 +186,11 @@ void ActionContext::copy_figures(FiguresFormat format) {
 
 void FiguresTab::draw(Frame& frame) {
   const Look& look = frame.look;
+  if (has_gains(frame.session)) {
+    section_title(look, "Best path over samples");
+    gains_.draw(frame, look.px(96));
+    section_rule(look);
+  }
   const std::vector<RunReport> reports = as_known(frame.session, frame.view);
   std::vector<bool> standing;
   for (const RunReport& report : reports)

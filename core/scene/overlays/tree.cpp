@@ -1,6 +1,8 @@
 // The tree of a planner that samples, and what it has in hand.
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include "core/debug/event_words.hpp"
 #include "core/debug/sample_in_hand.hpp"
@@ -64,6 +66,79 @@ std::vector<Point> informed_rim(const Run& run, const SearchState& state) {
   return rim;
 }
 
+/// Where the words about the informed set stand: beside a place of its rim that is in sight.
+std::optional<Cell> cell_for_words(const SceneContext& context, const std::vector<Point>& rim) {
+  for (const std::size_t eighths : {6u, 2u, 5u, 7u, 1u, 3u, 0u, 4u}) {
+    const Cell cell = cell_of(rim[eighths * (rim.size() - 1) / 8]);
+    if (context.in_sight(cell)) return cell;
+  }
+  return std::nullopt;
+}
+
+void draw_informed(SceneContext& context) {
+  std::vector<Point> rim = informed_rim(context.run, context.state);
+  if (rim.empty()) return;
+  context.scene.show(Sign::informed);
+  for (Point& point : rim) point = context.seen(point);
+  if (const auto cell = cell_for_words(context, rim)) {
+    const Cost best{static_cast<std::int64_t>(context.state.scalar(Scalar::best))};
+    const auto place = [&](Scalar which) {
+      return place_in(context.run.lattice().position(context.state.node(which)));
+    };
+    const Cost least = length_between(place(Scalar::start), place(Scalar::goal));
+    context.notes.push_back(
+        {*cell, {"c_best " + cost_text(best, 1), "c_min " + cost_text(least, 1)}, context.palette.warning});
+  }
+  context.add(Polyline{std::move(rim), context.palette.warning, context.pixels(1.4), 0, context.pixels(4)});
+}
+
+void draw_first_path(SceneContext& context) {
+  FirstPath& first = context.memory.first_path;
+  first.follow(context.run, context.memory.digest);
+  if (first.points().empty()) return;
+  context.scene.show(Sign::first_path);
+  std::vector<Point> points = first.points();
+  for (Point& point : points) point = context.seen(point);
+  add_through_layers(context, {std::move(points), faded(context.palette.path, 0.7), context.pixels(1.4), 0,
+                               context.pixels(5)});
+}
+
+/// The vertex nearest to the cell that is pinned, or pointed at, and the way to it.
+void draw_asked_vertex(SceneContext& context) {
+  const auto& asked = context.view.pinned ? context.view.pinned : context.view.hovered;
+  if (!asked) return;
+  const bool solid = context.run.lattice().solid();
+  const std::uint32_t vertex = nearest_vertex(context.state, place_in(*asked), solid);
+  if (vertex == kNoNode) return;
+  std::vector<Point> way = way_in_tree(context.state, vertex, solid);
+  for (Point& point : way) point = context.seen(point);
+  const Point at = way.front();
+  context.scene.show(Sign::way_to_vertex);
+  add_through_layers(context, {std::move(way), context.palette.accent, context.pixels(1.8), 0});
+  context.add(Ring{at, context.world(6), context.palette.outline, context.pixels(3.5)});
+  context.add(Ring{at, context.world(6), context.palette.accent, context.pixels(1.8)});
+  if (at.z >= context.slice && at.z < context.slice + 1)
+    context.notes.push_back(
+        {cell_of(at),
+         {"vertex " + std::to_string(vertex), "cost " + cost_text(vertex_cost(context.state, vertex), 1)},
+         context.palette.text});
+}
+
+/// Why a sample comes to nothing, in a word or two.
+const char* fault_word(SampleFault why) {
+  switch (why) {
+    case SampleFault::blocked:
+      return "blocked";
+    case SampleFault::taken:
+      return "a vertex already";
+    case SampleFault::longer:
+      return "no shorter";
+    case SampleFault::path_end:
+      break;
+  }
+  return "an end of the path";
+}
+
 /// The sample in hand on a slice.
 class SampleMarks {
  public:
@@ -72,6 +147,7 @@ class SampleMarks {
 
   void add() {
     if (!hand_.sample) return;
+    add_ball();
     add_candidates();
     const Point sample = seen(*hand_.sample);
     const Palette& palette = context_.palette;
@@ -89,6 +165,8 @@ class SampleMarks {
                         {sample.x + arm, sample.y + side, sample.z},
                         colour,
                         context_.pixels(2)});
+    if (hand_.rejected && sample.z >= context_.slice && sample.z < context_.slice + 1)
+      context_.notes.push_back({cell_of(sample), {fault_word(*hand_.rejected)}, colour});
     if (hand_.added)
       context_.add(Disc{vertex(*hand_.added), context_.pixels(4), palette.accent, palette.outline, 1});
     add_rewired();
@@ -98,6 +176,15 @@ class SampleMarks {
   [[nodiscard]] Point seen(const Place& place) const { return context_.seen(point_of(place)); }
   [[nodiscard]] Point vertex(std::uint32_t v) const { return seen(vertex_place(context_.state, v, solid_)); }
 
+  void add_ball() {
+    if (!hand_.ball || !hand_.place) return;
+    const Point centre = seen(*hand_.place);
+    const double radius = context_.cut_radius(centre, *hand_.ball);
+    if (radius <= 0) return;
+    context_.scene.show(Sign::ball);
+    context_.add(
+        Ring{centre, radius, faded(context_.palette.accent, 0.8), context_.pixels(1.2), context_.pixels(3)});
+  }
   /// The vertices that the new place could hang on; near enough each with its sum.
   void add_candidates() {
     if (hand_.candidates.empty() || !hand_.place) return;
@@ -134,20 +221,22 @@ class SampleMarks {
 
 void draw_tree(SceneContext& context) {
   if (!context.run.info().sampling) return;
+  const auto hand = sample_in_hand(context.run.log_view());
+  // What is pulled straight is the path: the tree stands back.
+  const double strength = hand && hand->pulls ? 0.35 : 1;
   const float width = context.pixels(1);
   const Box& box = context.run.lattice();
   each_edge(context.state, box.solid(), [&](const TreeEdge& edge) {
     context.scene.show(edge.from_goal ? Sign::goal_tree : Sign::tree);
     const Point from = context.seen(edge.from), to = context.seen(edge.to);
     const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2, (from.z + to.z) / 2};
-    context.add(Line{from, to, context.seen_at(middle, colour_of(context.palette, edge)), width});
+    const Colour colour = faded(colour_of(context.palette, edge), strength);
+    context.add(Line{from, to, context.seen_at(middle, colour), width});
   });
-  if (std::vector<Point> rim = informed_rim(context.run, context.state); !rim.empty()) {
-    context.scene.show(Sign::informed);
-    for (Point& point : rim) point = context.seen(point);
-    context.add(Polyline{std::move(rim), context.palette.warning, context.pixels(1.4), 0, context.pixels(4)});
-  }
-  if (const auto hand = sample_in_hand(context.run.log_view())) SampleMarks(context, *hand).add();
+  draw_informed(context);
+  draw_first_path(context);
+  draw_asked_vertex(context);
+  if (hand) SampleMarks(context, *hand).add();
 }
 
 void tree_in_space(SolidPen& pen) {

@@ -1,0 +1,98 @@
+#include "core/study/anytime.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/plan/common_parameters.hpp"
+#include "core/plan/figures.hpp"
+#include "core/plan/navigator.hpp"
+#include "core/plan/registry.hpp"
+#include "core/planners/rrt_parameters.hpp"
+
+namespace replan {
+namespace {
+
+constexpr double kNoLength = std::numeric_limits<double>::infinity();
+
+double milliseconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+double where(const Gain& gain, AnytimeAxis axis) {
+  return axis == AnytimeAxis::time ? gain.ms : static_cast<double>(gain.samples);
+}
+
+/// The length of the best path at a place of the axis.
+double length_at(const AnytimeRun& run, AnytimeAxis axis, double at) {
+  const auto next = std::partition_point(run.gains.begin(), run.gains.end(),
+                                         [&](const Gain& gain) { return where(gain, axis) <= at; });
+  return next == run.gains.begin() ? kNoLength : std::prev(next)->length;
+}
+
+}  // namespace
+
+AnytimeRun plan_anytime(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice, double radius,
+                        double most_ms, const std::stop_token& stop) {
+  const auto navigator = make_navigator(choice, map.box(), map.blocked, radius);
+  AnytimeRun run;
+  run.planner = choice.id;
+  run.seed = static_cast<std::int64_t>(choice.settings.get(parameters::kSeed));
+  const auto begin = std::chrono::steady_clock::now();
+  navigator->begin(centre_of(start), centre_of(goal));
+  Cost best = Cost::infinity();
+  for (bool stands = false; !stands;) {
+    stands = navigator->advance(1);
+    run.ms = milliseconds_since(begin);
+    if (const Cost now = navigator->best_so_far(); now != best) {
+      best = now;
+      run.gains.push_back({navigator->counters().expansions, run.ms, now.to_double()});
+    }
+    if (stands || (run.ms < most_ms && !stop.stop_requested())) continue;
+    run.end = stop.stop_requested() ? AnytimeEnd::stopped : AnytimeEnd::time;
+    static_cast<void>(navigator->settle());
+    break;
+  }
+  run.samples = navigator->counters().expansions;
+  run.status = run.end != AnytimeEnd::planner && !run.found() ? PlanStatus::none_found : navigator->status();
+  return run;
+}
+
+std::optional<double> shortest_of_all(const Box& box, const SharedBytes& known, Cell start, Cell goal,
+                                      const PlannerChoice& choice, double radius,
+                                      const std::stop_token& stop) {
+  PlannerChoice exact{"visibility-graph", {}};
+  if (!fits(*find_planner(exact.id), box, radius)) return std::nullopt;
+  exact.settings.set(parameters::kCorners.key, choice.settings.get(parameters::kCorners));
+  const auto navigator = make_navigator(exact, box, known, radius);
+  navigator->begin(centre_of(start), centre_of(goal));
+  while (!navigator->advance(16))
+    if (stop.stop_requested()) return std::nullopt;
+  if (navigator->status() != PlanStatus::found) return std::nullopt;
+  return path_length(navigator->path());
+}
+
+double lower_median(std::vector<double> values) {
+  if (values.empty()) return kNoLength;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::vector<CurvePoint> median_curve(std::span<const AnytimeRun> runs, AnytimeAxis axis) {
+  std::vector<double> places;
+  for (const AnytimeRun& run : runs)
+    for (const Gain& gain : run.gains) places.push_back(where(gain, axis));
+  std::sort(places.begin(), places.end());
+  std::vector<CurvePoint> curve;
+  for (const double at : places) {
+    std::vector<double> lengths;
+    for (const AnytimeRun& run : runs) lengths.push_back(length_at(run, axis, at));
+    const double median = lower_median(std::move(lengths));
+    if (std::isfinite(median) && (curve.empty() || median < curve.back().length))
+      curve.push_back({at, median});
+  }
+  return curve;
+}
+
+}  // namespace replan

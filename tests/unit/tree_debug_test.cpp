@@ -1,0 +1,202 @@
+// What the debugger tells of a tree of samples: why a vertex hangs where it does, what rewiring saved, conditions about
+// vertices, and what is drawn of it.
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "core/debug/path_gains.hpp"
+#include "core/debug/probe.hpp"
+#include "core/debug/sample_in_hand.hpp"
+#include "core/scene/scene.hpp"
+#include "core/session/run.hpp"
+
+namespace replan::tree_debug_test {
+namespace {
+
+/// Two walls, each with a gap.
+std::unique_ptr<replan::Run> finished(std::string planner) {
+  auto scenario = std::make_shared<Scenario>();
+  scenario->map = GridMap(40, 30);
+  for (int y = 0; y < 30; ++y) {
+    scenario->map.set({14, y}, y < 20 || y > 24);
+    scenario->map.set({26, y}, y < 5 || y > 9);
+  }
+  scenario->start = {4, 15};
+  scenario->goal = {35, 15};
+  scenario->planners = {{std::move(planner), {}}};
+  scenario->planners[0].settings.set("samples", 900);
+  auto run = std::make_unique<replan::Run>(scenario, 0);
+  run->finish(Target::end());
+  return run;
+}
+
+/// The position after the n-th event of a kind.
+std::size_t after(const replan::Run& run, EventKind kind, std::size_t n = 0) {
+  for (std::size_t p = 0; p < run.timeline().size(); ++p)
+    if (run.timeline().event(p).kind == kind && n-- == 0) return p + 1;
+  return 0;
+}
+
+Scene scene_at(replan::Run& run, std::size_t position, std::optional<Cell> pinned = {}) {
+  run.timeline().seek(position);
+  View view;
+  view.overlays = {};
+  view.overlays.set(Overlay::tree, true);
+  view.pinned = pinned;
+  static const Palette palette;
+  return build_scene(run, view, {800, 600}, palette);
+}
+
+Cost least_sum(const std::vector<SampleInHand::Candidate>& candidates) {
+  Cost least = Cost::infinity();
+  for (const auto& candidate : candidates) least = std::min(least, candidate.cost);
+  return least;
+}
+
+/// Until it is rewired a vertex hangs on the candidate with the least sum, and that is what the way to it costs.
+TEST(TreeDebug, AVertexHangsOnTheCandidateWithTheLeastSum) {
+  const auto run = finished("rrt-star");
+  Timeline& log = run->timeline();
+  int told = 0;
+  for (std::size_t n = 3; n < 400; n += 7) {
+    const std::size_t pop = after(*run, EventKind::pop, n), next = after(*run, EventKind::pop, n + 1);
+    log.seek(next - 1);
+    const std::uint32_t grown = vertex_count(log.state()) - vertex_count(log.state_at(pop));
+    if (grown != 1) continue;
+    const std::uint32_t vertex = vertex_count(log.state()) - 1;
+    const auto birth = birth_of(run->log_view(), vertex);
+    ASSERT_TRUE(birth.has_value());
+    ASSERT_FALSE(birth->candidates.empty());
+    const auto winner =
+        std::find_if(birth->candidates.begin(), birth->candidates.end(),
+                     [&](const auto& candidate) { return candidate.cost == least_sum(birth->candidates); });
+    EXPECT_EQ(winner->vertex, vertex_parent(log.state(), vertex));
+    EXPECT_EQ(winner->cost, vertex_cost(log.state(), vertex));
+    for (const auto& candidate : birth->candidates)
+      if (!candidate.cost.is_infinite()) {
+        EXPECT_EQ(candidate.cost.raw, (vertex_cost(log.state(), candidate.vertex) +
+                                       length_between(vertex_place(log.state(), candidate.vertex, false),
+                                                      vertex_place(log.state(), vertex, false)))
+                                          .raw);
+      }
+    const auto hand = sample_in_hand(run->log_view());
+    ASSERT_TRUE(hand.has_value());
+    EXPECT_EQ(hand->added, vertex);
+    EXPECT_EQ(hand->ball, 4);  // a step, the paper's way
+    ++told;
+  }
+  EXPECT_GT(told, 15);
+}
+
+/// The goal's vertex comes by the same sample as another one, and has no candidates of its own.
+TEST(TreeDebug, TheGoalIsNotToldTheCandidatesOfTheVertexThatItHangsOn) {
+  const auto run = finished("rrt-star");
+  Timeline& log = run->timeline();
+  const auto gains = path_gains(run->log_view(), 0, log.size());
+  ASSERT_FALSE(gains.empty());
+  log.seek(gains.front().event + 1);
+  const std::uint32_t goal = goal_vertex(log.state());
+  const auto birth = birth_of(run->log_view(), goal);
+  ASSERT_TRUE(birth.has_value());
+  EXPECT_TRUE(birth->candidates.empty());
+  const auto hand = sample_in_hand(run->log_view());
+  ASSERT_TRUE(hand.has_value());
+  EXPECT_EQ(hand->added, vertex_parent(log.state(), goal));
+}
+
+TEST(TreeDebug, ARewiringSavesWhatItSays) {
+  for (const char* planner : {"rrt-star", "informed-rrt-star"}) {
+    const auto run = finished(planner);
+    Timeline& log = run->timeline();
+    int told = 0;
+    for (std::size_t p = 0; p < log.size(); ++p) {
+      const Event event = log.event(p);
+      if (event.kind != EventKind::rewired || ++told > 40) continue;
+      const auto written = log.next_event(event.node, {fields::kVertexCost.kind}, p);
+      ASSERT_TRUE(written.has_value());
+      const Cost before = vertex_cost(log.state_at(p), event.node),
+                 now = vertex_cost(log.state_at(*written + 1), event.node);
+      EXPECT_EQ(before.raw - now.raw, static_cast<std::int64_t>(event.delta)) << planner;
+    }
+    EXPECT_GT(told, 20) << planner;
+  }
+}
+
+TEST(TreeDebug, ConditionsAskAboutVertices) {
+  const auto run = finished("rrt-star");
+  const Timeline& log = run->timeline();
+  const std::size_t rewired = after(*run, EventKind::rewired, 5);
+  ASSERT_GT(rewired, 0u);
+  const std::string vertex = std::to_string(log.event(rewired - 1).node);
+  const auto stop_of = [&](const std::string& text, std::size_t from) {
+    const auto condition = parse_condition(text, run->lattice());
+    EXPECT_TRUE(condition.ok()) << condition.error();
+    return Probe(run->log_view(), *condition, from).forwards(log.size());
+  };
+  std::size_t first = 0;
+  while (log.event(first).kind != EventKind::rewired || log.event(first).node != log.event(rewired - 1).node)
+    ++first;
+  EXPECT_EQ(stop_of("rewired(" + vertex + ")", 0), first + 1);
+  const auto changed = stop_of("changed(vertex_cost(" + vertex + "))", rewired);
+  ASSERT_TRUE(changed.has_value());
+  EXPECT_EQ(log.event(*changed - 1).kind, fields::kVertexCost.kind);
+  const auto cheap = stop_of("best < 50", 0);
+  ASSERT_TRUE(cheap.has_value());
+  EXPECT_LT((Cost{static_cast<std::int64_t>(log.state_at(*cheap).scalar(Scalar::best))}).to_double(), 50);
+  const auto quantity = parse_quantity("vertex_parent(0)", run->lattice());
+  ASSERT_TRUE(quantity.ok());
+  EXPECT_TRUE(std::isinf(Probe(run->log_view(), *quantity, log.size() / 2).value().number)) << "the root";
+}
+
+TEST(TreeDebug, ConditionsAboutVerticesAreSpeltAndRefused) {
+  const Box world(20, 10);
+  for (const char* text : {"rewired(17)", "vertex_cost(3) < 20.5", "changed(vertex_parent(3))",
+                           "vertex_x(3) > 4 && event(first_path)", "vertex_side(2) == 1"}) {
+    const auto read = parse_condition(text, world);
+    ASSERT_TRUE(read.ok()) << read.error();
+    EXPECT_EQ(expression_text(*read), text);
+  }
+  const auto error = [&](const char* text) { return parse_condition(text, world).error(); };
+  EXPECT_EQ(error("rewired"), "character 1: 'rewired' needs what it is about: rewired(v)");
+  EXPECT_EQ(error("rewired(-1)"), "character 1: 'rewired' needs the number of a vertex: rewired(17)");
+  EXPECT_EQ(error("vertex_cost(1, 2) > 3"),
+            "character 1: 'vertex_cost' needs the number of a vertex: vertex_cost(17)");
+}
+
+TEST(TreeDebug, TheTreeIsDrawnWithWhatIsInHand) {
+  const auto run = finished("informed-rrt-star");
+  const std::size_t rejected = after(*run, EventKind::rejected, 3),
+                    candidate = after(*run, EventKind::candidate, 40),
+                    rewired = after(*run, EventKind::rewired, 3);
+  EXPECT_TRUE(scene_at(*run, rejected).shows(Sign::rejected));
+  const Scene tried = scene_at(*run, candidate);
+  for (const Sign sign : {Sign::tree, Sign::sample, Sign::tried, Sign::ball}) EXPECT_TRUE(tried.shows(sign));
+  EXPECT_FALSE(tried.shows(Sign::way_to_vertex));
+  EXPECT_TRUE(scene_at(*run, candidate, Cell{6, 15}).shows(Sign::way_to_vertex));
+  EXPECT_TRUE(scene_at(*run, rewired).shows(Sign::rewired));
+  const auto gains = path_gains(run->log_view(), 0, run->timeline().size());
+  ASSERT_GT(gains.size(), 1u);
+  const Scene first = scene_at(*run, gains[0].event + 1), second = scene_at(*run, gains[1].event + 1);
+  EXPECT_TRUE(first.shows(Sign::informed));
+  EXPECT_FALSE(first.shows(Sign::first_path)) << "it is the best one still";
+  EXPECT_TRUE(second.shows(Sign::first_path));
+  EXPECT_FALSE(scene_at(*run, gains[0].event).shows(Sign::first_path));
+}
+
+TEST(TreeDebug, TheSecondPhaseIsToldApart) {
+  const auto run = finished("greedy-informed-rrt-star");
+  Timeline& log = run->timeline();
+  const auto gains = path_gains(run->log_view(), 0, log.size());
+  ASSERT_GT(gains.size(), 1u);
+  log.seek(gains[1].event + 1);
+  const auto hand = sample_in_hand(run->log_view());
+  ASSERT_TRUE(hand.has_value());
+  EXPECT_TRUE(hand->pulls);
+  log.seek(gains[0].event);
+  EXPECT_FALSE(sample_in_hand(run->log_view())->pulls);
+}
+
+}  // namespace
+}  // namespace replan::tree_debug_test

@@ -1,0 +1,48 @@
+// How the best path of planners that draw samples becomes shorter, over the samples of a plan, as a small chart.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/background.hpp"
+#include "core/debug/path_gains.hpp"
+#include "ui/shell/frame.hpp"
+
+namespace replan::ui {
+
+/// Whether there is anything to show: a pane whose planner draws samples.
+bool has_gains(const Session& session);
+
+/// The plan that each pane's cursor stands in.
+class GainChart {
+ public:
+  /// Draws every pane's curve, the leading one's strong, its first path and the shortest of all marked, over the width that
+  /// is left. A click goes to the gain.
+  void draw(Frame& frame, float height);
+
+ private:
+  /// One pane's plan.
+  struct Curve {
+    std::uint64_t log_id = 0;
+    std::size_t begin = 0, end = 0;  // events that were read
+    std::vector<PathGain> gains;
+    std::int64_t samples = 0;
+  };
+  /// What the leading pane's plan could come to at best, kept until it is another plan.
+  struct Optimum {
+    std::uint64_t log_id = 0;
+    std::size_t begin = 0;
+    std::optional<double> length;
+    Background<std::optional<double>> job;
+
+    explicit Optimum(bool large) : job(WorkPlace{.in_step = !large, .wake = {}}) {}
+  };
+  const Curve& curve_of(const Run& run, std::size_t pane);
+  std::optional<double> optimum_of(Frame& frame, const Curve& curve);
+
+  std::vector<Curve> curves_;
+  std::unique_ptr<Optimum> optimum_;
+};
+
+}  // namespace replan::ui
