@@ -123,6 +123,13 @@ class ImprovedGa final : public Planner<L> {
     if (status() != PlanStatus::found) return Cost::infinity();
     return start() == goal() ? Cost::zero() : population_.unfitness(leader()).cost;
   }
+  [[nodiscard]] Cost best_so_far() const override {
+    return has_free_path() ? population_.unfitness(leader()).cost : Cost::infinity();
+  }
+  bool settle() override {
+    settled_ = has_free_path();
+    return settled_;
+  }
   Path path() override {
     if (status() != PlanStatus::found) return {};
     std::vector<NodeId> nodes(1, start());
@@ -155,7 +162,7 @@ class ImprovedGa final : public Planner<L> {
 
   // Line 2.
   [[nodiscard]] bool search_needed() const {
-    if (!can_breed()) return false;
+    if (!can_breed() || settled_) return false;
     const bool replanned = numbers_.get(Scalar::plan_sample) != 0 && has_free_path();
     return children() < members_ * (replanned ? again_ : generations_);
   }
@@ -393,7 +400,10 @@ class ImprovedGa final : public Planner<L> {
     numbers_.set(Scalar::mean_cost, static_cast<std::uint64_t>(population_.mean_cost().raw));
     numbers_.set(Scalar::generation, numbers_.get(Scalar::generation) + 1);
   }
-  void begin_plan() { numbers_.set(Scalar::plan_sample, static_cast<std::uint64_t>(counters_.expansions)); }
+  void begin_plan() {
+    settled_ = false;
+    numbers_.set(Scalar::plan_sample, static_cast<std::uint64_t>(counters_.expansions));
+  }
 
   // Lines 14 and 15.
   void repair() {
@@ -483,6 +493,7 @@ class ImprovedGa final : public Planner<L> {
   const Cost penalty_;
   const std::uint64_t seed_;
   Counters counters_;
+  bool settled_ = false;
 };
 
 }  // namespace replan
