@@ -34,9 +34,9 @@ Result<double> most_milliseconds(const AnytimeArguments& arguments) {
 Result<void> check_planners(std::span<const PlannerChoice> planners) {
   for (const PlannerChoice& choice : planners) {
     const PlannerInfo* info = find_planner(choice.id);
-    if (info == nullptr || !info->sampling)
+    if (info == nullptr || !info->can_miss())
       return Error{"'" + choice.id +
-                   "' has no path before its end: give planners that draw samples, with --planner"};
+                   "' has no path before its end: give planners that draw samples or breed paths, with --planner"};
   }
   return {};
 }

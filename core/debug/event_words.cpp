@@ -12,6 +12,23 @@ namespace {
 
 constexpr const char* kInfinity = "∞";
 
+/// Which value of what.
+std::string subject_text(const Box& lattice, const Field& field, NodeId of) {
+  const std::string label(field.label), number = std::to_string(of);
+  switch (field.table) {
+    case FieldTable::vertices:
+      return label + " of vertex " + number;
+    case FieldTable::paths:
+      return label + " of path " + number;
+    case FieldTable::places:
+      return label + " " + std::to_string(of % kPlacesOfPath) + " of path " +
+             std::to_string(of / kPlacesOfPath);
+    case FieldTable::nodes:
+      break;
+  }
+  return value_name(field) + node_text(lattice, of);
+}
+
 std::string change_text(const Box& lattice, const SearchValues& values, const Event& event,
                         std::uint64_t after) {
   if (event.kind == EventKind::scalar) {
@@ -19,17 +36,22 @@ std::string change_text(const Box& lattice, const SearchValues& values, const Ev
     return std::string(value_name(which)) + " = " + scalar_text(lattice, which, after);
   }
   const Field& field = values.field(event.kind);
-  const bool of_vertex = field.table == FieldTable::vertices;
-  return (of_vertex ? std::string(field.label) + " of vertex " + std::to_string(event.node)
-                    : value_name(field) + node_text(lattice, event.node)) +
-         ": " + value_text(lattice, field, after ^ event.delta) + " → " + value_text(lattice, field, after);
+  return subject_text(lattice, field, event.node) + ": " + value_text(lattice, field, after ^ event.delta) +
+         " → " + value_text(lattice, field, after);
 }
 
-std::string candidate_text(const Event& event) {
+std::string candidate_text(const SearchValues& values, const Event& event) {
   const Cost sum{static_cast<std::int64_t>(event.delta)};
   const std::string vertex = std::to_string(event.node);
+  if (values.breeds()) return "path " + vertex + " could be a parent: it costs " + cost_text(sum);
   if (sum.is_infinite()) return "vertex " + vertex + " does not see the new place";
   return "over vertex " + vertex + " the new place costs " + cost_text(sum);
+}
+
+std::string tried_text(const std::string& at, std::uint64_t bits) {
+  const std::string cost = cost_text({static_cast<std::int64_t>(bits >> 1)});
+  return (bits & 1) != 0 ? "over " + at + " the child would cost " + cost + ", and hit something"
+                         : "over " + at + " the child would cost " + cost;
 }
 
 std::string fault_text(SampleFault why, const std::string& at) {
@@ -40,18 +62,22 @@ std::string fault_text(SampleFault why, const std::string& at) {
       return "the sample is given up: there is a vertex already";
     case SampleFault::longer:
       return "the sample is given up: the path would be no shorter over it";
+    case SampleFault::twin:
+      return "the child is given up: the population has that path already";
+    case SampleFault::unfit:
+      return "the child is given up: no path of the population is less fit";
     case SampleFault::path_end:
       break;
   }
   return "the sample is given up: it is nearest to an end of the path, which stays where it is";
 }
 
-std::string happening_text(const Box& lattice, const Event& event) {
+std::string happening_text(const Box& lattice, const SearchValues& values, const Event& event) {
   const std::string at = node_text(lattice, event.node);
   const std::string target = node_text(lattice, static_cast<NodeId>(event.delta & 0xFFFFFFFFu));
   switch (event.kind) {
     case EventKind::pop:
-      return "took " + at + " from the open list";
+      return values.breeds() ? "another child is bred" : "took " + at + " from the open list";
     case EventKind::sight:
       return (event.delta >> 32 != 0 ? at + " sees " : at + " does not see ") + target;
     case EventKind::plan_begin:
@@ -88,12 +114,14 @@ std::string happening_text(const Box& lattice, const Event& event) {
     case EventKind::epoch:
       return "the planner forgets its search and begins another one";
     case EventKind::candidate:
-      return candidate_text(event);
+      return candidate_text(values, event);
     case EventKind::rewired:
       return "vertex " + std::to_string(event.node) + " hangs on the new vertex now, which saves " +
              cost_text({static_cast<std::int64_t>(event.delta)});
     case EventKind::rejected:
       return fault_text(static_cast<SampleFault>(event.delta), at);
+    case EventKind::tried:
+      return tried_text(at, event.delta);
     default:
       return "";
   }
@@ -142,7 +170,20 @@ const char* value_name(Scalar scalar) {
       "the best path",
       "samples before the plan",
       "the last sample that made the path shorter",
-      "the ball"};
+      "the ball",
+      "paths of the population and the child",
+      "the child",
+      "the fittest path",
+      "the cost of the fittest path",
+      "the mean cost of the population",
+      "generations",
+      "the mother",
+      "the father",
+      "cells of the mother in the child",
+      "the father's place from which on the child has his cells",
+      "the cell at which the parents are crossed",
+      "the cell that is replaced",
+      "the cell that replaces it"};
   return scalar < Scalar::count ? kNames[static_cast<std::size_t>(scalar)] : "";
 }
 
@@ -194,6 +235,7 @@ std::string scalar_text(const Box& lattice, Scalar scalar, std::uint64_t raw) {
       return std::to_string(raw);
     case ScalarType::some_count:
     case ScalarType::vertex:
+    case ScalarType::path:
       return raw == 0 ? "none" : std::to_string(raw - 1);
     case ScalarType::real:
       return decimal_text(std::bit_cast<double>(raw), 3);
@@ -207,7 +249,8 @@ std::string scalar_text(const Box& lattice, Scalar scalar, std::uint64_t raw) {
 
 std::string event_text(const Box& lattice, const SearchValues& values, const Event& event,
                        std::uint64_t after) {
-  return event.changes_value() ? change_text(lattice, values, event, after) : happening_text(lattice, event);
+  return event.changes_value() ? change_text(lattice, values, event, after)
+                               : happening_text(lattice, values, event);
 }
 
 std::string event_text(const LogView& view, std::size_t position) {

@@ -65,7 +65,7 @@ PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t positi
   question.exact = claims_cheapest(view.info, view.settings);
   question.straight = view.info.any_angle && !view.info.values.least_cost;
   question.blind = view.info.blind;
-  question.sampling = view.info.sampling;
+  question.sampling = view.info.can_miss();
   return question;
 }
 

@@ -133,12 +133,9 @@ void JsonLines::event(std::string& out, std::size_t index, const Event& event, c
     out += "\",\"name\":\"";
     out += scalar_name(static_cast<Scalar>(event.node));
     out += '"';
-  } else if (of_vertex(event.kind)) {
-    out += "\",\"vertex\":";
-    append_whole(out, event.node);
   } else {
-    out += "\",\"cell\":";
-    cell(out, event.node);
+    out += "\",";
+    subject(out, event);
   }
   if (event.changes_value()) {
     const std::uint64_t before = state.value(event.kind, event.node);
@@ -198,9 +195,30 @@ void JsonLines::value(std::string& out, const Event& event, std::uint64_t raw) c
   append_whole(out, raw);
 }
 
-bool JsonLines::of_vertex(EventKind kind) const {
-  return is_of_vertex(kind) ||
-         (is_own_field(kind) && run_.view.info.values.field(kind).table == FieldTable::vertices);
+FieldTable JsonLines::table_of(EventKind kind) const {
+  const SearchValues& values = run_.view.info.values;
+  if (kind == EventKind::candidate && values.breeds()) return FieldTable::paths;
+  if (is_of_vertex(kind)) return FieldTable::vertices;
+  return is_own_field(kind) ? values.field(kind).table : FieldTable::nodes;
+}
+/// What the event is about.
+void JsonLines::subject(std::string& out, const Event& event) const {
+  switch (table_of(event.kind)) {
+    case FieldTable::vertices:
+      out += "\"vertex\":";
+      return append_whole(out, event.node);
+    case FieldTable::paths:
+      out += "\"path\":";
+      return append_whole(out, event.node);
+    case FieldTable::places:
+      out += "\"path\":";
+      append_whole(out, event.node / kPlacesOfPath);
+      out += ",\"place\":";
+      return append_whole(out, event.node % kPlacesOfPath);
+    case FieldTable::nodes:
+      out += "\"cell\":";
+      return cell(out, event.node);
+  }
 }
 /// A number, held + 1; null for 0.
 void JsonLines::numbered(std::string& out, std::uint64_t held) {
@@ -226,6 +244,7 @@ void JsonLines::scalar(std::string& out, Scalar which, std::uint64_t raw) const 
       return;
     case ScalarType::some_count:
     case ScalarType::vertex:
+    case ScalarType::path:
       return numbered(out, raw);
     case ScalarType::real:
       return append_real(out, std::bit_cast<double>(raw));
@@ -285,6 +304,11 @@ void JsonLines::payload(std::string& out, const Event& event) const {
       with("why");
       ((out += '"') += fault_name(static_cast<SampleFault>(event.delta))) += '"';
       return;
+    case EventKind::tried:
+      with("cost");
+      cost(out, as_cost(event.delta >> 1));
+      with("hits");
+      return boolean(out, (event.delta & 1) != 0);
     default:
       return;
   }

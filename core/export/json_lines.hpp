@@ -28,7 +28,8 @@ class JsonLines final : public TraceEncoder {
   void scalar(std::string& out, Scalar which, std::uint64_t raw) const;
   void value(std::string& out, const Event& event, std::uint64_t raw) const;
   void payload(std::string& out, const Event& event) const;
-  [[nodiscard]] bool of_vertex(EventKind kind) const;
+  [[nodiscard]] FieldTable table_of(EventKind kind) const;
+  void subject(std::string& out, const Event& event) const;
   static void numbered(std::string& out, std::uint64_t held);
 
   const TraceRun& run_;

@@ -11,22 +11,26 @@ std::string_view event_name(const SearchValues& values, EventKind kind) {
       "g",        "rhs",       "queue",     "lp",        "rp",        "dist",       "visit",    "known",
       "truth",    "scalar",    "turn",      "pop",       "sight",     "plan_begin", "plan_end", "move",
       "sensed",   "surprise",  "unchecked", "collision", "waiting",   "arrival",    "gave_up",  "new_goal",
-      "put_down", "forgotten", "aim",       "epoch",     "candidate", "rewired",    "rejected"};
+      "put_down", "forgotten", "aim",       "epoch",     "candidate", "rewired",    "rejected", "tried"};
   static_assert(kNames.size() == static_cast<std::size_t>(kEventKinds));
   return kNames[static_cast<std::size_t>(kind)];
 }
 
 std::string_view scalar_name(Scalar scalar) {
   static constexpr std::array<std::string_view, static_cast<std::size_t>(Scalar::count)> kNames = {
-      "km",         "start", "last",     "goal",    "robot",       "moves",       "replans",     "wanted",
-      "weight",     "share", "x",        "y",       "heading",     "speed",       "turning",     "sub_goal",
-      "admissible", "score", "vertices", "root",    "goal_vertex", "sample_x",    "sample_y",    "sample_z",
-      "new_x",      "new_y", "new_z",    "nearest", "best",        "plan_sample", "gain_sample", "ball"};
+      "km",          "start",        "last",        "goal",   "robot",    "moves",   "replans",
+      "wanted",      "weight",       "share",       "x",      "y",        "heading", "speed",
+      "turning",     "sub_goal",     "admissible",  "score",  "vertices", "root",    "goal_vertex",
+      "sample_x",    "sample_y",     "sample_z",    "new_x",  "new_y",    "new_z",   "nearest",
+      "best",        "plan_sample",  "gain_sample", "ball",   "paths",    "child",   "leader",
+      "leader_cost", "mean_cost",    "generation",  "mother", "father",   "taken",   "joined",
+      "crossed_at",  "changed_from", "changed_to"};
   return kNames[static_cast<std::size_t>(scalar)];
 }
 
 std::string_view fault_name(SampleFault why) {
-  static constexpr std::array<std::string_view, 4> kNames = {"blocked", "taken", "longer", "path_end"};
+  static constexpr std::array<std::string_view, 6> kNames = {"blocked",  "taken", "longer",
+                                                             "path_end", "twin",  "unfit"};
   return kNames[static_cast<std::size_t>(why)];
 }
 

@@ -36,6 +36,7 @@ struct PlannerInfo {
   bool from_goal = false;            ///< searches from the goal: g is the cost to go
   bool sight = false;                ///< asks for lines of sight
   bool sampling = false;             ///< grows out of random samples: it may find none where there is a path
+  bool evolving = false;  ///< breeds a population of paths: it may find none where there is one
   bool informed = false;  ///< draws samples, once it has a path, from where a shorter one could lead
   /// Why it plans for a robot without a size alone, and what to do about it; empty: it does not.
   std::string_view point_only;
@@ -47,6 +48,8 @@ struct PlannerInfo {
   /// longer, infinite if there is no bound.
   double (*length_bound)(const Settings& settings) = nullptr;
 
+  /// Whether it may find none where there is a path.
+  [[nodiscard]] bool can_miss() const { return sampling || evolving; }
   /// The end that its values are distances from.
   [[nodiscard]] Scalar root() const { return from_goal ? Scalar::goal : Scalar::start; }
   /// The end that it searches for.

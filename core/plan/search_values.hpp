@@ -38,7 +38,7 @@ struct PlanNumber {
 struct SearchValues {
   /// Those that it writes for each node; what is its own has the ids own_field(0), own_field(1) and so on.
   std::vector<Field> fields;
-  /// Those that it writes for each vertex of a tree, with such ids too.
+  /// Those that it writes for each vertex of a tree, or for the paths of a population, with such ids too.
   std::vector<Field> vertex_fields = {};
   std::vector<PlanNumber> numbers = {};
   ListOrder order;
@@ -63,6 +63,11 @@ struct SearchValues {
   [[nodiscard]] bool declares(EventKind kind) const { return find(kind) != nullptr; }
   /// Whether a node has a cost and a lookahead of it, which make it consistent or not.
   [[nodiscard]] bool lookahead() const { return declares(EventKind::rhs); }
+  /// Whether it keeps a population of paths: core/plan/population_values.hpp.
+  [[nodiscard]] bool breeds() const {
+    return std::any_of(vertex_fields.begin(), vertex_fields.end(),
+                       [](const Field& field) { return field.table == FieldTable::paths; });
+  }
   /// All that it writes, be it for nodes or for vertices.
   [[nodiscard]] std::vector<Field> all_fields() const {
     std::vector<Field> all = fields;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/plan/population_values.hpp"
 #include "core/plan/tree_values.hpp"
 #include "core/scene/numbers.hpp"
 #include "core/scene/sonar.hpp"
@@ -58,6 +59,15 @@ std::vector<Point> best_way_so_far(const SceneContext& context) {
   return points;
 }
 
+/// The fittest path of a population while no plan stands yet, if it hits nothing.
+std::vector<Point> way_of_leader(const SceneContext& context) {
+  std::vector<Point> points;
+  if (context.state.scalar(Scalar::best) != 0)
+    for (const PathPlace& place : bred_path(context.state, path_named(context.state, Scalar::leader)))
+      points.push_back(context.centre(place.cell));
+  return points;
+}
+
 /// The lp chain from the start while no plan stands yet; empty unless it reaches the goal.
 std::vector<Point> chain_of_parents(const SceneContext& context) {
   const NodeId from = context.state.node(Scalar::start), to = context.state.node(Scalar::goal);
@@ -82,6 +92,7 @@ PathLine path_line(const SceneContext& context) {
   const bool searching = plans > 0 && digest.plans()[plans - 1].end > context.cursor;
   const Decision* decision = context.run.decision_at(context.cursor);
   if (searching && context.run.info().sampling) return {best_way_so_far(context), searching};
+  if (searching && context.run.info().evolving) return {way_of_leader(context), searching};
   if (decision != nullptr) return {ahead(context, *decision), searching};
   return {searching ? chain_of_parents(context) : std::vector<Point>(), searching};
 }

@@ -55,8 +55,11 @@ enum class EventKind : std::uint8_t {
   candidate,  ///< the new place could hang on the vertex `node`; payload: the cost by it, infinite if the way is blocked
   rewired,   ///< the vertex `node` hangs on the new one from now on; payload: the cost that this saves
   rejected,  ///< the sample is given up; node: the obstacle in the way, if it is one; payload: a SampleFault
+  // Of planners that breed a population of paths (core/planners/improved_ga.hpp). A `candidate` is a path there that could
+  // be a parent; payload: its cost. A child can be `rejected` too.
+  tried,  ///< the node could take the place of the child's cell that changes; payload: tried_bits()
 };
-inline constexpr int kEventKinds = static_cast<int>(EventKind::rejected) + 1;
+inline constexpr int kEventKinds = static_cast<int>(EventKind::tried) + 1;
 
 /// Why a sample does not become a vertex.
 enum class SampleFault : std::uint8_t {
@@ -64,7 +67,14 @@ enum class SampleFault : std::uint8_t {
   taken,     ///< there is a vertex already
   longer,    ///< the path would be no shorter over it
   path_end,  ///< an end of the path is nearest to it, and stays where it is
+  twin,      ///< a child: the population has that path already
+  unfit,     ///< a child: no path of the population is less fit
 };
+
+/// What a child would cost with a cell changed, and whether some way of it would hit something, in one word.
+constexpr std::uint64_t tried_bits(std::int64_t raw_cost, bool hits) {
+  return static_cast<std::uint64_t>(raw_cost) << 1 | (hits ? 1u : 0u);
+}
 
 inline constexpr int kWideFields = 7;    ///< EventKind::g .. visit
 inline constexpr int kNarrowFields = 2;  ///< EventKind::known, truth
@@ -130,6 +140,21 @@ enum class Scalar : std::uint8_t {
   plan_sample,  ///< the number of the last sample before the plan
   gain_sample,  ///< the number of the last sample by which the path became shorter
   ball,         ///< how far around the latest new place parents were looked for, as coordinates are told
+  // Of a planner that breeds a population of paths. `plan_sample` and `best` are its too: children before the plan, and the
+  // cost of the fittest path that hits nothing.
+  paths,         ///< how many paths it holds, the child's among them
+  child,         ///< the number of the path that is no member but the child in hand, + 1
+  leader,        ///< the fittest path, + 1
+  leader_cost,   ///< its cost, penalties included, raw
+  mean_cost,     ///< of all members at the end of the latest generation, raw
+  generation,    ///< those that have ended
+  mother,        ///< the path that the child begins as, + 1
+  father,        ///< the one that it goes on as, + 1
+  taken,         ///< how many cells it has of its mother
+  joined,        ///< the place in its father from which on it has his
+  crossed_at,    ///< the last cell that it has of its mother, node + 1
+  changed_from,  ///< the cell of it that mutation replaced, node + 1; 0: it replaced none
+  changed_to,    ///< what stands there now, node + 1
   count
 };
 
@@ -143,6 +168,7 @@ enum class ScalarType : std::uint8_t {
   real,        ///< a double, bit by bit
   score,       ///< as score_bits()
   vertex,      ///< vertex + 1; 0 = none
+  path,        ///< a path of a population, + 1; 0 = none
 };
 
 constexpr ScalarType scalar_type(Scalar scalar) {
@@ -157,6 +183,8 @@ constexpr ScalarType scalar_type(Scalar scalar) {
     case Scalar::new_y:
     case Scalar::new_z:
     case Scalar::ball:
+    case Scalar::leader_cost:
+    case Scalar::mean_cost:
       return ScalarType::cost;
     case Scalar::best:
       return ScalarType::found_cost;
@@ -165,6 +193,10 @@ constexpr ScalarType scalar_type(Scalar scalar) {
     case Scalar::vertices:
     case Scalar::plan_sample:
     case Scalar::gain_sample:
+    case Scalar::paths:
+    case Scalar::generation:
+    case Scalar::taken:
+    case Scalar::joined:
       return ScalarType::count;
     case Scalar::admissible:
       return ScalarType::some_count;
@@ -180,6 +212,11 @@ constexpr ScalarType scalar_type(Scalar scalar) {
     case Scalar::goal_vertex:
     case Scalar::nearest:
       return ScalarType::vertex;
+    case Scalar::child:
+    case Scalar::leader:
+    case Scalar::mother:
+    case Scalar::father:
+      return ScalarType::path;
     default:
       return ScalarType::node;
   }
@@ -227,6 +264,8 @@ inline constexpr KindSet kForgotten{EventKind::g,  EventKind::rhs, EventKind::qu
 
 /// The most vertices of a tree: those of one table of values.
 inline constexpr std::size_t kMostVertices = std::size_t{1} << 20;
+/// How many cells a path of a population has room for.
+inline constexpr std::uint32_t kPlacesOfPath = 1024;
 
 /// One record of the log.
 struct Event {

@@ -26,6 +26,8 @@ enum class FieldType : std::uint8_t {
 enum class FieldTable : std::uint8_t {
   nodes,     ///< each node of the map
   vertices,  ///< each vertex of a tree: 0 .. kMostVertices - 1
+  paths,     ///< each path of a population, by its number
+  places,    ///< each place in each of them: kPlacesOfPath * path + place
 };
 
 /// One value per node. A planner declares those that it writes (PlannerInfo::fields); windows, conditions,
@@ -172,6 +174,31 @@ inline constexpr Field kVertexSide{.kind = own_field(5),
                                    .help = "The end that its tree grew from.",
                                    .names = kSideNames,
                                    .table = FieldTable::vertices};
+
+/// As a planner that breeds paths calls it: the cell at which a child was changed, or its parents were crossed.
+inline constexpr Field kBred{EventKind::visit, "visit", FieldType::visits, "bred",
+                             "When a path was changed or two were crossed there last, and how often."};
+/// Of a population of paths, its own (core/plan/population_values.hpp).
+inline constexpr Field kPathCell{.kind = own_field(0),
+                                 .name = "path_cell",
+                                 .type = FieldType::node,
+                                 .label = "cell",
+                                 .help = "The cell that a path of the population leads over.",
+                                 .table = FieldTable::places};
+inline constexpr Field kPathHit{
+    .kind = own_field(1),
+    .name = "path_hit",
+    .type = FieldType::node,
+    .label = "obstacle",
+    .help = "The obstacle in the straight way from there to the path's next cell.",
+    .table = FieldTable::places};
+inline constexpr Field kPathCost{
+    .kind = own_field(2),
+    .name = "path_cost",
+    .label = "cost",
+    .help = "The length of the path, and the penalty for each of its ways that hits something.",
+    .initial = kInfinite,
+    .table = FieldTable::paths};
 
 /// As a search from the start calls them.
 inline constexpr Field kF{EventKind::queue, "queue", FieldType::queue, "f",

@@ -6,7 +6,7 @@ SearchState::SearchState(std::size_t nodes, std::span<const Field> fields)
     : wide_pool_(std::make_shared<PagePool<std::uint64_t>>()),
       narrow_pool_(std::make_shared<PagePool<std::uint8_t>>()) {
   const auto make = [&](const Field& field) {
-    const std::size_t size = field.table == FieldTable::vertices ? kMostVertices : nodes;
+    const std::size_t size = field.table == FieldTable::nodes ? nodes : kMostVertices;
     wide_[wide_slot(field.kind)] = PagedArray<std::uint64_t>(size, field.initial, wide_pool_);
     longest_ = std::max(longest_, size);
   };

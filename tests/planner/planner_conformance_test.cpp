@@ -122,6 +122,9 @@ void check_fixture(const PlannerInfo& info, const Fixture& fixture, int depth, S
   settings.set("corners", static_cast<double>(fixture.corners));
   if (info.sampling)
     settings.set("samples", std::min<double>(kFewSamples, settings.get("samples", kFewSamples)));
+  if (info.evolving)
+    settings.set("generations",
+                 std::min<double>(kFewGenerations, settings.get("generations", kFewGenerations)));
   const Stage<D> stage(fixture, depth);
   const TwinWorld<D> world(stage.size, stage.cells, move_rules(settings));
   const auto ask = [&](auto trace, std::int64_t slice) {

@@ -238,7 +238,7 @@ class MissionWitness {
     const NodeId aim = state_.node(Scalar::goal), goal = state_.wanted_goal();
     last_plan_ = status;
     if (status == PlanStatus::none_found)
-      return info_.sampling ? "" : "a planner that finds all paths says that it found none";
+      return info_.can_miss() ? "" : "a planner that finds all paths says that it found none";
     if (status == PlanStatus::found)
       return aim == goal ? "" : "a path to another cell counts as one to the goal";
     if (status != PlanStatus::found_nearest) return "";

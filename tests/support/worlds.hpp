@@ -120,6 +120,9 @@ std::vector<CellEdit> random_edits(Random& random, const oracle::World& world, i
 /// So many that a tree fills a small world, and no more: what a sample costs grows with the tree.
 inline constexpr int kFewSamples = 120;
 
+/// As many as show what breeding does, and no more.
+inline constexpr int kFewGenerations = 4;
+
 /// A value for every declared parameter. `remote_parents` stays "checked", ranges stay within 1..4.
 inline Settings random_settings(Random& random, const PlannerInfo& info) {
   constexpr double kRanges[] = {1, 1.5, 2, 2.5, 3, 4};
@@ -130,6 +133,12 @@ inline Settings random_settings(Random& random, const PlannerInfo& info) {
       settings.set(parameter.key, kFewSamples);
     else if (parameter.key == "goal_bias")
       settings.set(parameter.key, random.unit() / 2);
+    else if (parameter.key == "population")
+      settings.set(parameter.key, random.between(2, 12));
+    else if (parameter.key == "generations")
+      settings.set(parameter.key, kFewGenerations);
+    else if (parameter.key.ends_with("_rate"))
+      settings.set(parameter.key, random.unit());
     else if (parameter.type == ParameterType::choice)
       settings.set(parameter.key, random.below(static_cast<std::uint32_t>(parameter.choices.size())));
     else if (parameter.type == ParameterType::toggle)
@@ -275,7 +284,7 @@ inline oracle::Raw shortest_way(const PlannerInfo& info, const Settings& setting
 
 /// Whether a planner may answer so: one that samples need not find what there is.
 inline bool is_right(const PlannerInfo& info, PlanStatus answer, PlanStatus right) {
-  const bool can_miss = info.sampling && (right == PlanStatus::no_path || right == PlanStatus::found);
+  const bool can_miss = info.can_miss() && (right == PlanStatus::no_path || right == PlanStatus::found);
   return answer == right ? !can_miss || right == PlanStatus::found
                          : can_miss && answer == PlanStatus::none_found;
 }

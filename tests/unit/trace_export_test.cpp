@@ -156,6 +156,7 @@ class Rebuilt {
     event.kind = kind(line["kind"]);
     event.node = event.kind == EventKind::scalar ? scalar(line["name"])
                  : line.contains("vertex")       ? line["vertex"].get<NodeId>()
+                 : line.contains("path")         ? place_of(line)
                                                  : node(line["cell"]);
     const std::uint64_t before = raw(event, line["before"]), after = raw(event, line["after"]);
     if (state_.value(event.kind, event.node) != before) return false;
@@ -176,6 +177,11 @@ class Rebuilt {
     NodeId which = 0;
     while (scalar_name(static_cast<Scalar>(which)) != name) ++which;
     return which;
+  }
+  /// A path of a population, or a place in one.
+  static NodeId place_of(const Json& line) {
+    const auto path = line["path"].get<NodeId>();
+    return line.contains("place") ? path * kPlacesOfPath + line["place"].get<NodeId>() : path;
   }
   [[nodiscard]] NodeId node(const Json& cell) const {
     return box_.node({cell[0].get<int>(), cell[1].get<int>(), box_.solid() ? cell[2].get<int>() : 0});
@@ -209,6 +215,7 @@ class Rebuilt {
         return score_bits(value.get<double>());
       case ScalarType::some_count:
       case ScalarType::vertex:
+      case ScalarType::path:
         return value.get<std::uint64_t>() + 1;
       case ScalarType::cost:
       case ScalarType::found_cost:

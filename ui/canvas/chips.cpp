@@ -39,8 +39,9 @@ std::string distinction(const Run& run) {
   return text;
 }
 
-/// How much a planner has done: it expands cells, or draws samples.
+/// How much a planner has done: it expands cells, draws samples, or breeds children.
 std::string work_text(const Run& run, std::int64_t count) {
+  if (run.info().evolving) return count_text(count, "child", "children");
   return run.info().sampling ? count_text(count, "sample", "samples")
                              : count_text(count, "expansion", "expansions");
 }

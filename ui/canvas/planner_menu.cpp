@@ -10,9 +10,9 @@ namespace replan::ui {
 
 namespace {
 
-/// Entries with equal ones stand together: planners, those that sample, pilots, exercises.
+/// Entries with equal ones stand together: planners, those that sample or breed, pilots, exercises.
 int group_of(const PlannerInfo& info) {
-  return info.exercise ? 3 : find_pilot(info.id) != nullptr ? 2 : info.sampling ? 1 : 0;
+  return info.exercise ? 3 : find_pilot(info.id) != nullptr ? 2 : info.can_miss() ? 1 : 0;
 }
 
 }  // namespace

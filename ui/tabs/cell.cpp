@@ -264,6 +264,11 @@ void CellTab::draw_cell(Frame& frame, Cell cell) {
     code_excerpt(frame);
     return;
   }
+  if (view.run.info().evolving) {
+    draw_paths(frame, view);
+    code_excerpt(frame);
+    return;
+  }
   values(frame, view, chosen_value_);
   touched_line(frame, view);
   section_rule(look);

@@ -28,6 +28,10 @@ void draw_why(Frame& frame, const CellView& view);
 /// The same of a tree of samples, for the vertex nearest to the cell: what it could have hung on, each with its sum.
 void draw_vertex_why(Frame& frame, const CellView& view);
 
+/// Of planners that breed paths: why the child in hand is as it is, the paths over the cell, and where the fittest one comes
+/// from.
+void draw_paths(Frame& frame, const CellView& view);
+
 struct CellPast;
 /// All that there is to say of that vertex: its values, why it hangs where it does, and its past; and of the sample in hand.
 void draw_vertex(Frame& frame, const CellView& view, CellPast& past);

@@ -184,6 +184,23 @@ void ActionContext::copy_figures(FiguresFormat format) {
   panels.tone = Tone::done;
 }
 
+void FiguresTab::draw_fitness(Frame& frame) {
+  const Look& look = frame.look;
+  section_title(look, "Cost over generations");
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - look.px(24));
+  if (small_button(
+          look, "copy fitness",
+          {.icon = icon::copy,
+           .hint = {"Copy as CSV", "",
+                    "What the fittest path and all of them on average cost after each generation."}})) {
+    ImGui::SetClipboardText(fitness_.csv(frame.session).c_str());
+    frame.panels.said = "Copied the cost of each generation as CSV";
+    frame.panels.tone = Tone::done;
+  }
+  fitness_.draw(frame, look.px(96));
+  section_rule(look);
+}
+
 void FiguresTab::draw(Frame& frame) {
   const Look& look = frame.look;
   if (has_gains(frame.session)) {
@@ -191,6 +208,7 @@ void FiguresTab::draw(Frame& frame) {
     gains_.draw(frame, look.px(96));
     section_rule(look);
   }
+  if (has_generations(frame.session)) draw_fitness(frame);
   const std::vector<RunReport> reports = as_known(frame.session, frame.view);
   std::vector<bool> standing;
   for (const RunReport& report : reports)

@@ -10,6 +10,7 @@
 #include "core/plan/figures.hpp"
 #include "core/study/figures_table.hpp"
 #include "ui/shell/frame.hpp"
+#include "ui/tabs/fitness_chart.hpp"
 #include "ui/tabs/gain_chart.hpp"
 
 namespace replan::ui {
@@ -34,7 +35,10 @@ class FiguresTab final : public SideTab {
   [[nodiscard]] std::vector<RunReport> as_known(const Session& session, const ViewState& view);
 
   std::vector<std::unique_ptr<Kept>> kept_;
+  void draw_fitness(Frame& frame);
+
   GainChart gains_;
+  FitnessChart fitness_;
 };
 
 }  // namespace replan::ui
