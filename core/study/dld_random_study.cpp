@@ -28,7 +28,7 @@ Result<std::vector<PlannerChoice>> entries() {
   };
   const std::array<Entry, kEntries> listed{
       {{"dstar-lite", {}},
-       {"dld-dstar-lite", {{"radius", "2"}}},
+       {"dld-star-lite", {{"sight", "bresenham"}}},
        {"rrt-star", {{"step", "20"}, {"goal_reach", "20"}, {"samples", "5000"}}},
        {"improved-ga", {}}}};
   std::vector<PlannerChoice> choices;

@@ -1,10 +1,15 @@
 // Studies: statistics by hand, their texts, and that each runs.
 #include "core/study/study.hpp"
 
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include "core/world/generators/generators.hpp"
+#include "core/world/library.hpp"
+#include "core/world/scenario.hpp"
 
 namespace replan::test::study_test {
 namespace {
@@ -103,6 +108,16 @@ TEST(Study, EachRunsAndSpeaksToItsClaims) {
     EXPECT_TRUE(stopped->runs.empty());
     EXPECT_TRUE(stopped->claims.empty());
   }
+}
+
+/// What opens in the window is what the study runs on.
+TEST(Study, TheWorldOfFigure5IsTheFirstOfItsMaps) {
+  const auto scenario = read_scenario(library_folder() + "/dld-fig-5.json");
+  ASSERT_TRUE(scenario.ok()) << scenario.error();
+  const std::array ends{scenario->start, scenario->goal};
+  const auto map = random_rectangles(200, 200, 0.17, 5, 15, 1, ends);
+  ASSERT_TRUE(map.ok());
+  EXPECT_EQ(scenario->map.blocked, map->blocked);
 }
 
 }  // namespace
