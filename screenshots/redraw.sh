@@ -56,6 +56,9 @@ done
 
 # Trees of samples: what each sample comes to, and the ellipse that a shorter path must lie in.
 world=gap-for-samples draw rrt-star.png --theme dark --at-plan --panes all --size 1440x900 --action show_figures
+# The Informed RRT* paper's hardest world, and the DLD* Lite paper's line-up, with their figures.
+world=informed-rrt-3 draw informed-rrt.png --theme dark --at-plan --panes all --size 1600x1000 --action show_figures
+world=dld-fig-5 draw line-up.png --theme light --at-plan --panes all --size 1600x1000 --action show_figures
 # Why a vertex hangs where it does.
 world=gap-for-samples draw why-edge.png --theme light --at-plan --panes 1 --pin 50,56 --camera 50,52,16 --action show_cell
 "$program" anytime maps/gap-for-samples.json --planner rrt-connect,rrt-star,informed-rrt-star,greedy-informed-rrt-star --seeds 20 \
