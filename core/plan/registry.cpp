@@ -58,7 +58,8 @@ std::span<const Field> own_fields() {
     for (const PlannerInfo& info : planners())
       for (const Field& field : info.values.all_fields()) {
         const auto same = [&](const Field& other) { return other.name == field.name; };
-        if (is_own_field(field.kind) && std::none_of(fields.begin(), fields.end(), same))
+        const bool of_path = field.table == FieldTable::paths || field.table == FieldTable::places;
+        if (is_own_field(field.kind) && !of_path && std::none_of(fields.begin(), fields.end(), same))
           fields.push_back(field);
       }
     return fields;

@@ -8,7 +8,7 @@ namespace replan::parameters {
 inline const Parameter kPopulation{.key = "population",
                                    .label = "Population",
                                    .type = ParameterType::whole,
-                                   .initial = 40,
+                                   .initial = 80,
                                    .low = 2,
                                    .high = 500,
                                    .help = "How many paths there are at any time."};
@@ -16,7 +16,7 @@ inline const Parameter kGenerations{
     .key = "generations",
     .label = "Generations",
     .type = ParameterType::whole,
-    .initial = 100,
+    .initial = 60,
     .low = 1,
     .high = 100'000,
     .help =

@@ -20,7 +20,9 @@
 //  * A path that hits nothing is fitter than any that does, however small the penalty: what is returned hits nothing, and
 //    where no path of the population is so, none was found.
 //  * A neighbour may be a cell of the path already: the loop that this closes is deleted, so that mutation takes cells out.
-//  * The map or the start changes: lines 13-15. All paths are kept, joined to the new start and held against the new map.
+//  * The map or the start changes: lines 13-16. All paths are kept, joined to the new start and held against the new map.
+//    A population that has bred for long is much alike, and one obstacle can cut off all of it; so where a path hits something
+//    a new one takes its place, if it is fitter, as the first ones were made.
 #pragma once
 
 #include <algorithm>
@@ -101,7 +103,7 @@ class ImprovedGa final : public Planner<L> {
     for (; iterations > 0 && search_needed(); --iterations) breed();
     return !search_needed();
   }
-  // Lines 13-15.
+  // Lines 13-16.
   void update(const MapChange<L>&, NodeId start) override {
     tr_.line(13);
     numbers_.set_number(Scalar::start, start);
@@ -189,15 +191,20 @@ class ImprovedGa final : public Planner<L> {
   void breed_first() {
     if (!can_breed()) return;
     population_.make_room(members_);
-    for (std::uint32_t i = 0; i < members_; ++i) {
-      Random random(hash_combine(hash_combine(seed_, kFirstOnes), i));
-      BredPath path = by_sight_ ? path_by_sight(random) : random_path(random);
-      delete_loops(path);
-      hold_against_map(path);
-      population_.write(i, path);
-      population_.set_cost(i, unfitness_of(path).cost);
-    }
+    for (std::uint32_t i = 0; i < members_; ++i) take(i, first_path(i));
     take_leader();
+  }
+  void take(std::uint32_t i, const BredPath& path) {
+    population_.write(i, path);
+    population_.set_cost(i, unfitness_of(path).cost);
+  }
+  BredPath first_path(std::uint32_t i) {
+    const auto plan = static_cast<std::uint64_t>(counters_.expansions);
+    Random random(hash_combine(hash_combine(hash_combine(seed_, kFirstOnes), plan), i));
+    BredPath path = by_sight_ ? path_by_sight(random) : random_path(random);
+    delete_loops(path);
+    hold_against_map(path);
+    return path;
   }
   /// Some free cells of the world in any order, between the two ends.
   BredPath random_path(Random& random) {
@@ -405,7 +412,7 @@ class ImprovedGa final : public Planner<L> {
     numbers_.set(Scalar::plan_sample, static_cast<std::uint64_t>(counters_.expansions));
   }
 
-  // Lines 14 and 15.
+  // Lines 14-16.
   void repair() {
     for (std::uint32_t i = 0; i < population_.count(); ++i) {
       if (!population_.is_member(i)) continue;
@@ -413,9 +420,11 @@ class ImprovedGa final : public Planner<L> {
       BredPath path = population_.path(i);
       hold_against_map(path);
       tr_.line(15);
-      path = joined_to_start(path);
-      population_.write(i, path);
-      population_.set_cost(i, unfitness_of(path).cost);
+      take(i, joined_to_start(path));
+      if (!population_.unfitness(i).hits) continue;
+      tr_.line(16);
+      if (const BredPath fresh = first_path(i); unfitness_of(fresh) < population_.unfitness(i))
+        take(i, fresh);
     }
     take_nobody();
     take_leader();

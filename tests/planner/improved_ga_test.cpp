@@ -260,7 +260,7 @@ void check_births(typename BoxLattice<D>::Coordinates low, typename BoxLattice<D
   EXPECT_GT(crossed, 500);
   EXPECT_GT(taken_in, 300);
   EXPECT_GT(shared, 50);
-  EXPECT_GT(looped, 10);
+  EXPECT_GT(looped, 2);
 }
 
 TEST(ImprovedGa, BreedsChildrenAsItsPageSaysIn2d) {

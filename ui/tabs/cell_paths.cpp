@@ -5,6 +5,7 @@
 #include "core/debug/child_words.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/shell/panels.hpp"
+#include "ui/shell/term_hint.hpp"
 #include "ui/tabs/cell_view.hpp"
 
 namespace replan::ui {

@@ -134,6 +134,8 @@ const char* fault_word(SampleFault why) {
     case SampleFault::longer:
       return "no shorter";
     case SampleFault::path_end:
+    case SampleFault::twin:  // these two are of children, and no tree has any
+    case SampleFault::unfit:
       break;
   }
   return "an end of the path";

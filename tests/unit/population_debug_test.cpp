@@ -1,0 +1,196 @@
+// What the debugger tells of a population of paths: the child in hand and why it is so, the cost of each generation, and what
+// is drawn.
+#include <algorithm>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "core/debug/child_words.hpp"
+#include "core/debug/event_words.hpp"
+#include "core/debug/fitness_curve.hpp"
+#include "core/scene/scene.hpp"
+#include "core/session/run.hpp"
+
+namespace replan::population_debug_test {
+namespace {
+
+/// Two walls, each with a gap.
+std::unique_ptr<replan::Run> finished(double mutation = 0) {
+  auto scenario = std::make_shared<Scenario>();
+  scenario->map = GridMap(40, 30);
+  for (int y = 0; y < 30; ++y) {
+    scenario->map.set({14, y}, y < 20 || y > 24);
+    scenario->map.set({26, y}, y < 5 || y > 9);
+  }
+  scenario->start = {4, 15};
+  scenario->goal = {35, 15};
+  scenario->planners = {{"improved-ga", {}}};
+  scenario->planners[0].settings.set("generations", 12);
+  scenario->planners[0].settings.set("mutation", mutation);
+  auto run = std::make_unique<replan::Run>(scenario, 0);
+  run->finish(Target::end());
+  return run;
+}
+
+/// The position after the n-th event of a kind.
+std::size_t after(const replan::Run& run, EventKind kind, std::size_t n = 0) {
+  for (std::size_t p = 0; p < run.timeline().size(); ++p)
+    if (run.timeline().event(p).kind == kind && n-- == 0) return p + 1;
+  return 0;
+}
+
+/// Where the n-th child is done with.
+std::size_t end_of_child(const replan::Run& run, std::size_t n) {
+  return after(run, EventKind::pop, n + 1) - 1;
+}
+
+std::vector<std::uint32_t> members(const SearchState& state) {
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t i = 0; i < path_count(state); ++i)
+    if (i != path_named(state, Scalar::child)) all.push_back(i);
+  return all;
+}
+
+TEST(PopulationDebug, TellsTheChildInHandFromItsParentsToItsEnd) {
+  const auto run = finished();
+  Timeline& log = run->timeline();
+  int changed = 0, taken_in = 0, given_up = 0;
+  for (std::size_t n = 3; n < 300; n += 7) {
+    const std::size_t end = end_of_child(*run, n), pop = after(*run, EventKind::pop, n);
+    log.seek(end);
+    const SearchState before = log.state_at(pop);
+    const auto hand = child_in_hand(run->log_view());
+    ASSERT_TRUE(hand.has_value());
+    EXPECT_EQ(hand->number, path_named(before, Scalar::child));
+    EXPECT_EQ(hand->path, bred_path(log.state(), hand->number));
+    EXPECT_EQ(hand->cost, path_cost(log.state(), hand->number));
+    for (const ChildInHand::Parent* parent : {&hand->mother, &hand->father}) {
+      ASSERT_EQ(parent->drawn.size(), 2u);
+      EXPECT_EQ(parent->path, bred_path(before, parent->chosen));
+      EXPECT_LE(path_cost(before, parent->chosen), std::max(parent->drawn[0].cost, parent->drawn[1].cost));
+    }
+    EXPECT_NE(hand->rejected.has_value(), hand->leaves.has_value());
+    ++(hand->rejected ? given_up : taken_in);
+    if (hand->changed_to == kNoNode) continue;
+    ++changed;
+    const auto best =
+        std::min_element(hand->tried.begin(), hand->tried.end(),
+                         [](const auto& a, const auto& b) { return a.unfitness < b.unfitness; });
+    ASSERT_NE(best, hand->tried.end());
+    EXPECT_EQ(best->cell, hand->changed_to);
+    EXPECT_EQ(best->unfitness.cost, hand->cost);
+  }
+  EXPECT_GT(changed, 20);
+  EXPECT_GT(taken_in, 3);
+  EXPECT_GT(given_up, 3);
+}
+
+/// A sentence more for each thing that is decided.
+TEST(PopulationDebug, SaysWhyStepByStep) {
+  const auto run = finished();
+  Timeline& log = run->timeline();
+  std::size_t n = 0;
+  while (log.state_at(end_of_child(*run, n)).scalar(Scalar::changed_to) == 0) ++n;
+  const std::size_t pop = after(*run, EventKind::pop, n), end = end_of_child(*run, n);
+  std::size_t told = 0;
+  for (std::size_t p = pop; p <= end; ++p) {
+    log.seek(p);
+    const auto hand = child_in_hand(run->log_view());
+    ASSERT_TRUE(hand.has_value());
+    const std::size_t now = child_words(run->log_view(), *hand).size();
+    ASSERT_GE(now, told) << "at event " << p;
+    told = now;
+  }
+  EXPECT_EQ(told, 5u);
+  const auto hand = child_in_hand(run->log_view());
+  const std::vector<std::string> words = child_words(run->log_view(), *hand);
+  EXPECT_EQ(words[0].find("The mother is path "), 0u) << words[0];
+  EXPECT_EQ(words[1].find("The father is path "), 0u) << words[1];
+  EXPECT_EQ(words[3].find("Mutation replaced " + node_text(run->lattice(), hand->changed_from) + " by " +
+                          node_text(run->lattice(), hand->changed_to) + ", the fittest of "),
+            0u)
+      << words[3];
+  EXPECT_NE(words[3].find(cost_text(hand->cost, 3)), std::string::npos) << words[3];
+  log.seek(log.size());
+  EXPECT_FALSE(child_in_hand(run->log_view()).has_value()) << "the plan stands";
+}
+
+TEST(PopulationDebug, APlainMutationIsSaidToBeByChance) {
+  const auto run = finished(1);
+  Timeline& log = run->timeline();
+  std::size_t n = 0;
+  while (log.state_at(end_of_child(*run, n)).scalar(Scalar::changed_to) == 0) ++n;
+  log.seek(end_of_child(*run, n));
+  const auto hand = child_in_hand(run->log_view());
+  ASSERT_TRUE(hand.has_value());
+  EXPECT_TRUE(hand->tried.empty());
+  const std::string words = child_words(run->log_view(), *hand)[3];
+  EXPECT_NE(words.find("drawn by chance"), std::string::npos) << words;
+}
+
+/// The child as whose the fittest path was bred is like it.
+TEST(PopulationDebug, KnowsWhereTheFittestPathComesFrom) {
+  const auto run = finished();
+  Timeline& log = run->timeline();
+  log.seek(end_of_child(*run, 400));
+  const std::uint32_t leader = path_named(log.state(), Scalar::leader);
+  const auto birth = birth_of_path(run->log_view(), leader);
+  ASSERT_TRUE(birth.has_value());
+  EXPECT_EQ(birth->number, leader);
+  EXPECT_EQ(birth->path, bred_path(log.state(), leader));
+  EXPECT_TRUE(birth->leaves.has_value());
+}
+
+/// Against what a walk over all states finds; within a plan the fittest path never becomes dearer once it hits nothing.
+TEST(PopulationDebug, TheCurveIsThatOfTheStates) {
+  const auto run = finished();
+  const Timeline& log = run->timeline();
+  const auto curve = fitness_curve(run->log_view(), 0, log.size());
+  ASSERT_EQ(curve.size(), 12u);
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const SearchState state = log.state_at(curve[i].event + 1);
+    EXPECT_EQ(curve[i].generation, static_cast<std::int64_t>(i + 1));
+    double sum = 0, least = HUGE_VAL;
+    bool free = false;
+    for (const std::uint32_t member : members(state)) {
+      const double cost = path_cost(state, member).to_double();
+      const bool hits = hits_something(bred_path(state, member));
+      if (!hits && !free) least = HUGE_VAL;
+      free |= !hits;
+      if (hits != free) least = std::min(least, cost);
+      sum += cost;
+    }
+    EXPECT_EQ(curve[i].free, free);
+    EXPECT_DOUBLE_EQ(curve[i].fittest.to_double(), least);
+    EXPECT_NEAR(curve[i].mean.to_double(), sum / static_cast<double>(members(state).size()), 1e-6);
+    if (i > 0) {
+      EXPECT_GE(curve[i].free, curve[i - 1].free);
+      EXPECT_TRUE(curve[i].fittest <= curve[i - 1].fittest || curve[i].free > curve[i - 1].free);
+    }
+  }
+  const std::string csv = fitness_csv(curve);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 13);
+  EXPECT_EQ(csv.find("generation,best,mean,free\n1,"), 0u) << csv;
+}
+
+TEST(PopulationDebug, IsDrawnWithTheChildInHand) {
+  const auto run = finished();
+  Timeline& log = run->timeline();
+  std::size_t n = 0;
+  while (log.state_at(end_of_child(*run, n)).scalar(Scalar::changed_to) == 0) ++n;
+  log.seek(end_of_child(*run, n));
+  View view;
+  view.overlays = {};
+  view.overlays.set(Overlay::population, true);
+  static const Palette palette;
+  const Scene scene = build_scene(*run, view, {800, 600}, palette);
+  for (const Sign sign : {Sign::population, Sign::leader, Sign::child, Sign::changed})
+    EXPECT_TRUE(scene.shows(sign)) << static_cast<int>(sign);
+  log.seek(log.size());
+  const Scene done = build_scene(*run, view, {800, 600}, palette);
+  EXPECT_TRUE(done.shows(Sign::population));
+  EXPECT_FALSE(done.shows(Sign::child));
+}
+
+}  // namespace
+}  // namespace replan::population_debug_test
