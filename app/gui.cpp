@@ -83,7 +83,7 @@ Result<Opened> first_document(const std::optional<std::string>& file) {
 }
 
 /// Facts of the session for the tests of the window.
-Result<void> dump_state(const Session& session, const std::string& path) {
+Result<void> dump_state(const Session& session, bool opengl_es, const std::string& path) {
   const Timeline& log = session.run().timeline();
   const SearchState& state = log.state();
   std::size_t obstacles = 0;
@@ -99,6 +99,7 @@ Result<void> dump_state(const Session& session, const std::string& path) {
       {"events", log.size()},
       {"moves", state.scalar(Scalar::moves)},
       {"playing", session.playback().direction},
+      {"opengl_es", opengl_es},
       {"mission", decision == nullptr ? "planning" : mission_state_name(decision->state)}};
   return write_file_atomically(path, json.dump(2) + "\n");
 }
@@ -349,7 +350,8 @@ Result<void> Program::close() {
   if (const Result<void> written = write_settings(remembered_, settings_path()); !written)
     std::fprintf(stderr, "replan: %s\n", written.error().c_str());
   const char* dump = std::getenv("REPLAN_STATE_DUMP");
-  return dump != nullptr && dump[0] != '\0' ? dump_state(session_, dump) : Result<void>();
+  if (dump == nullptr || dump[0] == '\0') return {};
+  return dump_state(session_, window_->stage().renderer().gl().es, dump);
 }
 
 }  // namespace
