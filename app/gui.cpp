@@ -264,8 +264,9 @@ Result<void> Program::make_film(const ui::CaptureRequest& request) {
 }
 
 void Program::take_picture(const ui::CaptureRequest& request) {
-  const auto tell = [this, path = request.path](const Result<void>& written) {
-    shell_->tell(written ? "Saved " + file_name(path) : written.error(), !written);
+  const auto tell = [this, path = request.path](const Result<void>& written, const std::string& note = "") {
+    const std::string saved = "Saved " + file_name(path) + (note.empty() ? "" : ": " + note);
+    shell_->tell(written ? saved : written.error(), !written);
   };
   const std::string extension = file_extension(request.path);
   const ui::PixelArea part = area(request.window);
@@ -275,7 +276,9 @@ void Program::take_picture(const ui::CaptureRequest& request) {
       tell(ui::write_png(path, cut_out(image, part, size.width, size.height)));
     });
   } else if (extension == ".svg" && !request.window) {
-    tell(write_drawing(request.path, session_.run(), shell_->view(), size));
+    const std::size_t pane = session_.lead();
+    tell(write_drawing(request.path, session_.run(), shell_->view(), pane, size),
+         drawing_note(session_.run(), shell_->view(), pane));
   } else {
     shell_->tell(request.path + (request.window ? ": a picture of the window is a .png"
                                                 : ": a picture is a .png or an .svg"),

@@ -184,6 +184,29 @@ TEST(Render, SvgIsWritten) {
   EXPECT_GT(fs::file_size(request.output), 2000u);
 }
 
+/// Of the pane that leads, and of one in 3D with a word that it is not what the pane shows.
+TEST(Render, SvgShowsTheSliceOfItsPane) {
+  const test::TemporaryFolder folder;
+  auto decks = read_scenario(std::string(REPLAN_SOURCE_DIR) + "/maps/decks.json");
+  ASSERT_TRUE(decks.ok()) << decks.error();
+  Session session(*decks);
+  session.settle();
+  ui::ViewState state;
+  state.slices.set_all({Axis::z, 1});
+  state.slices.set(1, {Axis::z, 3}, ui::SlicePanes::alone);
+  const auto drawing = [&](std::size_t pane) {
+    EXPECT_TRUE(write_drawing(folder.file("pane.svg"), session.run(), state, pane, {300, 200}).ok());
+    return *read_file(folder.file("pane.svg"));
+  };
+  const std::string first = drawing(0);
+  EXPECT_NE(first, drawing(1));
+  EXPECT_EQ(drawing_note(session.run(), state, 0), "");
+  state.slices.set_orbits(0, true);
+  EXPECT_EQ(drawing(0), first);
+  EXPECT_NE(drawing_note(session.run(), state, 0).find("an .svg has no 3D"), std::string::npos);
+  EXPECT_EQ(drawing_note(session.run(), state, 1), "");
+}
+
 TEST(Render, AnActionOpensItsDialogFirst) {
   const test::TemporaryFolder folder;
   RenderRequest request = demo("dark");
