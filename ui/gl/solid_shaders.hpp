@@ -14,7 +14,8 @@ namespace replan::ui {
 
 // Faces are rectangles of cells: one instance each, its corners from the number of the vertex. The light comes from above
 // and is soft: each side has its own shade, lighter or darker than its colour. What is far away fades into the background.
-// Lines between cells are a little darker, and vanish where cells are small.
+// Lines between cells are a little darker, and vanish where cells are small. In worlds of many layers what is high is lighter
+// than what is low.
 inline constexpr const char* kFaceVertices = REPLAN_SIDE_LIGHT R"(
 layout(location = 0) in vec3 cell;
 layout(location = 1) in float side;
@@ -22,6 +23,7 @@ layout(location = 2) in vec2 extent;
 layout(location = 3) in vec4 colour;
 uniform mat4 projection;
 uniform float lift;
+uniform vec2 ramp;  // how much lighter the highest place is than the lowest; the highest
 out vec3 place;
 out vec2 on_face;
 out vec4 shade;
@@ -38,6 +40,7 @@ void main() {
   else at += vec3(on_face.x, on_face.y, out_by);
   place = at;
   shade = lit(colour, s);
+  shade.rgb *= 1.0 + ramp.x * (at.z / ramp.y - 0.7);
   gl_Position = projection * vec4(at, 1.0);
   depth = gl_Position.w;
 }
