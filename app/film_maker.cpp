@@ -59,7 +59,7 @@ Result<void> FilmMaker::begin(const ui::CaptureRequest& request, FilmSet set, Se
 Result<void> FilmMaker::open(Session& session) {
   // Where the playhead stood says which replan was meant.
   Result<std::vector<FilmFrame>> frames = std::vector<FilmFrame>{};
-  session.glance(cursor_, 1, [&] { frames = ui::film_frames(request_.film, session.run()); });
+  session.glance(lead_, cursor_, 1, [&] { frames = ui::film_frames(request_.film, session.run()); });
   if (!frames) return Error{frames.error()};
   frames_ = std::move(*frames);
   ui::ViewState state = std::move(set_.view);
@@ -79,7 +79,7 @@ Result<void> FilmMaker::open(Session& session) {
 Result<void> FilmMaker::shoot(Session& session) {
   const FilmFrame& frame = frames_[next_];
   ui::Image picture;
-  session.glance(frame.position, frame.travel, [&] { picture = studio_->shoot(session); });
+  session.glance(lead_, frame.position, frame.travel, [&] { picture = studio_->shoot(session); });
   const ui::PixelArea all{{0, 0}, {static_cast<float>(picture.width), static_cast<float>(picture.height)}};
   recording_.take(picture, all);
   if (!recording_.on()) return Error{""};  // the recording tells why
@@ -89,14 +89,14 @@ Result<void> FilmMaker::shoot(Session& session) {
 
 Result<void> FilmMaker::go_on(Session& session, void (*woken)()) {
   if (!at_work_) return {};
-  const Run& run = session.run();
   const auto fail = [&](std::string sentence) -> Result<void> {
     cancel();
     return Error{std::move(sentence)};
   };
-  if (run.log_id() != log_ || session.lead() != lead_)
+  if (lead_ >= session.runs().size() || session.runs()[lead_]->log_id() != log_)
     return fail("The film was not made: the run has changed meanwhile");
   if (!studio_) {
+    const Run& run = *session.runs()[lead_];
     if (!ui::is_complete(request_.film.part, run)) {
       if (run.busy()) return {};
       if (std::exchange(next_, 1) > 0) return fail("The film was not made: the run does not come that far");

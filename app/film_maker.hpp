@@ -51,7 +51,7 @@ class FilmMaker {
   std::vector<FilmFrame> frames_;
   std::size_t next_ = 0;
   std::unique_ptr<Studio> studio_;
-  std::size_t lead_ = 0, cursor_ = 0;  // of the session when the film was asked for
+  std::size_t lead_ = 0, cursor_ = 0;  // of the session when the film was asked for: who leads in it
   std::uint64_t log_ = 0;              // Run::log_id()
   bool at_work_ = false;
 };

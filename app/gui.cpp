@@ -83,7 +83,7 @@ Result<Opened> first_document(const std::optional<std::string>& file) {
 }
 
 /// Facts of the session for the tests of the window.
-Result<void> dump_state(const Session& session, const std::string& path) {
+Result<void> dump_state(const Session& session, bool opengl_es, const std::string& path) {
   const Timeline& log = session.run().timeline();
   const SearchState& state = log.state();
   std::size_t obstacles = 0;
@@ -99,6 +99,7 @@ Result<void> dump_state(const Session& session, const std::string& path) {
       {"events", log.size()},
       {"moves", state.scalar(Scalar::moves)},
       {"playing", session.playback().direction},
+      {"opengl_es", opengl_es},
       {"mission", decision == nullptr ? "planning" : mission_state_name(decision->state)}};
   return write_file_atomically(path, json.dump(2) + "\n");
 }
@@ -263,8 +264,9 @@ Result<void> Program::make_film(const ui::CaptureRequest& request) {
 }
 
 void Program::take_picture(const ui::CaptureRequest& request) {
-  const auto tell = [this, path = request.path](const Result<void>& written) {
-    shell_->tell(written ? "Saved " + file_name(path) : written.error(), !written);
+  const auto tell = [this, path = request.path](const Result<void>& written, const std::string& note = "") {
+    const std::string saved = "Saved " + file_name(path) + (note.empty() ? "" : ": " + note);
+    shell_->tell(written ? saved : written.error(), !written);
   };
   const std::string extension = file_extension(request.path);
   const ui::PixelArea part = area(request.window);
@@ -274,7 +276,9 @@ void Program::take_picture(const ui::CaptureRequest& request) {
       tell(ui::write_png(path, cut_out(image, part, size.width, size.height)));
     });
   } else if (extension == ".svg" && !request.window) {
-    tell(write_drawing(request.path, session_.run(), shell_->view(), size));
+    const std::size_t pane = session_.lead();
+    tell(write_drawing(request.path, session_.run(), shell_->view(), pane, size),
+         drawing_note(session_.run(), shell_->view(), pane));
   } else {
     shell_->tell(request.path + (request.window ? ": a picture of the window is a .png"
                                                 : ": a picture is a .png or an .svg"),
@@ -349,7 +353,8 @@ Result<void> Program::close() {
   if (const Result<void> written = write_settings(remembered_, settings_path()); !written)
     std::fprintf(stderr, "replan: %s\n", written.error().c_str());
   const char* dump = std::getenv("REPLAN_STATE_DUMP");
-  return dump != nullptr && dump[0] != '\0' ? dump_state(session_, dump) : Result<void>();
+  if (dump == nullptr || dump[0] == '\0') return {};
+  return dump_state(session_, window_->stage().renderer().gl().es, dump);
 }
 
 }  // namespace

@@ -124,13 +124,18 @@ FrameSize written_size(const RenderRequest& request) {
 }
 
 Result<void> write_drawing(const std::string& path, const Run& run, const ui::ViewState& state,
-                           Viewport size) {
+                           std::size_t pane, Viewport size) {
   const Palette palette = ui::scene_palette(state.dark ? ui::dark() : ui::light(), state.colours);
   View view = state.view;
-  view.slice = state.slices.of(0);
+  view.slice = state.slices.of(pane);
   if (state.slices.follows_robot) view.slice.layer = coordinate(ui::robot_cell(run), view.slice.along);
   view.camera = state.shown_camera(view.slice.along);
   return write_file_atomically(path, scene_svg(build_scene(run, view, size, palette), palette));
+}
+
+std::string drawing_note(const Run& run, const ui::ViewState& state, std::size_t pane) {
+  if (!run.lattice().solid() || !state.slices.orbits(pane)) return "";
+  return "an .svg has no 3D, so this one shows the slice; a .png shows the world from outside";
 }
 
 Result<ui::ViewState> requested_view(const RenderRequest& request) {
@@ -185,7 +190,7 @@ Result<void> render(const RenderRequest& request) {
                  "frames in /"};
   if (const auto there = go_to(session, request); !there) return there;
   if (extension == ".svg")
-    return write_drawing(request.output, session.run(), *state, {request.width, request.height});
+    return write_drawing(request.output, session.run(), *state, 0, {request.width, request.height});
   StudioSettings settings = studio_settings(request);
   settings.actions = std::move(*actions);
   auto studio = Studio::open(settings, session, std::move(*state));

@@ -69,9 +69,11 @@ Result<void> render(const RenderRequest& request);
 /// The size of the file that render() writes: that of the request but for an .mp4, whose sides are even.
 FrameSize written_size(const RenderRequest& request);
 
-/// Writes what a canvas of that size shows of a run as a vector drawing (.svg).
+/// Writes what a pane of that size shows of a run as a vector drawing (.svg); of one in 3D the slice.
 Result<void> write_drawing(const std::string& path, const Run& run, const ui::ViewState& state,
-                           Viewport size);
+                           std::size_t pane, Viewport size);
+/// What there is to say of such a drawing: a sentence about what the pane shows and the drawing does not, or "".
+std::string drawing_note(const Run& run, const ui::ViewState& state, std::size_t pane);
 
 /// The view that a request asks for: overlays, camera and theme of request, scenario or window, in that
 /// order.

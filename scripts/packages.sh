@@ -9,7 +9,7 @@ build_packages=(
   g++ cmake ninja-build ccache pkg-config
   libimgui-dev libglfw3-dev libosmesa6-dev libgl-dev libgl1-mesa-dri
   # GLFW opens these by name when it starts, so no package pulls them in.
-  libxcursor1 libxi6 libxinerama1 libxrandr2
+  libxcursor1 libxi6 libxinerama1 libxrandr2 libegl1 libgles2
   libstb-dev libjpeg62-turbo-dev nlohmann-json3-dev libyaml-cpp-dev libcli11-dev
   ffmpeg
   fonts-inter fonts-jetbrains-mono fonts-font-awesome fonts-wqy-microhei

@@ -126,7 +126,7 @@ Result<std::optional<double>> ReadingArguments::occupied_number() const {
                "': give the number that stands for an obstacle, for example 1"};
 }
 
-Result<MapReading> ReadingArguments::reading() const {
+Result<MapReading> ReadingArguments::reading(const std::string& file) const {
   constexpr std::string_view kUnknown[] = {"blocked", "free", "unmapped"};
   MapReading result;
   result.image.invert = invert;
@@ -138,6 +138,11 @@ Result<MapReading> ReadingArguments::reading() const {
   if (!obstacle) return Error{obstacle.error()};
   result.occupied = *obstacle;
   if (of_heights()) {
+    const MapFormat* format = find_map_format(file);
+    if (!height_map && format != nullptr && format->picture)
+      return Error{"'" + file +
+                   "' is a picture, which is a height map only with --height-map: give it too, or leave out "
+                   "--layers, --heights and --reduce"};
     const auto heights_read = height_reading();
     if (!heights_read) return Error{heights_read.error()};
     result.heights = *heights_read;
@@ -195,7 +200,7 @@ void WorldArguments::declare(CLI::App& command) {
 Result<MapFile> WorldArguments::load_map() const {
   if (is_generator_spec(map))
     if (const auto unused = reading.check_unused_by(map); !unused) return Error{unused.error()};
-  const auto how = reading.reading();
+  const auto how = reading.reading(map);
   if (!how) return Error{how.error()};
   std::vector<Cell> ends;  // a generated map leaves them free
   for (const auto& [option, text] : {std::pair{"--start", &start}, std::pair{"--goal", &goal}}) {

@@ -45,7 +45,8 @@ struct ReadingArguments {
   std::string reduce;
 
   void declare(CLI::App& command);
-  [[nodiscard]] Result<MapReading> reading() const;
+  /// For a map file of that name.
+  [[nodiscard]] Result<MapReading> reading(const std::string& file) const;
   [[nodiscard]] bool given() const {
     return invert || !threshold.empty() || !unknown.empty() || !occupied.empty() || of_heights();
   }

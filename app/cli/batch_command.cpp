@@ -84,7 +84,7 @@ struct BatchInput {
 };
 
 Result<GridMap> read_map_for(const std::string& path, const BatchArguments& arguments) {
-  const auto how = arguments.reading.reading();
+  const auto how = arguments.reading.reading(path);
   if (!how) return Error{how.error()};
   auto file = read_map_file(path, *how);
   if (!file) return Error{file.error()};

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -29,8 +30,9 @@ struct RunArguments {
   BreakArguments stops;
 };
 
-/// A length in the unit of its run's map.
+/// A length in the unit of its run's map; "none" for the distance to an obstacle where there is none.
 std::string length_text(const RunReport& report, double cells, int decimals_shown) {
+  if (std::isinf(cells)) return "none";
   return decimals(report.frame ? report.frame->metres(cells) : cells, decimals_shown);
 }
 
@@ -76,11 +78,11 @@ std::string plan_numbers(std::span<const RunReport> reports) {
   return text;
 }
 
-/// Of a robot with a size, one line for each planner that has a path.
+/// Of a robot with a size, one line for each planner that has a path, and obstacles to be clear of.
 std::string edge_clearances(std::span<const RunReport> reports, double radius) {
   std::string text;
   for (const RunReport& report : reports)
-    if (report.figures.nodes > 0)
+    if (report.figures.nodes > 0 && !std::isinf(report.figures.min_clearance))
       text += report.planner + ": clearance of the edge of a robot of radius " + decimals(radius, 2) +
               ": min " + decimals(report.figures.min_clearance - radius, 2) + ", mean " +
               decimals(report.figures.mean_clearance - radius, 2) + "\n";

@@ -10,6 +10,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "app/platform/gl_choice.hpp"
+
 namespace replan::app {
 
 /// An OSMesa context and the memory it draws into.
@@ -85,10 +87,14 @@ Result<std::unique_ptr<Offscreen>> Offscreen::create(const OffscreenSettings& se
   }
   context.pixels.resize(static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height) *
                         4);
+  const Result<GlChoice> choice = gl_choice();
+  if (!choice) return Error{choice.error()};
   const Current current(context.handle, context.pixels, settings.width, settings.height);
   if (!current.ok()) return Error{"OSMesa refused a picture of this size; try a smaller one."};
   if (const Result<void> loaded = offscreen->gl_.load(find_mesa_function); !loaded)
     return Error{loaded.error()};
+  // OSMesa has no context of OpenGL ES, but takes its shaders (GL_ARB_ES3_compatibility).
+  offscreen->gl_.es = *choice == GlChoice::es;
   Result<std::unique_ptr<ui::Stage>> stage = ui::Stage::create(offscreen->gl_, settings.scale);
   if (!stage) return Error{stage.error()};
   offscreen->stage_ = std::move(*stage);

@@ -1,4 +1,5 @@
-// Frames without a display, through OSMesa: the same drawing code as the window's, into memory.
+// Frames without a display, through OSMesa: the same drawing code as the window's, into memory. REPLAN_GL=es draws with the
+// shaders of OpenGL ES.
 #pragma once
 
 #include <functional>

@@ -57,12 +57,28 @@ float display_scale(GLFWwindow* window) {
   return std::max(x, y);
 }
 
-void request_context() {
-  glfwDefaultWindowHints();
+void request_core() {
+  glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
+  glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_NATIVE_CONTEXT_API);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+}
+
+void request_es() {
+  glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_ES_API);
+  glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 0);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_ANY_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_FALSE);
+}
+
+void request_window(bool maximized, bool follows_display_scale) {
+  glfwDefaultWindowHints();
+  glfwWindowHint(GLFW_MAXIMIZED, maximized ? GLFW_TRUE : GLFW_FALSE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, follows_display_scale ? GLFW_TRUE : GLFW_FALSE);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "replan");
@@ -181,14 +197,13 @@ std::pair<int, int> first_size(const WindowSettings& settings, float scale) {
 
 Result<void> Window::start(const WindowSettings& settings) {
   settings_ = settings;
-  request_context();
-  glfwWindowHint(GLFW_MAXIMIZED, settings.maximized ? GLFW_TRUE : GLFW_FALSE);
+  const Result<GlChoice> choice = gl_choice();
+  if (!choice) return Error{choice.error()};
   const float wanted = settings.scale > 0 ? settings.scale : scale_from_environment();
   follow_display_scale_ = !(wanted > 0);
-  glfwWindowHint(GLFW_SCALE_TO_MONITOR, follow_display_scale_ ? GLFW_TRUE : GLFW_FALSE);
-  const auto [width, height] = first_size(settings, follow_display_scale_ ? 1 : wanted);
-  window_ = glfwCreateWindow(width, height, settings.title.c_str(), nullptr, nullptr);
-  if (window_ == nullptr) return no_window();
+  request_window(settings.maximized, follow_display_scale_);
+  if (const Result<void> created = create(*choice, follow_display_scale_ ? 1 : wanted); !created)
+    return created;
   glfwSetWindowUserPointer(window_, this);
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
@@ -205,6 +220,20 @@ Result<void> Window::start(const WindowSettings& settings) {
   cursors_ = standard_cursors();
   Callbacks::install(window_);
   return {};
+}
+
+/// The reason that is told is the first one: who has no OpenGL at all need not hear of OpenGL ES.
+Result<void> Window::create(GlChoice choice, float scale) {
+  const auto [width, height] = first_size(settings_, scale);
+  Result<void> failed;
+  for (const GlChoice tried : {GlChoice::core, GlChoice::es}) {
+    if (choice != GlChoice::any && choice != tried) continue;
+    tried == GlChoice::es ? request_es() : request_core();
+    window_ = glfwCreateWindow(width, height, settings_.title.c_str(), nullptr, nullptr);
+    if (window_ != nullptr) return {};
+    if (failed) failed = no_window();
+  }
+  return failed;
 }
 
 Window::~Window() {

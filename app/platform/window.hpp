@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/platform/gl_choice.hpp"
 #include "core/base/result.hpp"
 #include "ui/gl/stage.hpp"
 #include "ui/image.hpp"
@@ -67,6 +68,7 @@ class Window {
 
   Window() = default;
   Result<void> start(const WindowSettings& settings);
+  Result<void> create(GlChoice choice, float scale);
   void draw_frame(const std::function<bool()>& frame);
   void wait();
   void update_cursor();

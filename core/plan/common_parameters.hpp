@@ -15,7 +15,8 @@ inline const Parameter kMoves{
     .label = "Neighbours",
     .type = ParameterType::choice,
     .choices = {"8", "4"},
-    .help = "Which neighbours a cell has: 8 with diagonals, 4 without (26 and 6 in 3D)."};
+    .help = "Which neighbours a cell has: 8 with diagonals, 4 without (26 and 6 in 3D).",
+    .choices_in_space = {"26", "6"}};
 inline const Parameter kCorners{
     .key = "corners",
     .label = "Corner rule",

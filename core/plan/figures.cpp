@@ -130,10 +130,9 @@ template <int D>
 void measure_clearance(const Box& box, std::span<const std::uint8_t> cells, const Path& path,
                        PathFigures& figures) {
   const ObstacleDistance<D> obstacles(box.sides<D>(), cells);
-  const double farthest = diagonal(box);
-  figures.min_clearance = figures.mean_clearance = farthest;
+  figures.min_clearance = figures.mean_clearance = std::numeric_limits<double>::infinity();
   if (!obstacles.any()) return;
-  double sum = 0, last = farthest;
+  double sum = 0, last = diagonal(box);
   std::int64_t samples = 0;
   using At = typename ObstacleDistance<D>::Point;
   const auto sample = [&](const At& point) {

@@ -21,7 +21,7 @@ struct PathFigures {
   /// right angle comes to pi, and turning back to 2 pi, the most there is.
   double greatest_curvature = 0;
   /// Distance from the polyline, sampled every 0.1 cell, to the square (cube) of the nearest obstacle cell;
-  /// 0 if it enters one; the lattice's diagonal if there is no obstacle at all.
+  /// 0 if it enters one; infinite if there is no obstacle at all.
   double min_clearance = 0;
   double mean_clearance = 0;
 };

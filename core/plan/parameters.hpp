@@ -26,6 +26,8 @@ struct Parameter {
   std::string_view unit = {};
   std::vector<std::string_view> choices = {};
   std::string_view help = {};  ///< one or two sentences for tooltip and `--help`
+  /// What a window calls the choices in a world of layers, where that is something else.
+  std::vector<std::string_view> choices_in_space = {};
 };
 
 /// Values of parameters by key, held as numbers (choice: index; toggle: 0 or 1). What is not set has its

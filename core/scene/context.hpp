@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/deadline.hpp"
 #include "core/scene/coverage.hpp"
 #include "core/scene/digest.hpp"
 #include "core/scene/field.hpp"
@@ -46,9 +47,10 @@ struct SceneContext {
   int slice = std::clamp(view.slice.layer, 0, lattice.depth() - 1);  ///< the layer that is shown
   // Cells of it in sight, the upper ends excluded.
   int left = 0, top = 0, right = 0, bottom = 0;
-  std::vector<Note> notes = {};          ///< for build_notes()
-  std::optional<Cell> written = {};      ///< the cell that is tinted as just written
-  static constexpr double kTint = 0.25;  ///< how much it is
+  std::vector<Note> notes = {};           ///< for build_notes()
+  std::optional<Cell> written = {};       ///< the cell that is tinted as just written
+  Deadline deadline = Deadline::never();  ///< by when the field's range should be there
+  static constexpr double kTint = 0.25;   ///< how much it is
 
   [[nodiscard]] bool has(Overlay overlay) const { return view.overlays.has(overlay); }
   /// Device pixels of a length in the design.

@@ -7,7 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/deadline.hpp"
 #include "core/scene/scene.hpp"
+#include "core/scene/stale_stretches.hpp"
 
 namespace replan {
 
@@ -40,35 +42,44 @@ std::optional<double> field_value(const Run& run, Overlay field, Cell cell);
 /// date from the log.
 class RangeTracker {
  public:
-  /// The range in `state`, which stands at `position` of the log numbered `log_id`.
+  /// The range in `state`, which stands at `position` of the log numbered `log_id`. Where the time does not suffice, some of
+  /// it is as it was before, or not counted yet.
   std::optional<FieldRange> follow(const FieldReader& reader, const Timeline& log, std::uint64_t log_id,
-                                   const SearchState& state, std::size_t position);
+                                   const SearchState& state, std::size_t position, const Deadline& deadline);
+  /// Whether some of it is not yet at the position: the next follow() goes on.
+  [[nodiscard]] bool behind() const { return stale_.behind(); }
+  /// How many stretches were looked at, all times together.
+  [[nodiscard]] std::size_t scanned() const { return scanned_; }
 
  private:
-  static constexpr std::size_t kStretch = 4 * SearchState::kPage;
   struct Ends {
     std::int64_t low = std::numeric_limits<std::int64_t>::max();
     std::int64_t high = FieldReader::kNone;
   };
 
-  void scan(const FieldReader& reader, const SearchState& state, std::size_t stretch);
+  static Ends ends(const FieldReader& reader, const SearchState& state, std::size_t first, std::size_t end);
 
-  std::uint64_t log_id_ = 0;
-  std::size_t position_ = 0;
+  StaleStretches stale_{4 * SearchState::kPage};
   std::vector<Ends> stretches_;
+  std::size_t scanned_ = 0;
 };
 
 /// The ends of the colour map at the run's cursor: over the state there, and with FieldSpan::whole_run over the state
 /// at the end of the log too.
 class FieldRanges {
  public:
-  std::optional<FieldRange> at_cursor(const Run& run, Overlay field, FieldSpan span);
+  /// What the deadline leaves out is there when it is asked for again.
+  std::optional<FieldRange> at_cursor(const Run& run, Overlay field, FieldSpan span,
+                                      const Deadline& deadline = Deadline::never());
+  /// Whether the last answer has something left out.
+  [[nodiscard]] bool behind() const { return behind_; }
 
  private:
   struct Pair {
     RangeTracker cursor, head;
   };
   std::map<Overlay, Pair> trackers_;
+  bool behind_ = false;
 };
 
 }  // namespace replan

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/deadline.hpp"
+#include "core/scene/stale_stretches.hpp"
 #include "core/session/run.hpp"
 
 namespace replan {
@@ -15,34 +16,23 @@ class OpenCells {
   /// log tells that they were written are looked at.
   void follow(const Run& run, const Deadline& deadline);
   /// Whether some of it is not yet at the cursor: the next follow() goes on.
-  [[nodiscard]] bool behind() const { return waiting_ > 0; }
+  [[nodiscard]] bool behind() const { return stale_.behind(); }
   /// Calls `visit(node)` for those that wait, in the order of their nodes, until it returns false.
   template <class Visit>
   void each(Visit&& visit) const {
-    for (const Stretch& stretch : stretches_)
-      for (const NodeId node : stretch.waiting)
+    for (const std::vector<NodeId>& waiting : stretches_)
+      for (const NodeId node : waiting)
         if (!visit(node)) return;
   }
   /// How many stretches were looked at, all times together.
   [[nodiscard]] std::size_t scanned() const { return scanned_; }
 
  private:
-  static constexpr std::size_t kStretch = 128 * SearchState::kPage;
-  struct Stretch {
-    std::vector<NodeId> waiting;
-    bool stale = true;
-  };
+  void scan(const SearchState& state, std::size_t first, std::size_t end, std::vector<NodeId>& waiting);
 
-  void scan(const SearchState& state, std::size_t stretch);
-  void mark(std::size_t stretch);
-  void mark_all(std::size_t nodes);
-  void mark_written(const Timeline& log, std::size_t from, std::size_t to);
-
-  std::uint64_t log_id_ = 0;
-  std::size_t position_ = 0;
+  StaleStretches stale_{128 * SearchState::kPage};
   std::size_t scanned_ = 0;
-  std::size_t waiting_ = 0;  // stretches that are stale
-  std::vector<Stretch> stretches_;
+  std::vector<std::vector<NodeId>> stretches_;  // the nodes of each that wait
 };
 
 }  // namespace replan

@@ -183,7 +183,8 @@ void paint_pixels(SceneContext& context, CellColours& colours) {
 /// The field's range, what it is called of this planner, and its value where the mouse is.
 void describe_field(SceneContext& context) {
   Scene& scene = context.scene;
-  scene.range = context.memory.ranges.at_cursor(context.run, *scene.field, context.view.range);
+  scene.range =
+      context.memory.ranges.at_cursor(context.run, *scene.field, context.view.range, context.deadline);
   const OverlayKind& kind = overlay_kind(*scene.field);
   scene.field_words = kind.words != nullptr ? kind.words(context.run.info()) : std::string(kind.info.label);
   if (context.view.hovered) scene.pointed = field_value(context.run, *scene.field, *context.view.hovered);

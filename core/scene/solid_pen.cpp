@@ -60,7 +60,9 @@ void SolidPen::field(Overlay field) {
   view.slice = {slice_.box.along(), slice_.layer};
   view.overlays.set(field, true);
   SceneContext context{context_.run, view, context_.palette, context_.memory, plane};
+  context.deadline = deadline_;
   build_field_sheet(context);
+  if (context.memory.ranges.behind()) go_on();
   const SeenBox& box = slice_.box;
   const auto width = static_cast<double>(box.width()), height = static_cast<double>(box.height());
   SolidSheet& sheet = scene_.sheet;

@@ -85,7 +85,8 @@ bool shows_unknown(const View& view);
 SolidCut cut_at(const Sheet& slice, const Point& eye);
 
 /// What `view` shows of the run at its cursor in an orbit view; `eye` is where it is seen from, and matters for the side
-/// that a cut leaves out alone. Built with a deadline, some of a long open list may be missing. The slice is drawn as a frame, and is where a cut is made.
+/// that a cut leaves out alone. Built with a deadline, some of a long open list may be missing, and the ends of the field's
+/// colours may still move. The slice is drawn as a frame, and is where a cut is made.
 SolidScene build_solid_scene(const Run& run, const View& view, const SolidOptions& options, const Point& eye,
                              const Palette& palette, SceneMemory& memory,
                              const Deadline& deadline = Deadline::never());

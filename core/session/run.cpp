@@ -12,7 +12,7 @@ namespace {
 
 /// Time that pump() takes of a frame, and the events after which it looks at the clock.
 constexpr std::chrono::milliseconds kPumpTime{4};
-constexpr std::size_t kPartEvents = 16384;
+constexpr std::size_t kPartEvents = 8192;
 
 }  // namespace
 

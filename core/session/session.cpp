@@ -190,7 +190,8 @@ void Session::seek(std::size_t position, double travel) {
   follow_lead();
 }
 
-void Session::glance(std::size_t position, double travel, const std::function<void()>& look) {
+void Session::glance(std::size_t pane, std::size_t position, double travel,
+                     const std::function<void()>& look) {
   struct Place {
     std::size_t cursor;
     double travel;
@@ -198,6 +199,7 @@ void Session::glance(std::size_t position, double travel, const std::function<vo
   std::vector<Place> places;
   for (const auto& run : runs_) places.push_back({run->timeline().cursor(), run->travel()});
   const bool catching_up = catching_up_;
+  const std::size_t lead = std::exchange(lead_, pane);
   seek(position, travel);
   ++revision_;
   look();
@@ -205,6 +207,7 @@ void Session::glance(std::size_t position, double travel, const std::function<vo
     runs_[i]->timeline().seek(places[i].cursor);
     runs_[i]->set_travel(places[i].travel);
   }
+  lead_ = lead;
   catching_up_ = catching_up_ || catching_up;
   ++revision_;
 }

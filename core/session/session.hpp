@@ -97,9 +97,9 @@ class Session {
   [[nodiscard]] std::string failure() const;
   /// Takes over what the background did and plays on by `seconds`. True if something to be seen changed.
   bool update(double seconds);
-  /// Shows `look` the runs at another moment, as after Seek{position, travel}, and comes back: what is played, stepped
-  /// or looked for goes on as if nothing had been. What `look` sees changes revision().
-  void glance(std::size_t position, double travel, const std::function<void()>& look);
+  /// Shows `look` the runs with that pane leading and at another moment, as after Lead{pane} and Seek{position, travel}, and
+  /// comes back: what is played, stepped or looked for goes on as if nothing had been. What `look` sees changes revision().
+  void glance(std::size_t pane, std::size_t position, double travel, const std::function<void()>& look);
   /// How long a command may wait for the background before the rest of it is left to update(): as long as it takes,
   /// unless a window says otherwise. Where somebody is so impatient, large worlds are edited in the background too, and
   /// the laws of those above Checks::kCellsAtMost are not checked.
@@ -117,6 +117,8 @@ class Session {
   void saved(const std::string& file);
   /// Whether nothing but cells of the map has changed since the document was opened or saved: a map file can hold that.
   [[nodiscard]] bool only_cells_edited() const;
+  /// Whether another world has been put in the place of the one that was opened or saved, which the file is not meant for.
+  [[nodiscard]] bool other_world() const;
 
  private:
   Result<void> run_command(const std::monostate&) { return {}; }

@@ -253,6 +253,11 @@ bool Session::only_cells_edited() const {
   return kept_ && only_cells_differ(*kept_, tidied(*scenario_, scripted()));
 }
 
+// A world that is generated or pasted brings a name of its own, or none.
+bool Session::other_world() const {
+  return kept_ && kept_->name != scenario_->name;
+}
+
 void Session::saved(const std::string& file) {
   file_ = file;
   kept_ = std::make_shared<const Scenario>(tidied(*scenario_, scripted()));

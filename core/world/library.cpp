@@ -19,15 +19,24 @@ namespace {
 /// Not a world, though maps end like it.
 constexpr const char* kOrder = "order.txt";
 
-/// The lines of the folder's order.txt, without comments; none if it has no such file.
-std::vector<std::string> named_order(const std::string& folder) {
-  std::vector<std::string> names;
+/// What the folder's order.txt says: which files come first, and which are none to be shown. Nothing if there is no such
+/// file.
+struct Order {
+  std::vector<std::string> first, hidden;
+};
+
+Order order_of(const std::string& folder) {
+  Order order;
   std::ifstream list(fs::path(folder) / kOrder);
   for (std::string line; std::getline(list, line);) {
     if (line.ends_with('\r')) line.pop_back();
-    if (!line.empty() && line.front() != '#') names.push_back(line);
+    if (line.empty() || line.front() == '#') continue;
+    if (line.front() == '-')
+      order.hidden.push_back(line.substr(1));
+    else
+      order.first.push_back(line);
   }
-  return names;
+  return order;
 }
 
 }  // namespace
@@ -47,11 +56,14 @@ std::vector<std::string> library_files(const std::string& folder) {
     const bool world = file_extension(path) == ".json" || find_map_format(path) != nullptr;
     if (world && entry->path().filename() != kOrder && entry->is_regular_file(failed)) files.push_back(path);
   }
-  const std::vector<std::string> first = named_order(folder);
-  const auto place = [&](const std::string& path) {
+  const Order order = order_of(folder);
+  const auto found = [&](const std::vector<std::string>& names, const std::string& path) {
     const std::string name = fs::path(path).lexically_relative(folder).string();
-    return std::pair(std::find(first.begin(), first.end(), name) - first.begin(), path);
+    return std::find(names.begin(), names.end(), name) - names.begin();
   };
+  std::erase_if(
+      files, [&](const std::string& path) { return found(order.hidden, path) < std::ssize(order.hidden); });
+  const auto place = [&](const std::string& path) { return std::pair(found(order.first, path), path); };
   std::sort(files.begin(), files.end(),
             [&](const std::string& a, const std::string& b) { return place(a) < place(b); });
   return files;

@@ -9,7 +9,7 @@ namespace replan {
 /// The folder maps/ beside assets/, or the one that REPLAN_MAPS names.
 std::string library_folder();
 /// The scenarios and maps of a folder and those below it: first those that its order.txt names, a line each and in the
-/// order of its lines, then the others by their path.
+/// order of its lines, then the others by their path. A line that begins with - names one that is left out.
 std::vector<std::string> library_files(const std::string& folder);
 
 }  // namespace replan

@@ -179,6 +179,12 @@ TEST_F(Convert, makesWorldsOfLayersOfHeights) {
   expect_complaint({"convert", sea, out, "--heights", "5"}, {"--heights cannot be '5'", "-4000,0"});
   expect_complaint({"convert", sea, out, "--heights", "5,-5"}, {"--heights cannot be '5,-5'"});
   expect_complaint({"convert", sea, out, "--reduce", "0"}, {"--reduce cannot be '0'", "from 1 to 1024"});
+  for (const auto& option :
+       {std::vector<std::string>{"--layers", "4"}, {"--heights", "0,9"}, {"--reduce", "2"}}) {
+    std::vector<std::string> arguments = {"convert", grey, out};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    expect_complaint(arguments, {"is a picture", "only with --height-map"});
+  }
   expect_complaint({"convert", map_, out, "--height-map"}, {"heights and layers are for", "a.map' is none"});
   expect_complaint({"convert", sea, text}, {"three dimensions", "--slice Z with Z from 0 to 63"});
 }

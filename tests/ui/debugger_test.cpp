@@ -188,6 +188,20 @@ TEST_F(PanelTest, WhatTheReplanTouchedIsListed) {
   EXPECT_NE(touched->find(run().lattice().node(*view_.view.pinned)), nullptr);
 }
 
+TEST_F(PanelTest, AReplanIsOverOnceThePlayheadIsBehindIt) {
+  open(scenario_with_surprise("dstar-lite"), tab("open_list"));
+  const auto whole = last_replan(run());
+  ASSERT_TRUE(whole.has_value());
+  EXPECT_TRUE(whole->over);
+  ASSERT_TRUE(session_->apply(Seek{whole->end - 1}).ok());
+  EXPECT_FALSE(last_replan(run())->over) << "its last event is to come";
+  ASSERT_TRUE(session_->apply(Seek{whole->end}).ok());
+  EXPECT_TRUE(last_replan(run())->over);
+  EXPECT_EQ(last_replan(run())->end, whole->end);
+  ASSERT_TRUE(session_->apply(Seek{whole->begin + 1}).ok());
+  EXPECT_FALSE(last_replan(run())->over);
+}
+
 TEST_F(PanelTest, AValueLeadsToWhoWroteIt) {
   open(scenario_with_surprise("dstar-lite"), tab("cell"));
   view_.view.pinned = Cell{8, 4};

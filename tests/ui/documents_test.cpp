@@ -409,6 +409,25 @@ TEST(Documents, OpensWorldsOfSeveralLayers) {
   EXPECT_FALSE(library.found("two decks").empty());
 }
 
+TEST(Documents, AGeneratedWorldIsNotSavedIntoTheFileOfTheOneBefore) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.with("door.json", kWorld);
+  Session session(*read_scenario(path), path);
+  session.settle();
+  EXPECT_TRUE(saves_in_place(session));
+  EXPECT_EQ(document_name(session), "door.json");
+  ASSERT_TRUE(session.apply(GenerateWorld{"maze", {}, 31, 21, 7}).ok());
+  EXPECT_FALSE(saves_in_place(session));
+  EXPECT_EQ(document_name(session), "Maze, 31 x 21");
+  ASSERT_TRUE(session.apply(Undo{}).ok());
+  EXPECT_TRUE(saves_in_place(session));
+  EXPECT_EQ(document_name(session), "door.json");
+  ASSERT_TRUE(session.apply(Redo{}).ok());
+  session.saved(folder.file("maze.json"));
+  EXPECT_TRUE(saves_in_place(session)) << "in the file that it was saved in";
+  EXPECT_EQ(document_name(session), "maze.json");
+}
+
 TEST(WorldLibrary, FindsWorldsAndLooksAtEachOnce) {
   const test::TemporaryFolder folder;
   folder.with("b.json", kWorld);

@@ -2,7 +2,9 @@
 #include "app/film_maker.hpp"
 
 #include <filesystem>
+#include <map>
 
+#include "core/base/file.hpp"
 #include "tests/ui/shell_fixture.hpp"
 
 namespace replan::app::film_maker_test {
@@ -87,6 +89,34 @@ TEST_F(FilmMakerTest, ThePlayheadStaysAtTheFirstPlanWhileTheRunGoesOnForTheFilm)
   }
   EXPECT_GT(session_->run().timeline().size(), plan);
   maker_.cancel();
+}
+
+/// Who leads in the film is who led when it was asked for.
+TEST_F(FilmMakerTest, AnotherPaneMayLeadMeanwhile) {
+  ASSERT_TRUE(session_->apply(SetPanes{2}).ok());
+  session_->settle();
+  ASSERT_TRUE(session_->apply(ChoosePlanner{1, "dijkstra"}).ok());
+  session_->settle();
+  const auto bytes_of_all = [&] {
+    std::map<std::string, std::string> bytes;
+    for (const auto& each : std::filesystem::directory_iterator(folder_.file("frames")))
+      bytes[each.path().filename()] = *read_file(each.path());
+    return bytes;
+  };
+  const ui::CaptureRequest wanted = request(ui::FilmPart::whole);
+  make(wanted);
+  const auto undisturbed = bytes_of_all();
+  ASSERT_TRUE(maker_.begin(wanted, set(), *session_).ok());
+  for (int i = 0; i < 2000 && maker_.on(); ++i) {
+    ASSERT_TRUE(session_->apply(Lead{static_cast<std::size_t>(i) % 2}).ok());
+    session_->settle();
+    const auto made = maker_.go_on(*session_, [] {});
+    ASSERT_TRUE(made.ok()) << made.error();
+    EXPECT_EQ(session_->lead(), static_cast<std::size_t>(i) % 2) << "the film takes the lead away";
+  }
+  static_cast<void>(recording_.end());
+  EXPECT_GT(undisturbed.size(), 5u);
+  EXPECT_TRUE(bytes_of_all() == undisturbed);
 }
 
 TEST_F(FilmMakerTest, AReplanIsFilmedFromItsBeginningToItsEnd) {

@@ -12,10 +12,8 @@ namespace replan::ui::orbit_time_test {
 namespace {
 
 constexpr double kMostMs = 16;
-/// Where millions of events come or are leapt over at once, all of the field's values are looked at for the ends of its
-/// colours, as on a slice.
-constexpr double kMostAfterLeapMs = 50;
-
+/// While millions of events arrive, a frame of the log is kept now and then, and others go for it: 15 ms on a busy machine.
+constexpr double kMostArrivingMs = 20;
 /// The processor's time, which is the same on a busy machine.
 double thread_ms() {
   timespec now{};
@@ -112,13 +110,12 @@ TEST_F(OrbitFrameTime, IsShortInAHugeWorldWithALongOpenList) {
   REPLAN_NEED_SHARED_DATA();
   open("dijkstra", {152, 56, 65}, {103, 60, 68});
   ASSERT_FALSE(HasFatalFailure());
-  while (session_->run().busy() && !HasFailure())
-    frames_of("opening, while it plans", 1000, kMostAfterLeapMs);
+  while (session_->run().busy() && !HasFailure()) frames_of("opening, while it plans", 1000, kMostArrivingMs);
   const std::size_t end = session_->run().timeline().size();
   std::printf("%zu events\n", end);
   frames_of("the plan stands", 20);
   ASSERT_TRUE(session_->apply(Seek{end / 2}).ok());
-  frames_of("a leap", 5, kMostAfterLeapMs);
+  frames_of("a leap", 5);
   std::printf("%zu cells wait\n", session_->run().timeline().state().queue_size());
   const auto go_on = [&](std::size_t by) {
     return [this, by](int i) {

@@ -184,6 +184,62 @@ TEST(Render, SvgIsWritten) {
   EXPECT_GT(fs::file_size(request.output), 2000u);
 }
 
+/// Of the pane that leads, and of one in 3D with a word that it is not what the pane shows.
+TEST(Render, SvgShowsTheSliceOfItsPane) {
+  const test::TemporaryFolder folder;
+  auto decks = read_scenario(std::string(REPLAN_SOURCE_DIR) + "/maps/decks.json");
+  ASSERT_TRUE(decks.ok()) << decks.error();
+  Session session(*decks);
+  session.settle();
+  ui::ViewState state;
+  state.slices.set_all({Axis::z, 1});
+  state.slices.set(1, {Axis::z, 3}, ui::SlicePanes::alone);
+  const auto drawing = [&](std::size_t pane) {
+    EXPECT_TRUE(write_drawing(folder.file("pane.svg"), session.run(), state, pane, {300, 200}).ok());
+    return *read_file(folder.file("pane.svg"));
+  };
+  const std::string first = drawing(0);
+  EXPECT_NE(first, drawing(1));
+  EXPECT_EQ(drawing_note(session.run(), state, 0), "");
+  state.slices.set_orbits(0, true);
+  EXPECT_EQ(drawing(0), first);
+  EXPECT_NE(drawing_note(session.run(), state, 0).find("an .svg has no 3D"), std::string::npos);
+  EXPECT_EQ(drawing_note(session.run(), state, 1), "");
+}
+
+/// A wall seen from the front, all of it as far away.
+TEST(Render, WhatIsHighIsLighterInWorldsOfManyLayers) {
+  const test::TemporaryFolder folder;
+  const auto lighter_by = [&](int layers) {
+    RenderRequest request;
+    request.scenario.map = GridMap(layers, 20, layers);
+    for (int z = 0; z < layers; ++z)
+      for (int x = 0; x < layers; ++x) request.scenario.map.set({x, 10, z}, true);
+    request.scenario.start = {0, 0, 0};
+    request.scenario.goal = {layers - 1, 0, 0};
+    request.scenario.planners = {{"astar", {}, {}}};
+    request.width = request.height = 400;
+    request.overlays = OverlaySet{};
+    request.overlays->set(Overlay::unknown, true);
+    request.orbit = Orbit{0, 0, 0, {}};
+    request.legend = false;
+    request.output = folder.file("front.png");
+    const auto drawn = render(request);
+    EXPECT_TRUE(drawn.ok()) << drawn.error();
+    const auto picture = ui::read_image(request.output);
+    const auto green = [&](int top) {
+      int sum = 0;
+      for (int y = top; y < top + 20; ++y)
+        for (int x = 190; x < 210; ++x) sum += picture->rgba[static_cast<std::size_t>(y * 400 + x) * 4 + 1];
+      return sum / 400;
+    };
+    return green(150) - green(250);
+  };
+  EXPECT_EQ(lighter_by(12), 0);
+  EXPECT_GT(lighter_by(16), 5);
+  EXPECT_GT(lighter_by(40), 5);
+}
+
 TEST(Render, AnActionOpensItsDialogFirst) {
   const test::TemporaryFolder folder;
   RenderRequest request = demo("dark");

@@ -67,6 +67,18 @@ TEST_F(SlicesTest, ShiftAndTheWheelMoveThem) {
   EXPECT_EQ(state_.slices.of(1).layer, 2);
 }
 
+TEST_F(SlicesTest, AreTurnedToThePinnedCell) {
+  const Box world = session_->run().lattice();
+  turn_slice(state_.slices, 0, world, Axis::x, std::nullopt);
+  EXPECT_EQ(state_.slices.of(0), (Slice{Axis::x, 10})) << "the middle, where none is pinned";
+  turn_slice(state_.slices, 0, world, Axis::y, Cell{3, 8, 2});
+  EXPECT_EQ(state_.slices.of(0), (Slice{Axis::y, 8}));
+  turn_slice(state_.slices, 0, world, Axis::y, Cell{3, 2, 2});
+  EXPECT_EQ(state_.slices.of(0), (Slice{Axis::y, 8})) << "it looks along y already";
+  turn_slice(state_.slices, 0, world, Axis::z, Cell{30, 8, 2});
+  EXPECT_EQ(state_.slices.of(0), (Slice{Axis::z, 3})) << "the cell is of another world";
+}
+
 TEST_F(SlicesTest, TheCellUnderTheCursorIsTheWorlds) {
   look_along(Axis::y, 7);
   move_to({3, 0});

@@ -62,7 +62,7 @@ TEST_F(WorldDialogsTest, EscapeChangesNothing) {
   frame();
   press(key::kEscape);
   EXPECT_FALSE(dialogs_.open());
-  dialogs_.show_resize(*session_);
+  dialogs_.show_resize(*session_, {});
   frame();
   frame();
   press(key::kEscape);
@@ -71,7 +71,7 @@ TEST_F(WorldDialogsTest, EscapeChangesNothing) {
 }
 
 TEST_F(WorldDialogsTest, ASizeLeftAsItIsIsNoEdit) {
-  dialogs_.show_resize(*session_);
+  dialogs_.show_resize(*session_, {});
   frame();
   frame();
   press(key::kEnter);
@@ -88,7 +88,7 @@ TEST_F(WorldDialogsTest, AWorldOfLayersKeepsThemAndIsGeneratedInSpace) {
   scenario.planners = {{"dstar-lite", {}, {}}};
   session_ = std::make_unique<Session>(scenario);
   session_->settle();
-  dialogs_.show_resize(*session_);
+  dialogs_.show_resize(*session_, {});
   frame();
   frame();
   press(key::kEnter);

@@ -45,6 +45,9 @@ TEST(ShippedWorlds, StandInTheOrderOfTheList) {
   const std::vector<std::string> files = library_files(maps);
   EXPECT_EQ(file_name(files.front()), "demo.json");
   EXPECT_EQ(file_name(files.back()), "broken-planner.json") << "each world stands in maps/order.txt";
+  EXPECT_TRUE(std::none_of(files.begin(), files.end(), [](const std::string& file) {
+    return file_name(file) == "sea-floor.asc";
+  })) << "it is what the sea floor's world is made of";
   const test::TemporaryFolder folder;
   for (const char* name : {"a.json", "b.json", "c.json"}) folder.with(name, "{}");
   EXPECT_EQ(library_files(folder.path()),
@@ -52,6 +55,9 @@ TEST(ShippedWorlds, StandInTheOrderOfTheList) {
   folder.with("order.txt", "# first\n\nc.json\nnot-there.json\n");
   EXPECT_EQ(library_files(folder.path()),
             (std::vector<std::string>{folder.file("c.json"), folder.file("a.json"), folder.file("b.json")}));
+  folder.with("order.txt", "c.json\n-a.json\n");
+  EXPECT_EQ(library_files(folder.path()),
+            (std::vector<std::string>{folder.file("c.json"), folder.file("b.json")}));
 }
 
 TEST(ShippedWorlds, CheckedPlannersArriveWithoutACollision) {

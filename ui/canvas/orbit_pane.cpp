@@ -28,8 +28,8 @@ bool may_be_whole(const Box& world) {
 
 /// What making faces may take of a frame in a window, all panes together.
 constexpr double kMakingMs = 5;
-/// And looking for all cells of the open list, after a leap.
-constexpr double kListMs = 3;
+/// And looking for all cells of the open list and for the ends of the field's colours, after a leap.
+constexpr double kListMs = 2;
 /// How far beside the line of the path a click still meets it, in pixels of the design.
 constexpr double kPathReach = 5;
 

@@ -12,14 +12,17 @@ namespace {
 constexpr float kHeight = 32, kAxesWidth = 116, kWidest = 440;
 constexpr std::array<Axis, 3> kAxes = {Axis::x, Axis::y, Axis::z};
 
-/// The axis that is looked along, or the whole world from outside. A pane that is turned shows the layer in the middle.
-void draw_axes(const Look& look, const Sheet& sheet, std::size_t pane, Slices& slices) {
+/// The axis that is looked along, or the whole world from outside. A pane that is turned shows the layer of the pinned
+/// cell, else that in the middle.
+void draw_axes(const Look& look, const Sheet& sheet, std::size_t pane, ViewState& state) {
+  Slices& slices = state.slices;
   static constexpr std::array<const char*, 4> kNames = {"X", "Y", "Z", "3D"};
   int chosen = slices.orbits(pane) ? 3 : static_cast<int>(sheet.box.along());
   ImGui::BeginChild("axes", {look.px(kAxesWidth), look.px.control}, false, ImGuiWindowFlags_NoBackground);
   if (segments(look, "axis", kNames, chosen)) {
     slices.set_orbits(pane, chosen == 3);
-    if (chosen < 3) turn_slice(slices, pane, sheet.box.box(), kAxes[static_cast<std::size_t>(chosen)]);
+    if (chosen < 3)
+      turn_slice(slices, pane, sheet.box.box(), kAxes[static_cast<std::size_t>(chosen)], state.view.pinned);
   }
   ImGui::EndChild();
   hint(look,
@@ -88,16 +91,18 @@ std::string axes_text(Axis along) {
   return "x → · y ↓";
 }
 
+std::string short_layer_text(const Sheet& sheet) {
+  return std::string(axis_name(sheet.box.along())) + " = " + std::to_string(sheet.layer);
+}
+
 std::string layer_text(const Sheet& sheet) {
-  return std::string(axis_name(sheet.box.along())) + " = " + std::to_string(sheet.layer) + " of 0 to " +
-         std::to_string(sheet.box.depth() - 1);
+  return short_layer_text(sheet) + " of 0 to " + std::to_string(sheet.box.depth() - 1);
 }
 
 void draw_slice_bar(const Look& look, const Sheet& sheet, std::size_t pane, ViewState& state, ImVec2 at,
                     float width) {
   Slices& slices = state.slices;
   width = std::min(width, look.px(kWidest));
-  const std::string words = layer_text(sheet);
   ImGui::SetNextWindowPos(at);
   ImGui::SetNextWindowSize({width, look.px(kHeight)});
   ImGui::SetNextWindowBgAlpha(0.94f);
@@ -109,11 +114,13 @@ void draw_slice_bar(const Look& look, const Sheet& sheet, std::size_t pane, View
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar(2);
-  draw_axes(look, sheet, pane, slices);
+  draw_axes(look, sheet, pane, state);
   ImGui::SameLine(0, look.px.s);
-  const float figures = text_width(look.fonts.mono, words), button = look.px(24);
-  const float buttons = slices.orbits(pane) ? 3 * button : button;
-  const float track = width - look.px(kAxesWidth) - figures - buttons - 2 * look.px.xs - 4 * look.px.s;
+  const float button = look.px(24), buttons = slices.orbits(pane) ? 3 * button : button;
+  const float room = width - look.px(kAxesWidth) - buttons - 2 * look.px.xs - 2 * look.px.s;
+  const std::string whole = layer_text(sheet);
+  const std::string words = text_width(look.fonts.mono, whole) <= room ? whole : short_layer_text(sheet);
+  const float track = room - text_width(look.fonts.mono, words) - 2 * look.px.s;
   if (track >= look.px(40)) {
     draw_track(look, sheet, pane, slices, track);
     ImGui::SameLine(0, look.px.s);

@@ -17,5 +17,7 @@ void draw_slice_bar(const Look& look, const Sheet& sheet, std::size_t pane, View
 std::string axes_text(Axis along);
 /// "z = 3 of 0 to 11"
 std::string layer_text(const Sheet& sheet);
+/// "z = 3", where there is no room for that.
+std::string short_layer_text(const Sheet& sheet);
 
 }  // namespace replan::ui

@@ -16,9 +16,10 @@ void Slices::show(std::size_t pane, Cell cell, SlicePanes panes) {
   set(pane, slice, panes);
 }
 
-void turn_slice(Slices& slices, std::size_t pane, const Box& world, Axis along) {
+void turn_slice(Slices& slices, std::size_t pane, const Box& world, Axis along, std::optional<Cell> pinned) {
   if (!world.solid() || slices.of(pane).along == along) return;
-  slices.set(pane, {along, SeenBox(world, along).depth() / 2});
+  const bool there = pinned && world.contains(*pinned);
+  slices.set(pane, {along, there ? coordinate(*pinned, along) : SeenBox(world, along).depth() / 2});
 }
 
 void move_slice(Slices& slices, std::size_t pane, const Box& world, int by, SlicePanes panes) {

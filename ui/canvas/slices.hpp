@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "core/scene/view.hpp"
 
@@ -44,8 +45,8 @@ constexpr const char* axis_name(Axis axis) {
   return axis == Axis::x ? "x" : axis == Axis::y ? "y" : "z";
 }
 
-/// Has a pane look along another axis, at the middle layer.
-void turn_slice(Slices& slices, std::size_t pane, const Box& world, Axis along);
+/// Has a pane look along another axis, at the layer of the cell that is pinned, else at the middle one.
+void turn_slice(Slices& slices, std::size_t pane, const Box& world, Axis along, std::optional<Cell> pinned);
 /// Moves a pane's slice by so many layers, as far as there are some; it follows the robot no more.
 void move_slice(Slices& slices, std::size_t pane, const Box& world, int by,
                 SlicePanes panes = SlicePanes::alike);

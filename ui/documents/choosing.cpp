@@ -113,7 +113,7 @@ void Documents::choose_open(const Session& session, const std::string& path) {
 
 void Documents::choose_save(const Session& session) {
   write_ = [this](Session& its, const std::string& path) { save_and_go_on(its, path); };
-  std::string name = session.file();
+  std::string name = session.other_world() ? "" : session.file();
   if (name.empty()) {
     name =
         last_folder() + "/" + (session.scenario().name.empty() ? "world" : session.scenario().name) + ".json";

@@ -70,7 +70,7 @@ bool saves_in_place(const std::string& path) {
 }
 
 bool saves_in_place(const Session& session) {
-  return saves_in_place(session.file()) &&
+  return saves_in_place(session.file()) && !session.other_world() &&
          (file_extension(session.file()) == ".json" || session.only_cells_edited());
 }
 
@@ -94,7 +94,7 @@ Result<void> save_document(const Session& session, const ViewState& view, const 
 }
 
 std::string document_name(const Session& session) {
-  if (!session.file().empty()) return file_name(session.file());
+  if (!session.file().empty() && !session.other_world()) return file_name(session.file());
   return session.scenario().name.empty() ? "untitled" : session.scenario().name;
 }
 

@@ -1,5 +1,5 @@
-// One small table of OpenGL 3.3 functions. Calls through libGL do nothing under an OSMesa context, so the
-// functions are looked up by whoever made the context and passed by reference; nothing links libGL.
+// One small table of functions that OpenGL 3.3 core and OpenGL ES 3.0 both have. Calls through libGL do nothing under an
+// OSMesa context, so the functions are looked up by whoever made the context and passed by reference; nothing links libGL.
 #pragma once
 
 #include <GL/glcorearb.h>
@@ -40,7 +40,7 @@ namespace replan::ui {
   X(DEPTHMASK, DepthMask)                                           \
   X(DISABLE, Disable)                                               \
   X(DRAWARRAYSINSTANCED, DrawArraysInstanced)                       \
-  X(DRAWELEMENTSBASEVERTEX, DrawElementsBaseVertex)                 \
+  X(DRAWELEMENTS, DrawElements)                                     \
   X(ENABLE, Enable)                                                 \
   X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray)               \
   X(FINISH, Finish)                                                 \
@@ -86,6 +86,7 @@ struct Gl {
 #define REPLAN_GL_MEMBER(type, name) PFNGL##type##PROC name = nullptr;
   REPLAN_GL_FUNCTIONS(REPLAN_GL_MEMBER)
 #undef REPLAN_GL_MEMBER
+  bool es = false;  ///< the context is one of OpenGL ES: its shaders begin otherwise
 
   /// Fills the table; the error names the first function that the driver lacks.
   Result<void> load(GlLoader loader);

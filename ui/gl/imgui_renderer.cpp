@@ -9,7 +9,7 @@
 namespace replan::ui {
 namespace {
 
-constexpr const char* kVertexShader = R"(#version 330 core
+constexpr const char* kVertexShader = R"(
 layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 texture_position;
 layout(location = 2) in vec4 colour;
@@ -23,7 +23,7 @@ void main() {
 }
 )";
 
-constexpr const char* kFragmentShader = R"(#version 330 core
+constexpr const char* kFragmentShader = R"(
 in vec2 fragment_texture_position;
 in vec4 fragment_colour;
 uniform sampler2D image;
@@ -76,13 +76,20 @@ void ImGuiRenderer::build_buffers() {
   gl_.BindVertexArray(vertex_array_);
   gl_.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
   gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_);
+  for (GLuint location = 0; location < 3; ++location) gl_.EnableVertexAttribArray(location);
+}
+
+/// Indices count from that vertex on: OpenGL ES 3.0 and WebGL 2 have no glDrawElementsBaseVertex.
+void ImGuiRenderer::count_from(unsigned vertex) {
+  if (counted_from_ == vertex) return;
+  counted_from_ = vertex;
   constexpr GLsizei stride = sizeof(ImDrawVert);
-  gl_.EnableVertexAttribArray(0);
-  gl_.EnableVertexAttribArray(1);
-  gl_.EnableVertexAttribArray(2);
-  gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, stride, byte_offset(offsetof(ImDrawVert, pos)));
-  gl_.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, stride, byte_offset(offsetof(ImDrawVert, uv)));
-  gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, byte_offset(offsetof(ImDrawVert, col)));
+  const auto place = [vertex](std::size_t member) {
+    return byte_offset(vertex * sizeof(ImDrawVert) + member);
+  };
+  gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, stride, place(offsetof(ImDrawVert, pos)));
+  gl_.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, stride, place(offsetof(ImDrawVert, uv)));
+  gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, place(offsetof(ImDrawVert, col)));
 }
 
 void ImGuiRenderer::upload_fonts() {
@@ -215,23 +222,23 @@ void ImGuiRenderer::upload(const ImDrawData& data) {
 }
 
 void ImGuiRenderer::draw(const ImDrawData& data) {
-  int base_vertex = 0;
+  unsigned first_vertex = 0;
   unsigned first_index = 0;
   for (int i = 0; i < data.CmdListsCount; ++i) {
     const ImDrawList& list = *data.CmdLists[i];
     for (const ImDrawCmd& command : list.CmdBuffer) {
       if (command.UserCallback == nullptr) {
-        draw_command(data, command, base_vertex, first_index);
+        draw_command(data, command, first_vertex, first_index);
       } else if (command.UserCallback != ImDrawCallback_ResetRenderState) {
         command.UserCallback(&list, &command);
       }
     }
-    base_vertex += list.VtxBuffer.Size;
+    first_vertex += static_cast<unsigned>(list.VtxBuffer.Size);
     first_index += static_cast<unsigned>(list.IdxBuffer.Size);
   }
 }
 
-void ImGuiRenderer::draw_command(const ImDrawData& data, const ImDrawCmd& command, int base_vertex,
+void ImGuiRenderer::draw_command(const ImDrawData& data, const ImDrawCmd& command, unsigned first_vertex,
                                  unsigned first_index) {
   const ImVec2 scale = data.FramebufferScale;
   const float frame_height = data.DisplaySize.y * scale.y;
@@ -245,8 +252,9 @@ void ImGuiRenderer::draw_command(const ImDrawData& data, const ImDrawCmd& comman
               static_cast<GLsizei>(y1 - y0));
   bind(command.TextureId);
   const std::size_t first_byte = (first_index + command.IdxOffset) * sizeof(ImDrawIdx);
-  gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), GL_UNSIGNED_SHORT,
-                             byte_offset(first_byte), base_vertex + static_cast<int>(command.VtxOffset));
+  count_from(first_vertex + command.VtxOffset);
+  gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), GL_UNSIGNED_SHORT,
+                   byte_offset(first_byte));
 }
 
 }  // namespace replan::ui

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -63,7 +64,9 @@ class ImGuiRenderer {
   void set_up(const ImDrawData& data);
   void upload(const ImDrawData& data);
   void draw(const ImDrawData& data);
-  void draw_command(const ImDrawData& data, const ImDrawCmd& command, int base_vertex, unsigned first_index);
+  void draw_command(const ImDrawData& data, const ImDrawCmd& command, unsigned first_vertex,
+                    unsigned first_index);
+  void count_from(unsigned vertex);
   void grow(GLenum target, GLsizeiptr& capacity, GLsizeiptr needed);
 
   const Gl& gl_;
@@ -75,6 +78,7 @@ class ImGuiRenderer {
   GLsizeiptr vertex_capacity_ = 0;
   GLsizeiptr index_capacity_ = 0;
   GLuint bound_ = 0;
+  std::optional<unsigned> counted_from_;  // the vertex that the attributes begin at
   int max_texture_size_ = 0;
   ImTextureID font_texture_ = nullptr;
   std::vector<Texture> textures_;

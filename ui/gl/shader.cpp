@@ -6,9 +6,19 @@
 namespace replan::ui {
 namespace {
 
+/// With what each shader begins. OpenGL ES has no precision of its own for numbers in fragments, and too low a one for
+/// textures of depths.
+constexpr const char* kCoreHeader = "#version 330 core\n";
+constexpr const char* kEsHeader =
+    "#version 300 es\n"
+    "precision highp float;\n"
+    "precision highp int;\n"
+    "precision highp sampler2D;\n";
+
 Result<GLuint> compile(const Gl& gl, GLenum kind, const char* source) {
   const GLuint shader = gl.CreateShader(kind);
-  gl.ShaderSource(shader, 1, &source, nullptr);
+  const std::array<const char*, 2> parts = {gl.es ? kEsHeader : kCoreHeader, source};
+  gl.ShaderSource(shader, static_cast<GLsizei>(parts.size()), parts.data(), nullptr);
   gl.CompileShader(shader);
   GLint compiled = GL_FALSE;
   gl.GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);

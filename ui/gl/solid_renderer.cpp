@@ -21,6 +21,11 @@ constexpr float kCellLines = 0.18f, kInk = 0.75f;
 /// Of glass: all faces that look at the eye, and once more the nearest of them.
 constexpr float kGlass = 0.08f, kGlassShell = 0.24f;
 
+/// How much lighter the highest place of a world is than the lowest: in one of few layers they are told apart without.
+float ramp_of(int layers) {
+  return 0.5f * std::clamp(static_cast<float>(layers - 12) / 4.0f, 0.0f, 1.0f);
+}
+
 /// Whether something of a box may be in sight.
 bool in_sight(const std::array<float, 16>& matrix, const CellBox& box) {
   std::array<int, 6> outside{};
@@ -119,6 +124,8 @@ void SolidRenderer::draw_faces(const SolidFrame& frame) {
   gl_.CullFace(GL_BACK);
   gl_.Uniform4f(uniform("haze"), ground.x, ground.y, ground.z, kHaze);
   gl_.Uniform2f(uniform("reach"), static_cast<float>(depths.first), static_cast<float>(depths.last));
+  const int layers = frame.scene.slice.box.box().depth();
+  gl_.Uniform2f(uniform("ramp"), ramp_of(layers), static_cast<float>(layers));
   gl_.Uniform2f(uniform("finish"), 1, kCellLines);
   if (frame.scene.opacity < 1)
     draw_glass(frame);

@@ -1,5 +1,5 @@
 // The shaders of worlds in space. Depths are those of OrbitLens: `depths` holds how a depth d comes to OpenGL's z, which is
-// x - y / d, and how many cells lines are drawn nearer than they are.
+// x - y / d, and how many cells lines are drawn nearer than they are. build_program() adds the line of the version.
 #pragma once
 
 // The shade of each of the six sides: literals are joined by their standing side by side, which takes a macro.
@@ -14,14 +14,16 @@ namespace replan::ui {
 
 // Faces are rectangles of cells: one instance each, its corners from the number of the vertex. The light comes from above
 // and is soft: each side has its own shade, lighter or darker than its colour. What is far away fades into the background.
-// Lines between cells are a little darker, and vanish where cells are small.
-inline constexpr const char* kFaceVertices = "#version 330 core\n" REPLAN_SIDE_LIGHT R"(
+// Lines between cells are a little darker, and vanish where cells are small. In worlds of many layers what is high is lighter
+// than what is low.
+inline constexpr const char* kFaceVertices = REPLAN_SIDE_LIGHT R"(
 layout(location = 0) in vec3 cell;
 layout(location = 1) in float side;
 layout(location = 2) in vec2 extent;
 layout(location = 3) in vec4 colour;
 uniform mat4 projection;
 uniform float lift;
+uniform vec2 ramp;  // how much lighter the highest place is than the lowest; the highest
 out vec3 place;
 out vec2 on_face;
 out vec4 shade;
@@ -38,12 +40,13 @@ void main() {
   else at += vec3(on_face.x, on_face.y, out_by);
   place = at;
   shade = lit(colour, s);
+  shade.rgb *= 1.0 + ramp.x * (at.z / ramp.y - 0.7);
   gl_Position = projection * vec4(at, 1.0);
   depth = gl_Position.w;
 }
 )";
 
-inline constexpr const char* kFaceFragments = R"(#version 330 core
+inline constexpr const char* kFaceFragments = R"(
 in vec3 place;
 in vec2 on_face;
 in vec4 shade;
@@ -66,7 +69,7 @@ void main() {
 )";
 
 // Of a small cube the three sides that look at the eye.
-inline constexpr const char* kBoxVertices = "#version 330 core\n" REPLAN_SIDE_LIGHT R"(
+inline constexpr const char* kBoxVertices = REPLAN_SIDE_LIGHT R"(
 layout(location = 0) in vec3 low;
 layout(location = 1) in vec3 high;
 layout(location = 2) in vec4 colour;
@@ -87,7 +90,7 @@ void main() {
 }
 )";
 
-inline constexpr const char* kPlainFragments = R"(#version 330 core
+inline constexpr const char* kPlainFragments = R"(
 in vec4 shade;
 uniform vec2 finish;
 layout(location = 0) out vec4 result;
@@ -96,7 +99,7 @@ void main() { result = vec4(shade.rgb, shade.a * finish.x); }
 
 // A piece of a line becomes a rectangle as many pixels wide as it is to be. Its
 // depth is that of a line so many cells nearer to the eye: over the faces that it lies on, and behind what hides it.
-inline constexpr const char* kLineVertices = R"(#version 330 core
+inline constexpr const char* kLineVertices = R"(
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
 layout(location = 2) in vec4 colour;
@@ -125,7 +128,7 @@ void main() {
 }
 )";
 
-inline constexpr const char* kSheetVertices = R"(#version 330 core
+inline constexpr const char* kSheetVertices = R"(
 uniform mat4 projection;
 uniform vec4 corner;
 uniform vec4 right;
@@ -138,7 +141,7 @@ void main() {
 }
 )";
 
-inline constexpr const char* kSheetFragments = R"(#version 330 core
+inline constexpr const char* kSheetFragments = R"(
 in vec2 texel;
 uniform sampler2D picture;
 uniform vec2 finish;
@@ -152,13 +155,13 @@ void main() {
 
 // Outlines: ink where what lies beside a pixel is farther away than a flat face would be there. Over a flat face OpenGL's z
 // is linear on the screen, so that its second difference is 0. Edges between faces are left out where cells are small.
-inline constexpr const char* kOutlineVertices = R"(#version 330 core
+inline constexpr const char* kOutlineVertices = R"(
 void main() {
   gl_Position = vec4(float(gl_VertexID & 1) * 4.0 - 1.0, float(gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
 }
 )";
 
-inline constexpr const char* kOutlineFragments = R"(#version 330 core
+inline constexpr const char* kOutlineFragments = R"(
 uniform sampler2D picture;  // the depths
 uniform vec4 depths;
 uniform vec2 viewport;
@@ -172,12 +175,12 @@ float z_at(vec2 by) {
 void main() {
   float z = z_at(vec2(0.0));
   if (z > 0.99999) discard;
-  float step = finish.y;
-  float across = z_at(vec2(-step, 0.0)) + z_at(vec2(step, 0.0)) - 2.0 * z;
-  float down = z_at(vec2(0.0, -step)) + z_at(vec2(0.0, step)) - 2.0 * z;
+  float beside = finish.y;
+  float across = z_at(vec2(-beside, 0.0)) + z_at(vec2(beside, 0.0)) - 2.0 * z;
+  float down = z_at(vec2(0.0, -beside)) + z_at(vec2(0.0, beside)) - 2.0 * z;
   float depth = depths.y / (depths.x - z);
   float cells = max(across, down) * depth * depth / depths.y;
-  float pixel = depth * finish.x * step;
+  float pixel = depth * finish.x * beside;
   float edge = smoothstep(0.8, 2.5, cells / pixel) * 0.6 * (1.0 - smoothstep(0.2, 0.5, pixel));
   float outline = smoothstep(1.0 + pixel, 4.0 + 6.0 * pixel, cells);
   result = vec4(ink.rgb, ink.a * max(edge, outline));

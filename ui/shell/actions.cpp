@@ -204,7 +204,7 @@ bool ActionContext::orbits() const {
 
 void ActionContext::turn_slice(Axis axis) {
   view.slices.set_orbits(session.lead(), false);
-  ui::turn_slice(view.slices, session.lead(), session.run().lattice(), axis);
+  ui::turn_slice(view.slices, session.lead(), session.run().lattice(), axis, view.view.pinned);
 }
 
 void ActionContext::move_slice(int by) {

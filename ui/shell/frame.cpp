@@ -70,13 +70,17 @@ std::optional<ReplanSpan> last_replan(const Run& run) {
   const auto after = std::partition_point(milestones.begin(), milestones.end(),
                                           [cursor](const Milestone& m) { return m.event < cursor; });
   std::size_t end = cursor;
+  bool over = false;
   for (auto at = after; at != milestones.begin();) {
     --at;
-    if (at->kind == EventKind::plan_end) end = at->event + 1;
+    if (at->kind == EventKind::plan_end) {
+      end = at->event + 1;
+      over = true;
+    }
     if (at->kind != EventKind::plan_begin) continue;
     const std::uint64_t number = at->payload;
     if (number == 0) return std::nullopt;
-    return ReplanSpan{number, at->event, end};
+    return ReplanSpan{number, at->event, end, over};
   }
   return std::nullopt;
 }

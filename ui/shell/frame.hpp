@@ -166,6 +166,7 @@ std::string page_name(const Run& run);
 struct ReplanSpan {
   std::uint64_t number = 0;
   std::size_t begin = 0, end = 0;
+  bool over = false;  ///< the cursor is behind it, and not in the midst of it
 };
 std::optional<ReplanSpan> last_replan(const Run& run);
 /// What that replan touched, read on as the log grows, a part of a long one in each frame of a window; nullptr before the

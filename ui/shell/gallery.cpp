@@ -112,7 +112,7 @@ constexpr std::array kExhibits = {
     Exhibit{"overwrite", [](const Room& room) { room.dialogs.ask(overwrite_question("demo.json")); }},
     Exhibit{"recover", recover},
     Exhibit{"generate", [](const Room& room) { room.world_dialogs.show_generate(room.session, {}); }},
-    Exhibit{"resize", [](const Room& room) { room.world_dialogs.show_resize(room.session); }},
+    Exhibit{"resize", [](const Room& room) { room.world_dialogs.show_resize(room.session, {}); }},
     Exhibit{"edits", [](const Room& room) { show_edits(room.view, room.panels); }},
     Exhibit{"keys", [](const Room& room) { room.dialogs.show(DialogKind::keys); }},
     Exhibit{"about", about},

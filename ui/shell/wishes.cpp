@@ -15,7 +15,7 @@ void Shell::take_wish(Session& session, Wish wish) {
     case Wish::generate:
       return world_dialogs_.show_generate(session, documents_.work());
     case Wish::resize:
-      return world_dialogs_.show_resize(session);
+      return world_dialogs_.show_resize(session, documents_.work());
     case Wish::lesson:
       return open_lesson(session, panels_.wished);
     case Wish::about:

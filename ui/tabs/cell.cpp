@@ -181,11 +181,12 @@ void touched_line(Frame& frame, const CellView& view) {
   if (touched == nullptr) return;
   const Touched* mine = touched->find(view.node);
   ImGui::Dummy({0, look.px.xs});
-  const std::string name = "Replan " + grouped(last_replan(view.run)->number);
+  const ReplanSpan span = *last_replan(view.run);
+  const std::string name = "Replan " + grouped(span.number);
   if (link(look, "touched", name, look.fonts.ui)) perform(frame, ActionId::show_touched);
   const std::string all = "It touched " +
                           count_text(static_cast<std::int64_t>(touched->list().size()), "cell", "cells") +
-                          (touched->behind() ? " so far" : "") + ". Click for all of them.";
+                          (touched->behind() || !span.over ? " so far" : "") + ". Click for all of them.";
   hint(look, {name.c_str(), "", all.c_str()});
   ImGui::SameLine(0, look.px.xs);
   const std::string words = touched_text(view, mine);

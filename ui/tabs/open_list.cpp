@@ -273,7 +273,7 @@ void OpenListTab::draw_touched(Frame& frame) {
   ImGui::AlignTextToFramePadding();
   text(look.fonts.ui, look.theme.dim,
        "Replan " + grouped(span.number) + " touched " + count_text(count, "cell", "cells") +
-           (touched->behind() ? " so far" : ""));
+           (touched->behind() || !span.over ? " so far" : ""));
   const float right = ImGui::GetContentRegionMax().x;
   ImGui::SameLine(right - look.px(52));
   if (small_button(look, "before", {.icon = icon::caret_left, .hint = action(ActionId::replan_back).hint()}))
@@ -284,7 +284,8 @@ void OpenListTab::draw_touched(Frame& frame) {
     perform(frame, ActionId::replan_forward);
   if (touched->list().empty()) {
     paragraph(look.fonts.ui, look.theme.dim,
-              "The change made no difference to any cell: the plan is the same as before.");
+              span.over ? "The change made no difference to any cell: the plan is the same as before."
+                        : "The playhead is in the midst of it, and no cell has been touched yet.");
     return;
   }
   const RowsInSight ahead = rows_ahead(look, touched_rows_, touched->list().size());

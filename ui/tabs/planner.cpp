@@ -60,8 +60,11 @@ void choose_planner(Frame& frame) {
   if (page) perform(frame, ActionId::show_code);
 }
 
-bool choice_setting(const Look& look, const Parameter& parameter, const Hint& what, double& value) {
-  std::vector<std::string> names(parameter.choices.begin(), parameter.choices.end());
+bool choice_setting(Frame& frame, const Parameter& parameter, const Hint& what, double& value) {
+  const Look& look = frame.look;
+  const bool in_space = frame.run().lattice().solid() && !parameter.choices_in_space.empty();
+  const auto& choices = in_space ? parameter.choices_in_space : parameter.choices;
+  std::vector<std::string> names(choices.begin(), choices.end());
   int current = static_cast<int>(value);
   const bool changed =
       labelled_control(look, std::string(parameter.label).c_str(), what, value != parameter.initial,
@@ -103,7 +106,7 @@ bool setting(Frame& frame, const Parameter& parameter, double& value) {
   bool changed = false;
   switch (parameter.type) {
     case ParameterType::choice:
-      changed = choice_setting(look, parameter, what, value);
+      changed = choice_setting(frame, parameter, what, value);
       break;
     case ParameterType::toggle: {
       bool on = value != 0;

@@ -24,9 +24,9 @@ struct Section {
 };
 
 /// In an order of its own: first what is used most.
-constexpr std::array kMenus = {Menu::run,   Menu::debug,  Menu::view, Menu::move,    Menu::tabs,
-                               Menu::panes, Menu::pin,    Menu::size, Menu::file,    Menu::edit,
-                               Menu::world, Menu::record, Menu::help, Menu::overlays};
+constexpr std::array kMenus = {Menu::run,  Menu::debug, Menu::view,   Menu::move, Menu::slice,
+                               Menu::tabs, Menu::panes, Menu::pin,    Menu::size, Menu::file,
+                               Menu::edit, Menu::world, Menu::record, Menu::help, Menu::overlays};
 
 std::vector<Section> sections() {
   std::vector<Section> all;
@@ -39,6 +39,8 @@ std::vector<Section> sections() {
   all.push_back({"On the canvas",
                  {{"Wheel", "Zoom to the cursor; nearer in 3D"},
                   {"Shift+Wheel", "Move the slice of layers"},
+                  {"Drag in 3D", "Turn the world; a click pins"},
+                  {"Right drag in 3D", "Move it; the middle button too"},
                   {"Middle drag", "Pan; Space and drag too"},
                   {"Hover", "Show a cell's values"},
                   {"Click", "Use the tool; Select pins"},

@@ -3,9 +3,11 @@
 #include <string>
 #include <utility>
 
+#include "core/world/grid_map.hpp"
 #include "ui/shell/dialogs/parts.hpp"
 #include "ui/shell/dialogs/world_dialogs.hpp"
 #include "ui/shell/dialogs/world_views.hpp"
+#include "ui/shell/format.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
@@ -128,6 +130,7 @@ void WorldDialogs::resize_preview(const Look& look, const Session& session, ImVe
 void WorldDialogs::resize(const Look& look, const Session& session, std::vector<Command>& commands) {
   const Scenario& scenario = session.scenario();
   const GridMap& map = scenario.map;
+  take_preview();
   heading(look, "Resize the world");
   const float whole = ImGui::GetContentRegionAvail().x, left = whole * 0.45f,
               height = fitting_height(look, 320);
@@ -150,7 +153,10 @@ void WorldDialogs::resize(const Look& look, const Session& session, std::vector<
   text(look.fonts.ui, ends ? look.theme.warning : look.theme.dim,
        sides_shown(map.box()) + " → " + sides_shown(after) + " cells" +
            (ends ? "; start or goal move to the nearest cell inside" : ""));
+  const Result<void> fits = check_world_size(after);
+  if (!fits) paragraph(look.fonts.ui, look.theme.bad, as_sentence(fits.error()));
   const Answer answer = confirm(look, "Resize");
+  if (answer == Answer::yes && !fits) return;
   if (answer == Answer::yes) commands.emplace_back(ResizeWorld{size_});
   if (answer != Answer::none) kind_ = Kind::none;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <imgui_stdlib.h>
 
@@ -53,13 +54,17 @@ bool parameter_control(const Look& look, const Parameter& parameter, double long
 
 }  // namespace
 
-void WorldDialogs::show_resize(const Session& session) {
-  const GridMap map = session.world();
+void WorldDialogs::show_resize(const Session& session, const WorkPlace& place) {
+  GridMap map = session.world();
   kind_ = Kind::resize;
   size_ = {map.width, map.height, Side::low, Side::low, false, map.depth, Side::low};
   sketched_depth_ = map.depth;
-  sketch_ = MapSketch(map);
-  front_ = MapSketch(map, Axis::y);
+  sketch_ = front_ = MapSketch();
+  error_.clear();
+  preview_ = std::make_unique<Background<Preview>>(place);
+  preview_->start([map = std::move(map)](const std::stop_token&) {
+    return Preview{MapSketch(map), MapSketch(map, Axis::y), "", map.box()};
+  });
 }
 
 void WorldDialogs::show_generate(const Session& session, const WorkPlace& place) {
@@ -139,6 +144,10 @@ void WorldDialogs::make_preview() {
       return Preview{MapSketch(*map), size.solid() ? MapSketch(*map, Axis::y) : MapSketch(), "", size};
     });
   }
+  take_preview();
+}
+
+void WorldDialogs::take_preview() {
   auto made = preview_->take();
   if (!made) return;
   sketch_ = std::move(made->sketch);

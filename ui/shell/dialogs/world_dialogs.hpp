@@ -16,7 +16,7 @@ namespace replan::ui {
 class WorldDialogs {
  public:
   /// Each begins at the next draw; previews are made at `place`.
-  void show_resize(const Session& session);
+  void show_resize(const Session& session, const WorkPlace& place);
   void show_generate(const Session& session, const WorkPlace& place);
   [[nodiscard]] bool open() const { return kind_ != Kind::none; }
 
@@ -45,6 +45,7 @@ class WorldDialogs {
   void generate(const Look& look, std::vector<Command>& commands);
   bool generator_settings(const Look& look);
   void make_preview();
+  void take_preview();
   void generate_view(const Look& look, const MapSketch& sketch, int rows, ImVec2 size) const;
   void generate_preview(const Look& look, ImVec2 size) const;
   [[nodiscard]] const GeneratorInfo& generator_info() const;
