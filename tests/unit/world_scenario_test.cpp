@@ -192,7 +192,9 @@ TEST(Scenario, ALargeMapOfFewBoxesIsWrittenByThem) {
     std::string text = scenario_text(scenario);
     const auto back = parse_scenario(text, "s.json", ".");
     EXPECT_TRUE(back.ok()) << back.error();
-    if (back) EXPECT_EQ(*back, scenario);
+    if (back) {
+      EXPECT_EQ(*back, scenario);
+    }
     return text;
   };
   scenario.map = GridMap(900, 700);
