@@ -49,6 +49,13 @@ std::pair<std::size_t, std::size_t> plan_at_cursor(const Run& run) {
   return {begin, end};
 }
 
+/// Where the plan that begins there stands, before anything else happens; `end` if it does not yet.
+std::size_t plan_end(const Run& run, std::size_t begin, std::size_t end) {
+  for (const Milestone& each : run.milestones())
+    if (each.kind == EventKind::plan_end && each.event > begin) return std::min(each.event, end);
+  return end;
+}
+
 /// Expansions between two events, to a chunk of the log.
 std::int64_t samples_between(const Run& run, std::size_t begin, std::size_t end) {
   const auto curve = run.expansion_curve();
@@ -119,15 +126,15 @@ const GainChart::Curve& GainChart::curve_of(const Run& run, std::size_t pane) {
 std::optional<double> GainChart::optimum_of(Frame& frame, const Curve& curve) {
   const Run& run = frame.run();
   if (!optimum_ || optimum_->log_id != curve.log_id || optimum_->begin != curve.begin) {
-    const SearchState state = run.timeline().state_at(std::min(curve.begin + 1, run.timeline().size()));
+    const SearchState state = run.timeline().state_at(plan_end(run, curve.begin, curve.end));
+    const NodeId start = state.node(Scalar::start), goal = state.node(Scalar::goal);
+    if (start == kNoNode || goal == kNoNode) return std::nullopt;
     optimum_ = std::make_unique<Optimum>(run.lattice().node_count() > kLargeWorld);
     optimum_->log_id = curve.log_id;
     optimum_->begin = curve.begin;
-    const NodeId robot = state.node(Scalar::robot), goal = state.node(Scalar::goal);
-    if (robot == kNoNode || goal == kNoNode) return std::nullopt;
-    optimum_->job.start([box = run.lattice(), known = state.known_map(), robot, goal, choice = run.choice(),
+    optimum_->job.start([box = run.lattice(), known = state.known_map(), start, goal, choice = run.choice(),
                          radius = run.scenario().robot.radius](const std::stop_token& stop) {
-      return shortest_of_all(box, known, box.position(robot), box.position(goal), choice, radius, stop);
+      return shortest_of_all(box, known, box.position(start), box.position(goal), choice, radius, stop);
     });
   }
   if (const auto done = optimum_->job.take()) optimum_->length = *done;
