@@ -1,6 +1,7 @@
 // Which stretches of nodes have to be looked at again, because the log tells that a value in them was written.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // OpenGL ES 3.0 draws what OpenGL 3.3 core draws: its shaders without a display, and a window of its own on one.
-#include <array>
 #include <cstdlib>
 #include <string>
+#include <type_traits>
 
 #if __has_include(<GLES3/gl3.h>)
 #include <GLES3/gl3.h>
@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/platform/offscreen.hpp"
 #include "app/platform/window.hpp"
 #include "app/render.hpp"
 #include "tests/support/temporary_folder.hpp"

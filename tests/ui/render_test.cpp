@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/base/file.hpp"
 #include "tests/ui/golden_picture.hpp"
 
 namespace replan::app::render_test {
