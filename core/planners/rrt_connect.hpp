@@ -74,7 +74,8 @@ class RrtConnect final : public TreeSearch<L, T> {
     return tree_.grow(grown->place, grown->nearest);
   }
   /// Lines 8-11: steps towards a place. The vertex that lies there in the end; kNone if something is in the way.
-  std::uint32_t connect(TreeSide side, const Place& towards) {
+  /// By value: places that the tree holds move as it grows.
+  std::uint32_t connect(TreeSide side, const Place towards) {
     if (const std::uint32_t there = tree_.vertex_at(towards, side); there != kNone) return there;
     for (;;) {
       const std::uint32_t added = extend(side, towards);

@@ -74,9 +74,11 @@ class TreeSearch : public Planner<L> {
   void update(const MapChange<L>& change, NodeId start) final {
     tr_.line(13);
     set_end(Scalar::start, start_, start);
-    if (std::any_of(change.cells.begin(), change.cells.end(),
-                    [](const CellEdit& edit) { return edit.blocked; }))
-      cut_what_is_blocked(change.cells);
+    // Of a robot with a size these are the cells that have turned for its centre: what it may touch are others.
+    const bool told_all = !space_.known().has_size();
+    if (!told_all || std::any_of(change.cells.begin(), change.cells.end(),
+                                 [](const CellEdit& edit) { return edit.blocked; }))
+      cut_what_is_blocked(told_all ? reach_of(change.cells) : Reach{});
     if (ends_blocked() || !hang_on_start())
       grow_anew();
     else
@@ -239,6 +241,18 @@ class TreeSearch : public Planner<L> {
   const std::int64_t step_;  // units
 
  private:
+  static constexpr auto kFar = std::numeric_limits<std::int64_t>::max();
+
+  /// The places that a change of the map may have blocked, a box around them: at first all.
+  struct Reach {
+    Place low{-kFar, -kFar, -kFar}, high{kFar, kFar, kFar};
+    [[nodiscard]] bool meets(const Place& a, const Place& b) const {
+      for (std::size_t i = 0; i < D; ++i)
+        if (std::max(a[i], b[i]) < low[i] || std::min(a[i], b[i]) > high[i]) return false;
+      return true;
+    }
+  };
+
   // Line 1.
   void grow_anew() {
     if (tree_.size() > 0) {
@@ -293,9 +307,8 @@ class TreeSearch : public Planner<L> {
   }
 
   // Lines 14 and 15.
-  void cut_what_is_blocked(std::span<const CellEdit> cells) {
+  void cut_what_is_blocked(const Reach& changed) {
     tr_.line(14);
-    const Reach changed = reach_of(cells);
     for (std::uint32_t v = 0; v < tree_.size(); ++v) {
       if (tree_.cut_off(v)) continue;
       const Place& from = tree_.parent(v) == kNone ? tree_.place(v) : tree_.place(tree_.parent(v));
@@ -346,19 +359,9 @@ class TreeSearch : public Planner<L> {
   /// The path changes with the start, for better or worse.
   void take_change() { set_best(goal_vertex_ == kNone ? Cost::infinity() : tree_.cost(goal_vertex_)); }
 
-  /// The places that a change of the map may have blocked, a box around them.
-  struct Reach {
-    Place low{}, high{};
-    [[nodiscard]] bool meets(const Place& a, const Place& b) const {
-      for (std::size_t i = 0; i < D; ++i)
-        if (std::max(a[i], b[i]) < low[i] || std::min(a[i], b[i]) > high[i]) return false;
-      return true;
-    }
-  };
   [[nodiscard]] Reach reach_of(std::span<const CellEdit> cells) const {
-    constexpr auto kFar = std::numeric_limits<std::int64_t>::max();
     Reach reach{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
-    const auto margin = static_cast<std::int64_t>(std::ceil(space_.known().rules().radius) + 2) * kPlaceUnits;
+    constexpr std::int64_t margin = 2 * kPlaceUnits;
     for (const CellEdit& edit : cells) {
       const Place at = place_in_world(edit.node);
       for (std::size_t i = 0; i < 3; ++i) {

@@ -1,6 +1,7 @@
 #include "core/sim/route.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/lattice/segment.hpp"
 #include "core/lattice/sight.hpp"
@@ -59,6 +60,21 @@ double projection(const Point& a, const Point& b, double length, const Point& c)
   return std::clamp(product / length, 0.0, length);
 }
 
+/// The stretch of the segment from `a` to `b` that lies in the cell, as ways along it.
+std::pair<double, double> stretch_inside(const Point& a, const Point& b, double length, const Cell& cell) {
+  const double from[] = {a.x, a.y, a.z}, to[] = {b.x, b.y, b.z};
+  const int low[] = {cell.x, cell.y, cell.z};
+  double first = 0, last = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double by = to[axis] - from[axis];
+    if (by == 0) continue;
+    const double near = (low[axis] - from[axis]) / by, far = (low[axis] + 1 - from[axis]) / by;
+    first = std::max(first, std::min(near, far));
+    last = std::min(last, std::max(near, far));
+  }
+  return {first * length, std::max(first, last) * length};
+}
+
 }  // namespace
 
 Route::Way Route::way_to(const Path& path, std::size_t i, const Point& at) const {
@@ -76,13 +92,18 @@ Route::Way Route::way_to(const Path& path, std::size_t i, const Point& at) const
 
 Route lay_out(const Box& box, std::span<const std::uint8_t> known, const Path& path) {
   Route route;
+  const bool of_points = path.nodes().empty() && !path.touches;
   double walked = 0;
   NodeId in = path.empty() ? kNoNode : box.node(cell_of(path.point(0)));
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Point a = path.point(i - 1), b = path.point(i);
     const double length = distance(a, b);
     for (const NodeId node : cells_of_segment(box, known, path, i, in)) {
-      const double way = projection(a, b, length, centre_of(box.position(node)));
+      double way = projection(a, b, length, centre_of(box.position(node)));
+      if (of_points) {  // what passes a cell at its corner is nearest to its centre outside
+        const auto [first, last] = stretch_inside(a, b, length, box.position(node));
+        way = std::clamp(way, first, last);
+      }
       const double share = way / length;
       route.cells.push_back(node);
       route.pieces.push_back(i);

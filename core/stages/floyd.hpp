@@ -19,7 +19,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/lattice/segment.hpp"
+#include "core/lattice/body_way.hpp"
 #include "core/lattice/sight.hpp"
 #include "core/plan/stage.hpp"
 #include "core/stages/collinear.hpp"
@@ -73,8 +73,8 @@ struct Floyd {
     if (path.nodes().empty()) {
       if (known.has_size()) return false;
       const Point a = path.point(i), b = path.point(k);
-      const bool free = walk_segment(known.box(), a, b, [&known](NodeId c) { return !known.blocked(c); });
-      return free && keeps_away<D>(known, place<D>(a), place<D>(b), distance, [&](const auto& centre) {
+      return !hit_on_way(known, a, b) &&
+             keeps_away<D>(known, place<D>(a), place<D>(b), distance, [&](const auto& centre) {
                return farther(place<D>(a), place<D>(b), centre, distance * distance, 1.0);
              });
     }

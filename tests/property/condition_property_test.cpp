@@ -15,7 +15,7 @@
 namespace replan::test::condition_property_test {
 namespace {
 
-constexpr int kLogs = 300;
+constexpr int kLogs = 330;
 constexpr int kConditionsPerLog = 40;
 
 Cell random_cell(Random& random, const Box& box) {

@@ -76,11 +76,13 @@ class LongLogs : public ::testing::TestWithParam<const PlannerInfo*> {
   [[nodiscard]] std::uint64_t planner() const {
     return static_cast<std::uint64_t>(GetParam() - planners().data());
   }
+  /// Of planners that sample fewer: the log of a tree is long.
+  [[nodiscard]] std::uint64_t worlds() const { return GetParam()->sampling ? 25 : 100; }
 };
 
 TEST_P(LongLogs, DroppedEventsComeBackAsTheyWere) {
   std::size_t dropped = 0;
-  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+  for (std::uint64_t seed = 0; seed < worlds(); ++seed) {
     Random random(seed * 1000 + planner());
     const auto scenario = std::make_shared<const Scenario>(scenario_of(random, *GetParam(), seed));
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + scenario_text(*scenario));
@@ -93,7 +95,7 @@ TEST_P(LongLogs, DroppedEventsComeBackAsTheyWere) {
     ASSERT_EQ(difference(tight, ample, random), "");
     ASSERT_EQ(wandering(tight, ample, random), "");
   }
-  EXPECT_GT(dropped, 30u);  // or it says nothing
+  EXPECT_GT(dropped, 3 * worlds() / 10);  // or it says nothing
 }
 
 /// Another script: some surprises of the end are gone, others are added.
@@ -113,8 +115,8 @@ std::shared_ptr<const Scenario> with_other_surprises(const Scenario& scenario, R
 }
 
 TEST_P(LongLogs, AfterACutTheLogIsThatOfTheNewScriptFromTheStart) {
-  int rebased = 0;
-  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+  std::uint64_t rebased = 0;
+  for (std::uint64_t seed = 0; seed < worlds(); ++seed) {
     Random random(seed * 1000 + 500 + planner());
     auto scenario = std::make_shared<const Scenario>(scenario_of(random, *GetParam(), seed));
     replan::Run tight(scenario, 0, tight_limits(random));
@@ -137,7 +139,7 @@ TEST_P(LongLogs, AfterACutTheLogIsThatOfTheNewScriptFromTheStart) {
       ASSERT_EQ(wandering(tight, ample, random), "");
     }
   }
-  EXPECT_GT(rebased, 60);
+  EXPECT_GT(rebased, 6 * worlds() / 10);
 }
 
 /// A hash over the first events of a log.

@@ -102,8 +102,8 @@ TEST(ConditionLanguage, pointsAtWhatIsWrongAndSaysTheMend) {
       {"changed(taken)", "character 9: 'changed' needs a value of the search: changed(g(x, y)), changed(km)"},
       {"event(repln)", "character 7: unknown event; did you mean 'replan'?"},
       {"event(xyzxyzxyz)",
-       "character 7: 'event' needs a name: plan, replan, underconsistent, sight_failed, no_path, blocked, "
-       "surprise, move, arrival, invariant, oracle"},
+       "character 7: 'event' needs a name: plan, replan, underconsistent, sight_failed, first_path, rewired, "
+       "no_path, blocked, surprise, move, arrival, invariant, oracle"},
       {"1e999 > km", "character 1: this is no number that can be held: write for example 2.5"},
       {"3x > km", "character 1: a number goes on in letters here: write for example 2.5"},
       {"km > é", "character 6: 'é' is not expected here: a value such as km is missing"},
@@ -132,8 +132,11 @@ TEST(ConditionLanguage, hasLimits) {
 TEST(ConditionLanguage, everyNameReadsAsItsHelpShowsIt) {
   for (const ConditionName& name : condition_names()) {
     std::string form(name.form);
-    for (const auto& [place, example] :
-         {std::pair{"(x, y)", "(3, 4)"}, {"(n)", "(48)"}, {"(value)", "(km)"}, {"(name)", "(replan)"}})
+    for (const auto& [place, example] : {std::pair{"(x, y)", "(3, 4)"},
+                                         {"(n)", "(48)"},
+                                         {"(v)", "(17)"},
+                                         {"(value)", "(km)"},
+                                         {"(name)", "(replan)"}})
       if (const std::size_t at = form.find(place); at != std::string::npos)
         form.replace(at, std::string(place).size(), example);
     const auto read = parse_expression(form, kWorld);

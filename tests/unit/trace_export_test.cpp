@@ -444,7 +444,8 @@ TEST(Posthoc, EveryPlannerAndRandomMissionsKeepEveryRule) {
   for (std::uint32_t seed = 0; seed < 40; ++seed) {
     const PlannerInfo& info = planners()[seed % planners().size()];
     const std::string text = trace(random_mission(seed, std::string(info.id)), "a.trace.yaml");
-    ASSERT_EQ(test::PosthocCheck::check("a.trace.yaml", text), "") << info.id << ", seed " << seed;
+    ASSERT_EQ(test::PosthocCheck::check("a.trace.yaml", text, info.sampling), "")
+        << info.id << ", seed " << seed;
     plans += text.find("pass: 2") != std::string::npos ? 1 : 0;
     cuts += text.find("pId: none") != std::string::npos ? 1 : 0;
   }

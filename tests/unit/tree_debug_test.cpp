@@ -74,12 +74,12 @@ TEST(TreeDebug, AVertexHangsOnTheCandidateWithTheLeastSum) {
                      [&](const auto& candidate) { return candidate.cost == least_sum(birth->candidates); });
     EXPECT_EQ(winner->vertex, vertex_parent(log.state(), vertex));
     EXPECT_EQ(winner->cost, vertex_cost(log.state(), vertex));
+    const SearchState then = log.state_at(birth->event);  // before it has made the way to any of them shorter
     for (const auto& candidate : birth->candidates)
       if (!candidate.cost.is_infinite()) {
-        EXPECT_EQ(candidate.cost.raw, (vertex_cost(log.state(), candidate.vertex) +
-                                       length_between(vertex_place(log.state(), candidate.vertex, false),
-                                                      vertex_place(log.state(), vertex, false)))
-                                          .raw);
+        const Place from = vertex_place(log.state(), candidate.vertex, false),
+                    to = vertex_place(log.state(), vertex, false);
+        EXPECT_EQ(candidate.cost.raw, (vertex_cost(then, candidate.vertex) + length_between(from, to)).raw);
       }
     const auto hand = sample_in_hand(run->log_view());
     ASSERT_TRUE(hand.has_value());
