@@ -64,6 +64,10 @@ world=gap-for-samples draw why-edge.png --theme light --at-plan --panes 1 --pin 
 "$program" anytime maps/gap-for-samples.json --planner rrt-connect,rrt-star,informed-rrt-star,greedy-informed-rrt-star --seeds 20 \
   --svg screenshots/anytime.svg > /dev/null
 
+# Paths that are bred: the child in hand, what each neighbour of the changed cell would make of it, and why.
+draw improved-ga.png --planner improved-ga --overlay population,path,grid --theme dark --at 28193 --pin 16,36 --camera 15,33,30 \
+  --action show_cell --size 1440x900
+
 # What coming near obstacles costs, and the path that pays it beside one that does not.
 world=office draw threat-astar.png --theme light --planner astar,threat-astar --overlay dist,path,grid --canvas-only \
   --panes all --at plan --size 1280x520
