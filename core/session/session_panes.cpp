@@ -18,14 +18,14 @@ int unlikeness(const PlannerInfo& a, const PlannerInfo& b) {
 }
 
 /// The planner that is least like any of those there: there is most to see. Of equals the later one in the
-/// registry, which has the plainest first. Trees of samples stand beside trees of samples. nullptr if all that fit the world
+/// registry, which has the plainest first. What draws by chance stands beside what does so too. nullptr if all that fit the world
 /// and the robot are there.
 const PlannerInfo* planner_beside(std::span<const PlannerChoice> there, const Box& box, double radius) {
   const PlannerInfo* best = nullptr;
   int most = 0;
   for (const PlannerInfo& info : planners()) {
     const auto is_there = [&](const PlannerChoice& each) { return each.id == info.id; };
-    const bool of_kind = there.empty() || info.sampling == info_of(there.front()).sampling;
+    const bool of_kind = there.empty() || info.can_miss() == info_of(there.front()).can_miss();
     const bool can_plan = of_kind && !info.exercise && fits(info, box, radius);
     if (!can_plan || std::any_of(there.begin(), there.end(), is_there)) continue;
     int least = 100;

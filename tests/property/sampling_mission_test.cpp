@@ -17,7 +17,7 @@ constexpr std::uint64_t kTakenUp = 8;       // every eighth
 std::vector<const PlannerInfo*> sampling_planners() {
   std::vector<const PlannerInfo*> planners;
   for (const PlannerInfo& info : sound_planners())
-    if (info.sampling) planners.push_back(&info);
+    if (info.can_miss()) planners.push_back(&info);
   return planners;
 }
 

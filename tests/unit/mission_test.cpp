@@ -336,7 +336,7 @@ TEST(Mission, DrivesOutOfAnObstacleThatComesOntoItsCell) {
         driven.run();
         EXPECT_EQ(driven.mission.state(), MissionState::arrived) << info.id;
         // A path of samples may lead through a cell more.
-        EXPECT_LE(driven.count(EventKind::move), info.sampling ? 9 : 7) << info.id;
+        EXPECT_LE(driven.count(EventKind::move), info.can_miss() ? 9 : 7) << info.id;
         const NodeId cell = scenario.map.box().node(Cell{2, 1});
         EXPECT_TRUE(driven.state.known_blocked(cell)) << info.id << ": when it has left it knows of it";
         scenario.robot.robot_cell_blocks = true;

@@ -59,7 +59,7 @@ TEST(OpenOrder, BeforeEveryPopTheFirstIsTheOneThatIsTaken) {
   Random random(11);
   std::size_t pops = 0;
   for (const PlannerInfo& info : planners())
-    for (int world = 0; world < kWorlds && !info.sampling; ++world) {  // samples wait in no list
+    for (int world = 0; world < kWorlds && !info.can_miss(); ++world) {  // samples and children wait in no list
       const auto run = random_run(info, random);
       Timeline& log = run->timeline();
       OpenOrder order;
