@@ -86,6 +86,16 @@ ChildInHand read_child(const Timeline& log, std::size_t pop, std::size_t end, co
   return hand;
 }
 
+/// The child that is bred at a moment, when it is done with.
+std::optional<ChildInHand> read_birth(const Timeline& log, std::size_t moment) {
+  const auto pop = breeding_before(log, moment);
+  if (!pop) return std::nullopt;
+  std::size_t end = moment;
+  while (end < log.size() && log.event(end).kind != EventKind::pop && !ends_breeding(log.event(end).kind))
+    ++end;
+  return read_child(log, *pop, end, log.state_at(end));
+}
+
 }  // namespace
 
 std::optional<ChildInHand> child_in_hand(const LogView& view) {
@@ -96,16 +106,18 @@ std::optional<ChildInHand> child_in_hand(const LogView& view) {
 }
 
 std::optional<ChildInHand> birth_of_path(const LogView& view, std::uint32_t path) {
-  const auto written =
-      view.log.last_event(place_of_path(path, 1), {fields::kPathCell.kind}, view.log.cursor());
-  if (!written) return std::nullopt;
-  const auto pop = breeding_before(view.log, *written);
-  if (!pop) return std::nullopt;
-  std::size_t end = *written;
-  while (end < view.log.size() && view.log.event(end).kind != EventKind::pop &&
-         !ends_breeding(view.log.event(end).kind))
-    ++end;
-  return read_child(view.log, *pop, end, view.log.state_at(end));
+  // A path is bred as the child and becomes a member when another one is the child. What is written of it is no mark: where
+  // it is like the path that lay there before, nothing is.
+  std::uint32_t child = path_named(view.log.state(), Scalar::child);
+  for (std::size_t before = view.log.cursor();;) {
+    const auto turned = view.log.last_event(static_cast<NodeId>(Scalar::child), {EventKind::scalar}, before);
+    if (!turned || view.log.event(*turned).kind != EventKind::scalar) return std::nullopt;  // forgotten since
+    const Event event = view.log.event(*turned);
+    const auto earlier = static_cast<std::uint32_t>((std::uint64_t{child + 1u} ^ event.delta) - 1u);
+    if (earlier == path) return read_birth(view.log, *turned);
+    child = earlier;
+    before = *turned;
+  }
 }
 
 }  // namespace replan

@@ -54,7 +54,7 @@ std::vector<std::uint32_t> members(const SearchState& state) {
 TEST(PopulationDebug, TellsTheChildInHandFromItsParentsToItsEnd) {
   const auto run = finished();
   Timeline& log = run->timeline();
-  int changed = 0, taken_in = 0, given_up = 0;
+  int changed = 0, alike = 0, taken_in = 0, given_up = 0;
   for (std::size_t n = 3; n < 300; n += 7) {
     const std::size_t end = end_of_child(*run, n), pop = after(*run, EventKind::pop, n);
     log.seek(end);
@@ -78,9 +78,11 @@ TEST(PopulationDebug, TellsTheChildInHandFromItsParentsToItsEnd) {
                          [](const auto& a, const auto& b) { return a.unfitness < b.unfitness; });
     ASSERT_NE(best, hand->tried.end());
     EXPECT_EQ(best->cell, hand->changed_to);
-    EXPECT_EQ(best->unfitness.cost, hand->cost);
+    EXPECT_GE(best->unfitness.cost, hand->cost);  // a loop that this closes is deleted
+    alike += best->unfitness.cost == hand->cost ? 1 : 0;
   }
   EXPECT_GT(changed, 20);
+  EXPECT_GT(alike, changed / 2);
   EXPECT_GT(taken_in, 3);
   EXPECT_GT(given_up, 3);
 }
@@ -128,17 +130,23 @@ TEST(PopulationDebug, APlainMutationIsSaidToBeByChance) {
   EXPECT_NE(words.find("drawn by chance"), std::string::npos) << words;
 }
 
-/// The child as whose the fittest path was bred is like it.
-TEST(PopulationDebug, KnowsWhereTheFittestPathComesFrom) {
+/// The child as which a member was bred is like it.
+TEST(PopulationDebug, KnowsWhereEachPathComesFrom) {
   const auto run = finished();
   Timeline& log = run->timeline();
-  log.seek(end_of_child(*run, 400));
-  const std::uint32_t leader = path_named(log.state(), Scalar::leader);
-  const auto birth = birth_of_path(run->log_view(), leader);
-  ASSERT_TRUE(birth.has_value());
-  EXPECT_EQ(birth->number, leader);
-  EXPECT_EQ(birth->path, bred_path(log.state(), leader));
-  EXPECT_TRUE(birth->leaves.has_value());
+  int bred = 0;
+  for (std::size_t n = 10; n < 900; n += 23) {
+    log.seek(end_of_child(*run, n));
+    for (const std::uint32_t member : members(log.state())) {
+      const auto birth = birth_of_path(run->log_view(), member);
+      if (!birth) continue;  // one of the first
+      ++bred;
+      EXPECT_EQ(birth->number, member);
+      EXPECT_EQ(birth->path, bred_path(log.state(), member));
+      EXPECT_TRUE(birth->leaves.has_value());
+    }
+  }
+  EXPECT_GT(bred, 1000);
 }
 
 /// Against what a walk over all states finds; within a plan the fittest path never becomes dearer once it hits nothing.
