@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -35,8 +36,9 @@ Result<void> check_planners(std::span<const PlannerChoice> planners) {
   for (const PlannerChoice& choice : planners) {
     const PlannerInfo* info = find_planner(choice.id);
     if (info == nullptr || !info->can_miss())
-      return Error{"'" + choice.id +
-                   "' has no path before its end: give planners that draw samples or breed paths, with --planner"};
+      return Error{
+          "'" + choice.id +
+          "' has no path before its end: give planners that draw samples or breed paths, with --planner"};
   }
   return {};
 }
@@ -45,7 +47,9 @@ Result<void> check_planners(std::span<const PlannerChoice> planners) {
 Result<std::vector<AnytimeRun>> plan_all(const Scenario& world, std::int64_t seeds, double most_ms) {
   std::vector<AnytimeRun> runs;
   ProgressBar bar("plans", world.planners.size() * static_cast<std::size_t>(seeds));
+  std::map<std::string, int> met;
   for (const PlannerChoice& choice : world.planners) {
+    const int nth = ++met[choice.id];
     const double first = choice.settings.get(parameters::kSeed);
     if (first + static_cast<double>(seeds - 1) > parameters::kSeed.high)
       return Error{"there are not so many seeds from that of '" + choice.id +
@@ -54,6 +58,7 @@ Result<std::vector<AnytimeRun>> plan_all(const Scenario& world, std::int64_t see
       PlannerChoice seeded = choice;
       seeded.settings.set(parameters::kSeed.key, first + static_cast<double>(i));
       runs.push_back(plan_anytime(world.map, world.start, world.goal, seeded, world.robot.radius, most_ms));
+      if (nth > 1) runs.back().planner += "#" + std::to_string(nth);
       bar.show(runs.size());
     }
   }
@@ -113,6 +118,9 @@ Result<int> anytime(const AnytimeArguments& arguments) {
   if (!seeds) return Error{seeds.error()};
   const auto most_ms = most_milliseconds(arguments);
   if (!most_ms) return Error{most_ms.error()};
+  if (world->start == world->goal)
+    return Error{"start and goal are the same cell: there is no path to become shorter"};
+  if (arguments.svg == "-") return Error{"--svg needs the name of a file"};
   const auto runs = plan_all(*world, *seeds, *most_ms);
   if (!runs) return Error{runs.error()};
   const std::optional<double> optimum =
@@ -135,11 +143,14 @@ Result<int> anytime(const AnytimeArguments& arguments) {
 
 std::string anytime_footer() {
   return "Examples:\n"
-         "  replan anytime maps/gap.json --planner rrt-star,informed-rrt-star --seeds 20 --svg gap.svg\n"
+         "  replan anytime maps/gap-for-samples.json --planner rrt-star,informed-rrt-star --seeds 20 --svg "
+         "gap.svg\n"
          "      How soon each has a path, and how it becomes shorter, over samples and over time.\n"
-         "  replan anytime maps/gap.json --planner rrt-star --set samples=1000000 --time 0.5 --csv -\n"
+         "  replan anytime maps/gap-for-samples.json --planner rrt-star --set samples=1000000 --time 0.5 "
+         "--csv -\n"
          "      Half a second each: every gain as a line.\n"
-         "  replan anytime maps/gap.json --planner rrt-star --set samples=20000 --set no_gain=2000\n"
+         "  replan anytime maps/gap-for-samples.json --planner rrt-star --set samples=20000 --set "
+         "no_gain=2000\n"
          "      Until 2000 samples have gained nothing.\n\n"
          "Plans are made on the whole map, and nobody drives. With the same seed a plan is the same each "
          "time, but\n"

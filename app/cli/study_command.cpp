@@ -39,6 +39,8 @@ Result<int> study(const StudyArguments& arguments) {
   if (!arguments.seeds.empty()) {
     const auto seeds = parse_count("--seeds", arguments.seeds, 1);
     if (!seeds) return Error{seeds.error()};
+    constexpr std::int64_t kMostSeeds = 1'000'000;
+    if (*seeds > kMostSeeds) return Error{"--seeds can be at most " + std::to_string(kMostSeeds)};
     watch.seeds = static_cast<std::uint64_t>(*seeds);
   }
   std::unique_ptr<ProgressBar> bar;

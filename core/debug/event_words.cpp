@@ -77,7 +77,8 @@ std::string happening_text(const Box& lattice, const SearchValues& values, const
   const std::string target = node_text(lattice, static_cast<NodeId>(event.delta & 0xFFFFFFFFu));
   switch (event.kind) {
     case EventKind::pop:
-      return values.breeds() ? "another child is bred" : "took " + at + " from the open list";
+      if (values.breeds()) return "another child is bred";
+      return values.grows() ? "a sample is drawn in " + at : "took " + at + " from the open list";
     case EventKind::sight:
       return (event.delta >> 32 != 0 ? at + " sees " : at + " does not see ") + target;
     case EventKind::plan_begin:

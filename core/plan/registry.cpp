@@ -22,7 +22,7 @@ PlannerInfo entry(std::string_view id, Switches switches) {
 }
 
 /// Those that stand before the first of which that holds.
-std::span<const PlannerInfo> before_first(std::span<const PlannerInfo> all, bool PlannerInfo::*trait) {
+std::span<const PlannerInfo> before_first(std::span<const PlannerInfo> all, auto PlannerInfo::*trait) {
   return {all.begin(), std::find_if(all.begin(), all.end(), std::mem_fn(trait))};
 }
 
@@ -48,7 +48,7 @@ std::span<const PlannerInfo> sound_planners() {
 }
 
 std::span<const PlannerInfo> complete_planners() {
-  static const auto all = before_first(sound_planners(), &PlannerInfo::sampling);
+  static const auto all = before_first(sound_planners(), &PlannerInfo::can_miss);
   return all;
 }
 
@@ -79,6 +79,11 @@ Result<void> fits(const PlannerInfo& info, const Box& box, double radius) {
   if (radius > 0 && !info.point_only.empty())
     return Error{"'" + std::string(info.id) + "' plans for a robot without a size alone, since " +
                  std::string(info.point_only)};
+  constexpr int kLongestSide =
+      1 << 17;  // cells: longer ways do not fit the whole numbers that they are held in
+  if (info.can_miss() && std::max({box.width(), box.height(), box.depth()}) > kLongestSide)
+    return Error{"'" + std::string(info.id) + "' plans in worlds of at most " + std::to_string(kLongestSide) +
+                 " cells along each side"};
   if (!info.planar || !box.solid()) return {};
   return Error{"'" + std::string(info.id) + "' plans in the plane alone, and this world has " +
                std::to_string(box.depth()) + " layers"};

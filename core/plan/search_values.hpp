@@ -63,6 +63,11 @@ struct SearchValues {
   [[nodiscard]] bool declares(EventKind kind) const { return find(kind) != nullptr; }
   /// Whether a node has a cost and a lookahead of it, which make it consistent or not.
   [[nodiscard]] bool lookahead() const { return declares(EventKind::rhs); }
+  /// Whether it grows a tree of vertices: core/plan/tree_values.hpp.
+  [[nodiscard]] bool grows() const {
+    return std::any_of(vertex_fields.begin(), vertex_fields.end(),
+                       [](const Field& field) { return field.kind == fields::kVertexParent.kind; });
+  }
   /// Whether it keeps a population of paths: core/plan/population_values.hpp.
   [[nodiscard]] bool breeds() const {
     return std::any_of(vertex_fields.begin(), vertex_fields.end(),

@@ -25,6 +25,8 @@ class GrownTree {
       : tr_(tracer), index_{PlaceIndex<D>(extent), PlaceIndex<D>(extent)} {}
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(places_.size()); }
+  /// Those that grew from the start and are not cut off.
+  [[nodiscard]] std::size_t alive() const { return index(TreeSide::start).size(); }
   [[nodiscard]] bool full() const { return size() >= kMostVertices; }
   /// By value: growing the tree moves its places.
   [[nodiscard]] Place place(std::uint32_t v) const { return places_[v]; }

@@ -145,6 +145,7 @@ class ImprovedGa final : public Planner<L> {
 
   void restore(const SearchState& state, const Counters& counters) override {
     counters_ = counters;
+    settled_ = false;
     numbers_.restore(state);
     population_.restore(state);
     visits_.restore(state, counters.expansions);

@@ -15,7 +15,8 @@
 //  * The goal becomes a vertex once the tree is joined to it. Informed samples are drawn from then on.
 //  * RRT ends with the first path. RRT* draws all its samples, or ends when so many of them have gained nothing.
 //  * The map or the start changes: lines 14-18. What an obstacle cuts off goes, with all that hangs on it; the rest is kept
-//    and hung on the new start; and as many samples as at first are drawn. Where nothing of the tree sees the new start, a
+//    and hung on the new start; and `samples_again` samples are drawn, or as many as at first if the path is
+//    lost. Vertices of the path count as near the new start, however far away.  Where nothing of the tree sees the new start, a
 //    new one is grown.
 //  * Without a path when the samples have run out, none was found: that is no proof that there is none.
 #pragma once
@@ -64,7 +65,7 @@ template <Lattice L, Tracer T>
 class Rrt : public TreeSearch<L, T> {
  public:
   Rrt(const L& lattice, const Settings& settings, T& tracer, RrtSwitches switches)
-      : TreeSearch<L, T>(lattice, settings, tracer),
+      : TreeSearch<L, T>(lattice, settings, tracer, settings.get(parameters::kGoalBias)),
         switches_(switches),
         goal_reach_(switches.greedy ? kAnywhere : Base::units(settings.get(parameters::kGoalReach))),
         no_gain_(static_cast<std::int64_t>(settings.get(parameters::kNoGain))),
@@ -133,9 +134,9 @@ class Rrt : public TreeSearch<L, T> {
   }
 
   /// Karaman & Frazzoli: gamma (log n / n)^(1/D), where gamma is 2 (1 + 1/D)^(1/D) (volume / that of the unit ball)^(1/D),
-  /// the world's volume for that of its free part, which it is no less than.
+  /// which they ask of RRG and which is more than they ask of RRT*; the world's volume for that of its free part.
   [[nodiscard]] std::int64_t ball() const {
-    const double n = tree_.size();
+    const auto n = static_cast<double>(tree_.alive());
     if (!shrinking_ || n < 2) return step_;
     double volume = 1;
     for (std::size_t i = 0; i < D; ++i) volume *= static_cast<double>(space_.extent(i));

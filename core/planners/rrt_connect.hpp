@@ -9,7 +9,8 @@
 //  * One iteration is one sample: a tree takes a step towards it, and the other one as many steps towards the new vertex
 //    as it can. The trees take turns by the sample's number.
 //  * Once they meet, all that grew from the goal hangs on the tree from the start: there is one tree from then on, which is
-//    kept as RRT's is when the map changes. What is cut off from the start goes, and the goal's tree begins anew.
+//    kept as RRT's is when the map changes. Until then both are kept, but for what is cut off; a goal whose tree is
+//    gone gets a new one.
 #pragma once
 
 #include <cstdint>
@@ -73,7 +74,7 @@ class RrtConnect final : public TreeSearch<L, T> {
     tr_.line(7);
     return tree_.grow(grown->place, grown->nearest);
   }
-  /// Lines 8-11: steps towards a place. The vertex that lies there in the end; kNone if something is in the way.
+  /// The same from the other tree: steps towards a place. The vertex that lies there in the end; kNone if something is in the way.
   /// By value: places that the tree holds move as it grows.
   std::uint32_t connect(TreeSide side, const Place towards) {
     if (const std::uint32_t there = tree_.vertex_at(towards, side); there != kNone) return there;

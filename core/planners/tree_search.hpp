@@ -46,7 +46,8 @@ inline PlannerInfo describe_tree() {
 template <Lattice L, Tracer T>
 class TreeSearch : public Planner<L> {
  public:
-  TreeSearch(const L& lattice, const Settings& settings, T& tracer)
+  /// `goal_bias`: how often the goal is the sample, until there is a path.
+  TreeSearch(const L& lattice, const Settings& settings, T& tracer, double goal_bias = 0)
       : space_(lattice),
         tr_(tracer),
         sampler_(space_, static_cast<SampleRule>(static_cast<int>(settings.get(parameters::kSampleRule))),
@@ -54,7 +55,7 @@ class TreeSearch : public Planner<L> {
         tree_({space_.extent(0), space_.extent(1), space_.extent(2)}, tracer),
         step_(units(settings.get(parameters::kStep))),
         visits_(lattice.node_count()),
-        goal_bias_(settings.get(parameters::kGoalBias)),
+        goal_bias_(goal_bias),
         samples_(static_cast<std::int64_t>(settings.get(parameters::kSamples))),
         again_(static_cast<std::int64_t>(settings.get(parameters::kSamplesAgain))) {}
 
@@ -79,7 +80,7 @@ class TreeSearch : public Planner<L> {
     if (!told_all || std::any_of(change.cells.begin(), change.cells.end(),
                                  [](const CellEdit& edit) { return edit.blocked; }))
       cut_what_is_blocked(told_all ? reach_of(change.cells) : Reach{});
-    if (ends_blocked() || !hang_on_start())
+    if (ends_blocked() || tree_.full() || !hang_on_start())
       grow_anew();
     else
       begin_plan();
@@ -121,6 +122,7 @@ class TreeSearch : public Planner<L> {
     if (goal_vertex_ == kNone) best_ = Cost::infinity();
     plan_sample_ = static_cast<std::int64_t>(state.scalar(Scalar::plan_sample));
     gain_sample_ = static_cast<std::int64_t>(state.scalar(Scalar::gain_sample));
+    settled_ = false;
     told_ = told_in(state);
     visits_.restore(state, counters.expansions);
   }
@@ -325,29 +327,43 @@ class TreeSearch : public Planner<L> {
     tr_.line(16);
     if (root_ == kNone) return false;
     if (tree_.place(root_) != start) {
-      const std::uint32_t link = vertex_seen_from(start);
+      const std::vector<std::uint32_t> way = way_of_path();
+      const std::uint32_t link = vertex_seen_from(start, way);
       if (link == kNone) return false;
       tree_.make_root(link);
       set_root(link);
-      if (tree_.place(link) != start) hang_on_new_root(start);
+      if (tree_.place(link) != start) hang_on_new_root(start, way);
     }
     if (start_ == goal_) set_goal_vertex(root_);
     take_change();
     return true;
   }
-  void hang_on_new_root(const Place& start) {
-    if (tree_.full()) return;
+  void hang_on_new_root(const Place& start, const std::vector<std::uint32_t>& way) {
     const std::uint32_t added = tree_.grow(start, root_);
     tree_.make_root(added);
     set_root(added);
-    for (const std::uint32_t v : tree_.within(start, step_))
+    for (const std::uint32_t v : near_start(start, way))
       if (v != added) hang_if_shorter(v, added, 18);
   }
-  /// The nearest vertex, or of those within a step the nearest that the way is free to.
-  std::uint32_t vertex_seen_from(const Place& start) {
+  /// From the goal to the root; nothing without a path.
+  [[nodiscard]] std::vector<std::uint32_t> way_of_path() const {
+    std::vector<std::uint32_t> way;
+    for (std::uint32_t v = goal_vertex_; v != kNone; v = tree_.parent(v)) way.push_back(v);
+    return way;
+  }
+  /// The vertices within a step, and those of the path: its ways may be longer than a step.
+  [[nodiscard]] std::vector<std::uint32_t> near_start(const Place& start,
+                                                      const std::vector<std::uint32_t>& way) const {
+    std::vector<std::uint32_t> near = tree_.within(start, step_);
+    for (const std::uint32_t v : way)
+      if (squared_between(tree_.place(v), start) > step_ * step_) near.push_back(v);
+    return near;
+  }
+  /// The nearest vertex, or of those near the start the nearest that the way is free to.
+  std::uint32_t vertex_seen_from(const Place& start, const std::vector<std::uint32_t>& way) {
     std::vector<std::uint32_t> near(1, tree_.nearest(start));
     if (near[0] == kNone) return kNone;
-    const auto found = tree_.within(start, step_);
+    const auto found = near_start(start, way);
     near.insert(near.end(), found.begin(), found.end());
     std::stable_sort(near.begin(), near.end(), [&](std::uint32_t a, std::uint32_t b) {
       return squared_between(tree_.place(a), start) < squared_between(tree_.place(b), start);

@@ -41,7 +41,7 @@ struct AnytimeRun {
   [[nodiscard]] bool found() const { return !gains.empty(); }
 };
 
-/// Plans once with a planner that betters its path as it goes (PlannerInfo::sampling). `most_ms` ends it with the best path
+/// Plans once with a planner that betters its path as it goes (PlannerInfo::can_miss). `most_ms` ends it with the best path
 /// by then: such a plan is another one each time, while samples repeat.
 AnytimeRun plan_anytime(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice, double radius,
                         double most_ms = std::numeric_limits<double>::infinity(),

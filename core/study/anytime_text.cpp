@@ -80,7 +80,10 @@ class CurvePlot {
       least = std::min(least, where(run.gains.front()));
       most = std::max(most, end_of(run));
     }
-    if (most <= 0) least = most = low_ = high_ = 1;
+    if (most <= 0) {  // no plan has a path
+      least = most = 1;
+      low_ = high_ = optimum_.value_or(1);
+    }
     high_ = std::max(high_, low_ * 1.001);
     low_ -= (high_ - low_) * 0.05;
     from_ = std::floor(std::log10(std::max(least, 1e-6)));

@@ -88,7 +88,8 @@ RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoi
   PlanStatus status = finish(*navigator);
   Counters in_vain;
   if (robot.unreachable_goal == UnreachableGoal::nearest && may_be_unreachable(status)) {
-    const NodeId aim = map.box().node(goal), nearest = navigator->nearest_reachable(map.box().node(start), aim);
+    const NodeId aim = map.box().node(goal),
+                 nearest = navigator->nearest_reachable(map.box().node(start), aim);
     if (nearest != aim) {
       in_vain = navigator->counters();
       navigator->begin(centre_of(start), centre_of(map.box().position(nearest)));
@@ -149,8 +150,8 @@ std::string explanation(const RunReport& report) {
     return "The goal cannot be reached: the path leads to " +
            cell_text(cell_of(report.path.point(report.path.size() - 1)), report.solid) +
            ", the reachable cell nearest to it.";
-  for (const PlanStatus status : {PlanStatus::no_path, PlanStatus::start_blocked, PlanStatus::goal_blocked,
-                                  PlanStatus::none_found})
+  for (const PlanStatus status :
+       {PlanStatus::no_path, PlanStatus::start_blocked, PlanStatus::goal_blocked, PlanStatus::none_found})
     if (report.status == status_name(status)) return status_sentence(status, report.radius > 0);
   return {};
 }

@@ -132,16 +132,17 @@ void read_listed(const JsonNode& size, const JsonNode& obstacles, GridMap& map) 
   map = GridMap(static_cast<int>(side[0]), static_cast<int>(side[1]), static_cast<int>(side[2]));
   std::vector<CellChange> listed;
   PlaceReader(map.box()).cells(obstacles, true, listed);
-  for (const CellChange& obstacle : listed) map.set(obstacle.cell, true);
+  for (const CellChange& obstacle : listed)
+    if (map.box().contains(obstacle.cell)) map.set(obstacle.cell, true);  // what is outside is told already
 }
 
-/// The obstacles of a large map, if they are few boxes: they are listed then, not drawn.
-std::optional<std::vector<Cell>> few_boxes(const GridMap& map) {
+/// The obstacles of a large map as they are listed, if they are few boxes; else nothing.
+std::optional<Json> few_boxes(const GridMap& map) {
   constexpr std::size_t kLarge = 10'000, kMostListed = 1'000'000, kMostBoxes = 1'000;
   if (map.blocked.size() <= kLarge) return std::nullopt;
   const Box box = map.box();
   std::vector<Cell> cells;
-  std::size_t corners = 0;  // cells with nothing before them along any axis: each box begins with one
+  std::size_t corners = 0;  // cells with nothing before them along any axis: there are no fewer boxes
   for (NodeId n = 0; n < map.blocked.size(); ++n) {
     if (map.blocked[n] == kFree) continue;
     const Cell at = box.position(n);
@@ -149,14 +150,16 @@ std::optional<std::vector<Cell>> few_boxes(const GridMap& map) {
     const auto taken = [&](const Cell& cell) {
       return box.contains(cell) && map.blocked[map.index(cell)] != kFree;
     };
-    corners +=
-        !taken({at.x - 1, at.y, at.z}) && !taken({at.x, at.y - 1, at.z}) && !taken({at.x, at.y, at.z - 1})
-            ? 1
-            : 0;
+    const bool corner =
+        !taken({at.x - 1, at.y, at.z}) && !taken({at.x, at.y - 1, at.z}) && !taken({at.x, at.y, at.z - 1});
+    corners += corner ? 1 : 0;
     if (corners > kMostBoxes) return std::nullopt;
     cells.push_back(at);
   }
-  return cells;
+  Json listed = PlaceWriter(box).cells(std::move(cells));
+  std::size_t boxes = 0;
+  for (const auto& [kind, places] : listed.items()) boxes += places.size();
+  return boxes > kMostBoxes ? std::nullopt : std::optional(std::move(listed));
 }
 
 Json rows_json(const GridMap& map, int z) {
@@ -209,10 +212,10 @@ Json map_json(const Scenario& scenario) {
     if (reading.heights) map["heights"] = height_reading_json(*reading.heights);
     return map;
   }
-  if (auto cells = few_boxes(scenario.map)) {
+  if (auto listed = few_boxes(scenario.map)) {
     map["size"] = {scenario.map.width, scenario.map.height};
     if (scenario.map.depth > 1) map["size"].push_back(scenario.map.depth);
-    map["obstacles"] = PlaceWriter(scenario.map.box()).cells(std::move(*cells));
+    map["obstacles"] = std::move(*listed);
   } else if (scenario.map.depth == 1) {
     map["rows"] = rows_json(scenario.map, 0);
   } else {

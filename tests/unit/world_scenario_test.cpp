@@ -177,6 +177,8 @@ TEST(Scenario, ReadsAMapByItsSizeAndItsObstacles) {
   };
   EXPECT_NE(error("/map/obstacles/rectangles/0", {1, 0, 4, 1}).find("from 1 to 3, not 4"), std::string::npos);
   EXPECT_NE(error("/map/obstacles/boxes", json::array()).find("the map is a plane"), std::string::npos);
+  for (const json& outside : {json{9, 9}, json{-1, 0}, json{2000000000, 0}})
+    EXPECT_NE(error("/map/obstacles/cells/0", outside).find("outside the map"), std::string::npos);
   EXPECT_NE(error("/map/size", {4, 0}).find("from 1"), std::string::npos);
   EXPECT_NE(error("/map/size", {4}).find("a size [width, height]"), std::string::npos);
   EXPECT_NE(error("/map/size", {100000, 100000}).find("too large"), std::string::npos);
@@ -207,6 +209,11 @@ TEST(Scenario, ALargeMapOfFewBoxesIsWrittenByThem) {
   scenario.map = GridMap(200, 200);
   for (int y = 0; y < 200; ++y)
     for (int x = y % 2; x < 200; x += 2) scenario.map.set({x, y, 0}, true);
+  EXPECT_EQ(text_of().find("\"size\""), std::string::npos);
+  scenario.map = GridMap(1200, 1200);  // one corner, and as many boxes as rows
+  for (int y = 0; y < 1200; ++y)
+    for (int x = 0; x <= y && x < 300; ++x) scenario.map.set({x, y, 0}, true);
+  for (int y = 300; y < 1200; ++y) scenario.map.set({300 + (y * 7) % 800, y, 0}, true);
   EXPECT_EQ(text_of().find("\"size\""), std::string::npos);
   scenario.map = GridMap(40, 30, 20);
   scenario.map.set({5, 6, 7}, true);

@@ -112,6 +112,10 @@ void leader_section(Frame& frame, const CellView& view) {
 
 }  // namespace
 
+void draw_child_why(Frame& frame, const CellView& view) {
+  child_section(frame, view);
+}
+
 void draw_paths(Frame& frame, const CellView& view) {
   child_section(frame, view);
   paths_section(frame, view);

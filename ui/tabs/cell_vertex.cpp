@@ -106,26 +106,49 @@ void event_line(Frame& frame, const char* id, const std::string& words, std::siz
   hint(look, {"", "", "Click to go there."});
 }
 
-/// The last rewiring of the vertex itself, and what it saved.
-void rewired_line(Frame& frame, const VertexView& vertex) {
+/// The lines of the pseudo-code on which a tree is hung on another root, the tree of the goal on that of the start, and a
+/// vertex on a new start.
+constexpr int kMetLine = 12, kRootedLine = 16, kNewRootLine = 18;
+
+/// How it came to hang where it does since it came, and what that saved.
+void rehung_line(Frame& frame, const VertexView& vertex, const std::optional<VertexBirth>& birth) {
   const Look& look = frame.look;
   const Timeline& log = vertex.cell.run.timeline();
-  const auto event = log.last_event(vertex.number, {EventKind::rewired}, log.cursor());
-  if (!event) {
+  const auto hung = log.last_event(vertex.number, {fields::kVertexParent.kind}, log.cursor());
+  const auto rewired = log.last_event(vertex.number, {EventKind::rewired}, log.cursor());
+  const int line = hung ? int{log.event(*hung).line} : 0;
+  if (hung && line >= kRootedLine && line < kNewRootLine) {
+    paragraph(look.fonts.ui, look.theme.dim,
+              "The tree was turned round when the robot moved: what it hangs on hung on it before.");
+    return event_line(frame, "turned", "Turned by event", *hung);
+  }
+  if (hung && line == kMetLine && !rewired && vertex.number != goal_vertex(vertex.cell.state) &&
+      (!birth || *hung > birth->event)) {
+    paragraph(look.fonts.ui, look.theme.dim,
+              "It grew from the goal, and was turned round when the two trees met.");
+    return event_line(frame, "met", "Turned by event", *hung);
+  }
+  if (!rewired) {
     paragraph(look.fonts.ui, look.theme.dim,
               "It has not been rewired: it hangs where it was hung when it came.");
     return;
   }
-  const Cost saved{static_cast<std::int64_t>(log.event(*event).delta)};
-  paragraph(look.fonts.ui, look.theme.good,
-            "A later sample was hung nearer to it: rewiring it saved " + cost_text(saved) + " of its way.");
-  event_line(frame, "rewired", "Rewired by event", *event);
+  const std::string saved = cost_text({static_cast<std::int64_t>(log.event(*rewired).delta)});
+  paragraph(
+      look.fonts.ui, look.theme.good,
+      line == kNewRootLine
+          ? "The robot has moved on: hung on where it stands now, this vertex saved " + saved + " of its way."
+          : "A later sample was hung nearer to it: rewiring it saved " + saved + " of its way.");
+  event_line(frame, "rewired", "Rewired by event", *rewired);
 }
 
 /// Why a vertex hangs where it does that had no candidates.
-const char* nearest_words(const PlannerInfo& info) {
-  return info.informed ? "It was put between two vertices of the path, or is the goal."
-                       : "It was the vertex nearest to the sample that it came from.";
+const char* nearest_words(const VertexView& vertex) {
+  if (vertex.number == goal_vertex(vertex.cell.state))
+    return "It is the goal: it hangs on the vertex over which the way to it is shortest, of those near "
+           "enough that see it.";
+  return vertex.cell.run.info().informed ? "It was put between two vertices of the path."
+                                         : "It was the vertex nearest to the sample that it came from.";
 }
 
 void why_it_hangs(Frame& frame, const VertexView& vertex) {
@@ -142,10 +165,10 @@ void why_it_hangs(Frame& frame, const VertexView& vertex) {
               "When it came, the way over the first of these was the shortest that is free:");
     candidate_table(look, birth->candidates, vertex);
   } else {
-    paragraph(look.fonts.ui, look.theme.dim, nearest_words(vertex.cell.run.info()));
+    paragraph(look.fonts.ui, look.theme.dim, nearest_words(vertex));
   }
   if (birth) event_line(frame, "birth", "It came by event", birth->event);
-  rewired_line(frame, vertex);
+  rehung_line(frame, vertex, birth);
 }
 
 /// What the sample at the cursor has come to.

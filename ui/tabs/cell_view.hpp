@@ -31,6 +31,8 @@ void draw_vertex_why(Frame& frame, const CellView& view);
 /// Of planners that breed paths: why the child in hand is as it is, the paths over the cell, and where the fittest one comes
 /// from.
 void draw_paths(Frame& frame, const CellView& view);
+/// Why the child in hand is as it is, alone.
+void draw_child_why(Frame& frame, const CellView& view);
 
 struct CellPast;
 /// All that there is to say of that vertex: its values, why it hangs where it does, and its past; and of the sample in hand.

@@ -162,6 +162,7 @@ void wave_words(const Look& look, const CellView& view, Cost least) {
 
 void draw_why(Frame& frame, const CellView& view) {
   if (view.run.info().sampling) return draw_vertex_why(frame, view);
+  if (view.run.info().evolving) return draw_child_why(frame, view);
   const Look& look = frame.look;
   const Cost value = view.lookahead ? view.state.rhs(view.node) : view.state.g(view.node);
   const char* name = view.lookahead ? "rhs" : cost_name(view);
