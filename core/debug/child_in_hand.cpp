@@ -1,5 +1,8 @@
 #include "core/debug/child_in_hand.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace replan {
 namespace {
 
@@ -86,14 +89,12 @@ ChildInHand read_child(const Timeline& log, std::size_t pop, std::size_t end, co
   return hand;
 }
 
-/// The child that is bred at a moment, when it is done with.
-std::optional<ChildInHand> read_birth(const Timeline& log, std::size_t moment) {
-  const auto pop = breeding_before(log, moment);
-  if (!pop) return std::nullopt;
-  std::size_t end = moment;
-  while (end < log.size() && log.event(end).kind != EventKind::pop && !ends_breeding(log.event(end).kind))
-    ++end;
-  return read_child(log, *pop, end, log.state_at(end));
+/// Where the child that is bred at a moment is done with; the end of the log if it is not yet.
+std::size_t end_of_breeding(const Timeline& log, std::size_t moment) {
+  while (moment < log.size() && log.event(moment).kind != EventKind::pop &&
+         !ends_breeding(log.event(moment).kind))
+    ++moment;
+  return moment;
 }
 
 }  // namespace
@@ -106,18 +107,54 @@ std::optional<ChildInHand> child_in_hand(const LogView& view) {
 }
 
 std::optional<ChildInHand> birth_of_path(const LogView& view, std::uint32_t path) {
-  // A path is bred as the child and becomes a member when another one is the child. What is written of it is no mark: where
-  // it is like the path that lay there before, nothing is.
+  return PathBirth().follow(view, 0, path);
+}
+
+const std::optional<ChildInHand>& PathBirth::follow(const LogView& view, std::uint64_t log_id,
+                                                    std::uint32_t path) {
+  if (log_id != log_id_ || path != path_ || view.log.cursor() < from_) {
+    log_id_ = log_id;
+    path_ = path;
+    from_ = reach_ = end_ = 0;
+    joined_.reset();
+    birth_.reset();
+  }
+  if (view.log.cursor() > reach_) look_back(view);
+  if (joined_) read_child_of(view.log);
+  return birth_;
+}
+
+// A path is bred as the child and becomes a member when another one is the child. What is written of it is no mark: where
+// it is like the path that lay there before, nothing is.
+void PathBirth::look_back(const LogView& view) {
+  const std::size_t known = std::exchange(reach_, view.log.cursor());
   std::uint32_t child = path_named(view.log.state(), Scalar::child);
-  for (std::size_t before = view.log.cursor();;) {
+  for (std::size_t before = reach_;;) {
     const auto turned = view.log.last_event(static_cast<NodeId>(Scalar::child), {EventKind::scalar}, before);
-    if (!turned || view.log.event(*turned).kind != EventKind::scalar) return std::nullopt;  // forgotten since
+    if (!turned || *turned < known) return;
+    ++turns_read_;
     const Event event = view.log.event(*turned);
+    const bool forgotten = event.kind != EventKind::scalar;
     const auto earlier = static_cast<std::uint32_t>((std::uint64_t{child + 1u} ^ event.delta) - 1u);
-    if (earlier == path) return read_birth(view.log, *turned);
+    if (forgotten || earlier == path_) {
+      from_ = *turned + 1;
+      end_ = 0;
+      joined_ = forgotten ? std::nullopt : turned;
+      birth_.reset();
+      return;
+    }
     child = earlier;
     before = *turned;
   }
+}
+
+/// Reads the child as it stood when it was done with; where the log ended before that, once more when it has grown.
+void PathBirth::read_child_of(const Timeline& log) {
+  const std::size_t end = end_of_breeding(log, std::max(end_, *joined_));
+  if (end == end_) return;
+  end_ = end;
+  const auto pop = breeding_before(log, *joined_);
+  if (pop) birth_ = read_child(log, *pop, end, log.state_at(end));
 }
 
 }  // namespace replan

@@ -49,4 +49,25 @@ std::optional<ChildInHand> child_in_hand(const LogView& view);
 /// and for those that a replan has joined to another start.
 std::optional<ChildInHand> birth_of_path(const LogView& view, std::uint32_t path);
 
+/// What birth_of_path() says, kept from frame to frame: farther on in the same log only what lies between is read.
+class PathBirth {
+ public:
+  /// Goes to the cursor of the log. `log_id` is another one when the log is another one, or was cut.
+  const std::optional<ChildInHand>& follow(const LogView& view, std::uint64_t log_id, std::uint32_t path);
+  /// How many turns from one child to the next were looked at, all times together.
+  [[nodiscard]] std::size_t turns_read() const { return turns_read_; }
+
+ private:
+  void look_back(const LogView& view);
+  void read_child_of(const Timeline& log);
+
+  std::uint64_t log_id_ = 0;
+  std::uint32_t path_ = kNoNode;
+  std::size_t from_ = 0, reach_ = 0;   // the cursors, both included, for which it holds
+  std::optional<std::size_t> joined_;  // the event at which the path became a member
+  std::size_t end_ = 0;                // of what was read of the child
+  std::optional<ChildInHand> birth_;
+  std::size_t turns_read_ = 0;
+};
+
 }  // namespace replan

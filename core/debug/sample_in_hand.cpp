@@ -1,5 +1,6 @@
 #include "core/debug/sample_in_hand.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -72,6 +73,40 @@ std::optional<std::size_t> pop_before(const Timeline& log, std::size_t end) {
   return std::nullopt;
 }
 
+struct NearestSoFar {
+  std::uint32_t vertex = kNoNode;
+  std::int64_t squared = std::numeric_limits<std::int64_t>::max();
+};
+
+/// The values of one kind in a page of vertices: a tree may have a million of them, and value by value takes several times
+/// as long.
+class VertexPage {
+ public:
+  VertexPage(const SearchState& state, EventKind kind, std::uint32_t first)
+      : page_(state.page(kind, first)), initial_(state.initial_value(kind)) {}
+  [[nodiscard]] std::uint64_t operator[](std::uint32_t i) const {
+    return page_ != nullptr ? page_[i] : initial_;
+  }
+
+ private:
+  const std::uint64_t* page_;
+  std::uint64_t initial_;
+};
+
+/// Looks for a nearer one among the vertices of a page, which were not cut off.
+void look_through(const SearchState& state, std::uint32_t first, std::uint32_t count, const Place& place,
+                  bool in_space, NearestSoFar& nearest) {
+  const VertexPage cost(state, fields::kVertexCost.kind, first), x(state, fields::kVertexX.kind, first),
+      y(state, fields::kVertexY.kind, first),
+      z(state, (in_space ? fields::kVertexZ : fields::kVertexY).kind, first);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (Cost{static_cast<std::int64_t>(cost[i])}.is_infinite()) continue;
+    const Place at{units_of(x[i]), units_of(y[i]), in_space ? units_of(z[i]) : kPlaceUnits / 2};
+    const std::int64_t squared = squared_between(at, place);
+    if (squared < nearest.squared) nearest = {first + i, squared};
+  }
+}
+
 }  // namespace
 
 std::optional<SampleInHand> sample_in_hand(const LogView& view) {
@@ -99,16 +134,21 @@ std::optional<VertexBirth> birth_of(const LogView& view, std::uint32_t vertex) {
 }
 
 std::uint32_t nearest_vertex(const SearchState& state, const Place& place, bool in_space) {
-  std::uint32_t nearest = kNoNode;
-  std::int64_t least = std::numeric_limits<std::int64_t>::max();
-  for (std::uint32_t v = 0; v < vertex_count(state); ++v) {
-    if (vertex_cost(state, v).is_infinite()) continue;
-    const std::int64_t squared = squared_between(vertex_place(state, v, in_space), place);
-    if (squared >= least) continue;
-    least = squared;
-    nearest = v;
-  }
-  return nearest;
+  NearestSoFar nearest;
+  const std::uint32_t count = vertex_count(state), page = SearchState::kPage;
+  for (std::uint32_t first = 0; first < count; first += page)
+    look_through(state, first, std::min(page, count - first), place, in_space, nearest);
+  return nearest.vertex;
+}
+
+std::uint32_t NearestVertex::follow(const LogView& view, std::uint64_t log_id, Cell cell) {
+  const std::size_t cursor = view.log.cursor();
+  if (log_id == log_id_ && cursor == cursor_ && cell == cell_) return vertex_;
+  log_id_ = log_id;
+  cursor_ = cursor;
+  cell_ = cell;
+  ++searches_;
+  return vertex_ = nearest_vertex(view.log.state(), place_in(cell), view.lattice.solid());
 }
 
 }  // namespace replan

@@ -49,4 +49,20 @@ std::optional<VertexBirth> birth_of(const LogView& view, std::uint32_t vertex);
 /// The vertex nearest to a place, of equally near ones the first; kNoNode if the tree has none.
 std::uint32_t nearest_vertex(const SearchState& state, const Place& place, bool in_space);
 
+/// The one nearest to a cell's middle, kept from frame to frame as long as neither cursor nor cell moves.
+class NearestVertex {
+ public:
+  /// At the cursor of the log. `log_id` is another one when the log is another one, or was cut.
+  std::uint32_t follow(const LogView& view, std::uint64_t log_id, Cell cell);
+  /// How often it was looked for, all times together.
+  [[nodiscard]] std::size_t searches() const { return searches_; }
+
+ private:
+  std::uint64_t log_id_ = 0;
+  std::size_t cursor_ = SIZE_MAX;
+  Cell cell_;
+  std::uint32_t vertex_ = kNoNode;
+  std::size_t searches_ = 0;
+};
+
 }  // namespace replan

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/deadline.hpp"
+#include "core/debug/sample_in_hand.hpp"
 #include "core/scene/coverage.hpp"
 #include "core/scene/digest.hpp"
 #include "core/scene/field.hpp"
@@ -21,6 +22,7 @@ struct SceneMemory::Parts {
   OpenCells open;
   SizeZone zone;
   FirstPath first_path;
+  NearestVertex nearest_vertex;
 };
 
 /// Words about a cell that are put where they hide least, once all else is drawn.

@@ -131,6 +131,7 @@ struct Scene {
   std::optional<double> pointed;    ///< the field's value at the cell under the mouse
   NumbersShown numbers = NumbersShown::none;
   NumberMask written = 0;  ///< the values that stand in some cell
+  int every_edge = 1;      ///< of the edges of a tree in sight every so manieth is drawn
   SignSet signs;
 
   [[nodiscard]] bool shows(Sign sign) const { return signs[static_cast<std::size_t>(sign)]; }

@@ -27,6 +27,7 @@ class SolidPen {
   [[nodiscard]] const Deadline& deadline() const { return deadline_; }
   void go_on() { scene_.behind = true; }
   void show(Sign sign) { context_.scene.show(sign); }
+  void draws_every_edge(int every) { scene_.every_edge = every; }
 
   /// Where what belongs to the slice lies: in the middle of its layer, or, cut there, on the cut.
   [[nodiscard]] double sheet() const { return scene_.cut ? scene_.cut->at : slice_.layer + 0.5; }

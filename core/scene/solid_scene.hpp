@@ -75,6 +75,7 @@ struct SolidScene {
   bool shows_unknown = true;  ///< obstacles that the robot does not know of too
   bool left_out = false;      ///< some of the open list: it is too long
   bool behind = false;        ///< some of it is not there yet: built once more it has more of it
+  int every_edge = 1;         ///< as in Scene
   SignSet signs;              ///< of a legend, as in Scene
 };
 

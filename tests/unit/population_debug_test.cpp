@@ -149,6 +149,80 @@ TEST(PopulationDebug, KnowsWhereEachPathComesFrom) {
   EXPECT_GT(bred, 1000);
 }
 
+/// What is kept is what is read anew, wherever the cursor goes; and a frame with nothing new reads nothing.
+TEST(PopulationDebug, WhereAPathComesFromIsKeptWhileTheCursorMoves) {
+  const auto run = finished();
+  Timeline& log = run->timeline();
+  PathBirth kept;
+  std::vector<std::size_t> stops;
+  for (std::size_t p = 0; p <= log.size(); p += 211) stops.push_back(p);
+  for (std::size_t p = log.size(); p > 3000; p -= 3000) stops.push_back(p);
+  for (std::size_t p = 0; p < log.size(); p += 5000) stops.push_back(p);
+  int bred = 0;
+  for (const std::size_t stop : stops) {
+    log.seek(stop);
+    const std::uint32_t leader = path_named(log.state(), Scalar::leader);
+    if (leader == kNoNode) continue;
+    const auto anew = birth_of_path(run->log_view(), leader);
+    const auto held = kept.follow(run->log_view(), run->log_id(), leader);
+    ASSERT_EQ(held.has_value(), anew.has_value()) << "at " << stop;
+    const std::size_t read = kept.turns_read();
+    kept.follow(run->log_view(), run->log_id(), leader);
+    EXPECT_EQ(kept.turns_read(), read) << "at " << stop;
+    if (!anew) continue;
+    ++bred;
+    EXPECT_EQ(held->path, anew->path) << "at " << stop;
+    EXPECT_EQ(held->leaves, anew->leaves) << "at " << stop;
+    EXPECT_EQ(held->tried.size(), anew->tried.size()) << "at " << stop;
+  }
+  EXPECT_GT(bred, 100);
+}
+
+/// A step on reads the turns of that step alone, though the fittest path may be as old as the plan.
+TEST(PopulationDebug, AStepOnReadsOnlyWhatIsNew) {
+  const auto run = finished();
+  Timeline& log = run->timeline();
+  log.seek(end_of_child(*run, 500));
+  PathBirth kept;
+  const std::uint32_t leader = path_named(log.state(), Scalar::leader);
+  kept.follow(run->log_view(), run->log_id(), leader);
+  const std::size_t before = kept.turns_read();
+  for (std::size_t n = 501; n < 510; ++n) {
+    log.seek(end_of_child(*run, n));
+    if (path_named(log.state(), Scalar::leader) != leader) return;
+    kept.follow(run->log_view(), run->log_id(), leader);
+  }
+  EXPECT_LE(kept.turns_read() - before, 9u);
+}
+
+/// The log of a run under way ends anywhere in a child.
+TEST(PopulationDebug, WhereAPathComesFromFollowsALogThatGrows) {
+  const auto run = finished();
+  const Timeline& whole = run->timeline();
+  Timeline log(whole.state_at(0));
+  const LogView given = run->log_view(), view{log, given.lattice, given.info, given.settings};
+  PathBirth kept;
+  int bred = 0;
+  while (log.size() < whole.size()) {
+    std::vector<Event> events;
+    for (std::size_t i = log.size(); i < whole.size() && events.size() < 137; ++i)
+      events.push_back(whole.event(i));
+    log.append(events);
+    log.seek(log.size());
+    const std::uint32_t leader = path_named(log.state(), Scalar::leader);
+    if (leader == kNoNode) continue;
+    const auto anew = birth_of_path(view, leader);
+    const auto held = kept.follow(view, 1, leader);
+    ASSERT_EQ(held.has_value(), anew.has_value()) << "at " << log.size();
+    if (!anew) continue;
+    ++bred;
+    EXPECT_EQ(held->path, anew->path);
+    EXPECT_EQ(held->leaves, anew->leaves);
+    EXPECT_EQ(held->rejected, anew->rejected);
+  }
+  EXPECT_GT(bred, 100);
+}
+
 /// Against what a walk over all states finds; within a plan the fittest path never becomes dearer once it hits nothing.
 TEST(PopulationDebug, TheCurveIsThatOfTheStates) {
   const auto run = finished();

@@ -2,6 +2,7 @@
 // vertices, and what is drawn of it.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -183,6 +184,125 @@ TEST(TreeDebug, TheTreeIsDrawnWithWhatIsInHand) {
   EXPECT_FALSE(first.shows(Sign::first_path)) << "it is the best one still";
   EXPECT_TRUE(second.shows(Sign::first_path));
   EXPECT_FALSE(scene_at(*run, gains[0].event).shows(Sign::first_path));
+}
+
+/// A tree of many vertices: the goal is walled in, so that all samples are drawn.
+std::unique_ptr<replan::Run> large_tree(int samples) {
+  auto scenario = std::make_shared<Scenario>();
+  scenario->map = GridMap(120, 90);
+  for (int y = 39; y < 42; ++y)
+    for (int x = 99; x < 102; ++x) scenario->map.set({x, y}, x != 100 || y != 40);
+  scenario->start = {10, 15};
+  scenario->goal = {100, 40};
+  scenario->planners = {{"rrt", {}}};
+  scenario->planners[0].settings.set("samples", samples);
+  auto run = std::make_unique<replan::Run>(scenario, 0);
+  run->finish(Target::end());
+  return run;
+}
+
+/// The first position at which the tree has so many vertices.
+std::size_t grown_to(const Timeline& log, std::uint32_t vertices) {
+  std::size_t low = 0, high = log.size();
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    if (vertex_count(log.state_at(middle)) < vertices)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+std::size_t lines_of(const Scene& scene) {
+  return static_cast<std::size_t>(
+      std::count_if(scene.shapes.begin(), scene.shapes.end(),
+                    [](const Shape& shape) { return std::holds_alternative<Line>(shape); }));
+}
+
+/// Edges are left out only where more than 40 000 are in sight: all vertices but the root hang on one.
+TEST(TreeDebug, OnlyMoreEdgesThanCanBeDrawnAreThinned) {
+  const auto run = large_tree(60'000);
+  Timeline& log = run->timeline();
+  ASSERT_GT(vertex_count(log.head()), 45'000u);
+  const Scene most = scene_at(*run, grown_to(log, 40'001) - 1);
+  EXPECT_EQ(most.every_edge, 1);
+  EXPECT_GE(lines_of(most), 39'999u);
+  const Scene thinned = scene_at(*run, log.size());
+  EXPECT_EQ(thinned.every_edge, 2);
+  EXPECT_NEAR(static_cast<double>(lines_of(thinned)), vertex_count(log.state()) / 2.0, 10);
+}
+
+TEST(TreeDebug, ZoomedInAllEdgesAreDrawnThatAreInSight) {
+  const auto run = large_tree(60'000);
+  run->timeline().seek(run->timeline().size());
+  View view;
+  view.overlays = {};
+  view.overlays.set(Overlay::tree, true);
+  view.camera = {30, 30, 40};  // 20 x 15 cells
+  const Scene scene = build_scene(*run, view, {800, 600}, Palette{});
+  EXPECT_EQ(scene.every_edge, 1);
+  const SearchState& state = run->timeline().state();
+  std::size_t inside = 0;
+  for (std::uint32_t v = 1; v < vertex_count(state); ++v) {
+    const Point at = point_of(vertex_place(state, v, false));
+    inside += std::abs(at.x - 30) < 10 && std::abs(at.y - 30) < 7.5 ? 1 : 0;
+  }
+  EXPECT_GT(inside, 1'000u);
+  EXPECT_GE(lines_of(scene), inside);
+  EXPECT_LT(lines_of(scene), inside * 2);
+}
+
+/// Against a look at one after the other, of cells all over the world and at several moments.
+void expect_nearest(replan::Run& run, std::size_t position) {
+  run.timeline().seek(position);
+  const SearchState& state = run.timeline().state();
+  const bool solid = run.lattice().solid();
+  for (NodeId node = 0; node < run.lattice().node_count(); node += 97) {
+    const Place place = place_in(run.lattice().position(node));
+    std::uint32_t nearest = kNoNode;
+    const auto squared = [&](std::uint32_t v) {
+      return squared_between(vertex_place(state, v, solid), place);
+    };
+    for (std::uint32_t v = 0; v < vertex_count(state); ++v)
+      if (!vertex_cost(state, v).is_infinite() && (nearest == kNoNode || squared(v) < squared(nearest)))
+        nearest = v;
+    ASSERT_EQ(nearest_vertex(state, place, solid), nearest) << "node " << node << " at " << position;
+  }
+}
+
+TEST(TreeDebug, FindsTheNearestVertex) {
+  const auto run = finished("informed-rrt-star");
+  const std::size_t size = run->timeline().size();
+  for (const std::size_t position : {std::size_t{0}, std::size_t{9}, size / 7, size / 2, size})
+    expect_nearest(*run, position);
+  auto scenario = std::make_shared<Scenario>();
+  scenario->map = GridMap(12, 10, 8);
+  scenario->start = {1, 1, 1};
+  scenario->goal = {10, 8, 6};
+  scenario->planners = {{"rrt-star", {}}};
+  scenario->planners[0].settings.set("samples", 500);
+  replan::Run solid(scenario, 0);
+  solid.finish(Target::end());
+  expect_nearest(solid, solid.timeline().size());
+}
+
+TEST(TreeDebug, TheNearestVertexIsLookedForOnceForACellAtAMoment) {
+  const auto run = finished("rrt-star");
+  Timeline& log = run->timeline();
+  NearestVertex kept;
+  const auto expect = [&](Cell cell, std::size_t searches) {
+    const std::uint32_t anew = nearest_vertex(log.state(), place_in(cell), false);
+    EXPECT_EQ(kept.follow(run->log_view(), run->log_id(), cell), anew);
+    EXPECT_EQ(kept.searches(), searches);
+  };
+  log.seek(log.size() / 3);
+  expect({6, 15}, 1);
+  expect({6, 15}, 1);
+  expect({30, 4}, 2);
+  log.seek(log.size());
+  expect({30, 4}, 3);
+  expect({30, 4}, 3);
 }
 
 TEST(TreeDebug, TheSecondPhaseIsToldApart) {

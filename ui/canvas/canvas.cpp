@@ -315,7 +315,11 @@ bool Canvas::Parts::title(const Look& look, const Session& session, std::size_t 
     else
       commands.emplace_back(Lead{pane});
   }
-  ImGui::SetNextWindowPos({chips.title.min.x, chips.title.max.y + look.px.xs});
+  // On the side of the chip with more room, and no longer than that: it scrolls then.
+  const float below = ImGui::GetIO().DisplaySize.y - chips.title.max.y, above = chips.title.min.y;
+  const float side = below >= above ? chips.title.max.y + look.px.xs : chips.title.min.y - look.px.xs;
+  ImGui::SetNextWindowPos({chips.title.min.x, side}, ImGuiCond_Always, {0, below >= above ? 0.0f : 1.0f});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {look.px(600), std::max(below, above) - 2 * look.px.s});
   if (!ImGui::BeginPopup("planner")) return over;
   planner_items(look, session, pane, commands);
   ImGui::EndPopup();

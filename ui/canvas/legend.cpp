@@ -74,15 +74,30 @@ LegendField field_in_sight(const Scene& scene, const Colormap& colours, std::str
 }
 
 /// All that is in sight, what is rarest and needs telling most first.
-std::vector<LegendEntry> entries_in_sight(const Look& look, const SignSet& signs, bool outside) {
+/// `every_edge`: the label of the entry that says how many edges of a tree are drawn; empty if all are.
+std::vector<LegendEntry> entries_in_sight(const Look& look, const SignSet& signs, std::string_view every_edge,
+                                          bool outside) {
   Scene all;
   all.signs = signs;
   std::vector<LegendEntry> entries;
+  if (!every_edge.empty())
+    entries.push_back(
+        {LegendShape::line, look.theme.dim, every_edge,
+         "The tree has more edges in sight than are drawn at once: some are left out. Zoom in to "
+         "see all of them."});
   for (const SignEntry& entry : kSigns)
     if (all.shows(entry.sign)) entries.push_back(entry_of(look, entry));
   entries.push_back(start_entry(look, outside));
   entries.push_back(goal_entry(look, outside));
   return entries;
+}
+
+/// How many edges of a tree are drawn; empty if all are.
+std::string every_edge_text(int every) {
+  if (every <= 1) return {};
+  char text[32];
+  std::snprintf(text, sizeof text, "1 edge in %d", every);
+  return text;
 }
 
 /// Breaks entries into rows no wider than `room`; the first has the field too.
@@ -127,7 +142,7 @@ float Legend::height(const Look& look) {
 }
 
 void Legend::draw(const Look& look, const Scene& scene, std::string_view of, FieldColours map,
-                  const SignSet& signs, bool outside, ImVec2 min, ImVec2 max) {
+                  const LegendSigns& signs, bool outside, ImVec2 min, ImVec2 max) {
   const float margin = look.px.m, room = max.x - min.x - 2 * margin;
   LegendField field;
   std::string words = scene.field_words, low, high;
@@ -145,7 +160,8 @@ void Legend::draw(const Look& look, const Scene& scene, std::string_view of, Fie
   if (const std::size_t colon = field.label.find(':'); wide && colon != std::string_view::npos)
     field.label = field.label.substr(0, colon);
   if (legend_size(look, field, {}).x > room - look.px(46)) field.length /= 2;
-  const std::vector<LegendEntry> entries = entries_in_sight(look, signs, outside);
+  const std::string every_edge = every_edge_text(signs.every_edge);
+  const std::vector<LegendEntry> entries = entries_in_sight(look, signs.signs, every_edge, outside);
   auto rows = in_rows(look, field, entries, room);
   if (rows.size() > 1) rows = in_rows(look, field, entries, room - look.px(46));
   const std::string more = rows.size() == 1 ? "" : "+" + std::to_string(entries.size() - rows.front().size());
@@ -186,20 +202,23 @@ void Legend::row(const Look& look, const LegendField& field, const std::vector<L
   std::vector<ScreenArea> boxes;
   legend(look, *ImGui::GetWindowDrawList(), corner, field, entries, Corner::bottom_left, &boxes);
   const std::size_t fields = boxes.size() - entries.size();
-  if (fields > 0) key(look, field_, boxes.front());
-  for (std::size_t i = 0; i < entries.size(); ++i) key(look, entries[i].label, boxes[fields + i]);
+  if (fields > 0) key(look, field_, legend_words(field_), boxes.front());
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    LegendWords words = legend_words(entries[i].label);
+    if (words.text.empty()) words = {std::string(entries[i].label), entries[i].help};
+    key(look, entries[i].label, words, boxes[fields + i]);
+  }
 }
 
-void Legend::key(const Look& look, std::string_view label, const ScreenArea& box) {
+void Legend::key(const Look& look, std::string_view label, const LegendWords& words, const ScreenArea& box) {
   const std::string id(label);
-  const LegendWords words = legend_words(label);
   ImGui::SetCursorScreenPos(box.min);
   const bool clicked = ImGui::InvisibleButton(id.c_str(), {box.max.x - box.min.x, box.max.y - box.min.y});
   tab_stop(look);
   if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   hint(look, {words.title.c_str(), "", words.text.c_str()});
   if (!clicked) return;
-  asked_ = id;
+  asked_ = words;
   ImGui::OpenPopup("word");
 }
 
@@ -208,9 +227,8 @@ void Legend::explain(const Look& look) {
   ImGui::SetNextWindowSize({look.px(360), 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.l, look.px.m));
   if (ImGui::BeginPopup("word", ImGuiWindowFlags_NoMove)) {
-    const LegendWords words = legend_words(asked_);
-    text(look.fonts.title, look.theme.text, words.title);
-    paragraph(look.fonts.ui, look.theme.dim, words.text);
+    text(look.fonts.title, look.theme.text, asked_.title);
+    paragraph(look.fonts.ui, look.theme.dim, asked_.text);
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar();

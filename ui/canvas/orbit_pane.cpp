@@ -230,6 +230,7 @@ void OrbitPane::tell_legend(const Run& run, const ViewState& state, const OrbitL
   legend_.columns = static_cast<int>(seen.width() / zoom);
   legend_.rows = static_cast<int>(seen.height() / zoom);
   legend_.signs = scene_.signs | mesh_.signs();
+  legend_.every_edge = scene_.every_edge;
   legend_.field = scene_.field;
   legend_.range = scene_.range;
   legend_.field_words = scene_.field_words;

@@ -50,7 +50,7 @@ void Panes::draw(const Look& look, const Session& session, std::size_t most, Vie
   canvas(first + count - 1);  // there are as many
   first_drawn_ = first;
   drawn_ = count;
-  SignSet signs;
+  LegendSigns signs;
   bool alike = true;  // the colours mean the same in all panes
   // Where a picture takes long, others may be a frame late, and then come first; else the leading pane does.
   std::vector<std::size_t> order;
@@ -64,7 +64,7 @@ void Panes::draw(const Look& look, const Session& session, std::size_t most, Vie
     canvas(pane).draw(look, session, pane, state, grid.min(at), grid.max(at), interactive, commands,
                       count > 1 ? 0 : legend, may_wait);
     grid.draw_parting(at);
-    signs |= canvas(pane).scene().signs;
+    signs.add(canvas(pane).scene());
     alike = alike && field_alike(canvas(pane).scene(), scene());
     const ScreenArea area{grid.min(at), grid.max(at)};
     if (interactive && area.holds(ImGui::GetIO().MousePos)) pointed_ = pane;

@@ -10,6 +10,7 @@
 
 #include <imgui.h>
 
+#include "core/debug/sample_in_hand.hpp"
 #include "core/debug/touched.hpp"
 #include "core/lesson/lesson.hpp"
 #include "core/plan/pages.hpp"
@@ -103,10 +104,11 @@ struct PanelState {
   bool animated = false;  ///< something on it moves by itself
   double zoom = 0;        ///< device pixels per cell on the canvas, as fitted or chosen
   TabBox tabs;
-  TouchedList touched;     ///< by the last replan
-  bool menu_open = false;  ///< that of ViewState::menu
-  float why_height = 0;    ///< what that took in the last frame, in pixels
-  bool why_open = false;   ///< beside the pinned cell it is told why its value is what it is
+  TouchedList touched;           ///< by the last replan
+  NearestVertex nearest_vertex;  ///< to the cell that the side is about, of a tree of samples
+  bool menu_open = false;        ///< that of ViewState::menu
+  float why_height = 0;          ///< what that took in the last frame, in pixels
+  bool why_open = false;         ///< beside the pinned cell it is told why its value is what it is
   WhyPlace why;
   std::optional<Cell> pointed;  ///< the cell of the row under the mouse, which the canvas shows as hovered
   double exporting = -1;  ///< how much of a trace has been written, 0 to 1; below 0: none is being written

@@ -238,6 +238,7 @@ class CellTab final : public SideTab {
 
   int chosen_value_ = 0;
   CellPast past_;
+  PathBirth leader_birth_;  // of a planner that breeds paths
 };
 
 void CellTab::draw(Frame& frame) {
@@ -266,7 +267,7 @@ void CellTab::draw_cell(Frame& frame, Cell cell) {
     return;
   }
   if (view.run.info().evolving) {
-    draw_paths(frame, view);
+    draw_paths(frame, view, leader_birth_);
     code_excerpt(frame);
     return;
   }

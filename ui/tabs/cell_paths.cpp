@@ -94,13 +94,13 @@ void paths_section(Frame& frame, const CellView& view) {
 }
 
 /// How the fittest path came to be, if a child became it.
-void leader_section(Frame& frame, const CellView& view) {
+void leader_section(Frame& frame, const CellView& view, PathBirth& leader_birth) {
   const Look& look = frame.look;
   const std::uint32_t leader = path_named(view.state, Scalar::leader);
   if (leader == kNoNode) return;
   section_rule(look);
   section_title(look, "Where the fittest path comes from");
-  const auto birth = birth_of_path(view.run.log_view(), leader);
+  const auto& birth = leader_birth.follow(view.run.log_view(), view.run.log_id(), leader);
   if (!birth) {
     paragraph(look.fonts.ui, look.theme.dim,
               "It is one of the first paths, or a replan has joined it to where the robot is.");
@@ -116,10 +116,10 @@ void draw_child_why(Frame& frame, const CellView& view) {
   child_section(frame, view);
 }
 
-void draw_paths(Frame& frame, const CellView& view) {
+void draw_paths(Frame& frame, const CellView& view, PathBirth& leader_birth) {
   child_section(frame, view);
   paths_section(frame, view);
-  leader_section(frame, view);
+  leader_section(frame, view, leader_birth);
 }
 
 }  // namespace replan::ui

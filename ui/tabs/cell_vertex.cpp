@@ -19,8 +19,8 @@ namespace {
 /// So many candidates are listed.
 constexpr std::size_t kMostListed = 12;
 
-std::uint32_t vertex_near(const CellView& view) {
-  return nearest_vertex(view.state, place_in(view.cell), view.run.lattice().solid());
+std::uint32_t vertex_near(const Frame& frame, const CellView& view) {
+  return frame.panels.nearest_vertex.follow(view.run.log_view(), view.run.log_id(), view.cell);
 }
 
 void no_vertex(const Look& look) {
@@ -199,14 +199,14 @@ void sample_words(Frame& frame, const SampleInHand& hand) {
 }  // namespace
 
 void draw_vertex_why(Frame& frame, const CellView& view) {
-  const std::uint32_t number = vertex_near(view);
+  const std::uint32_t number = vertex_near(frame, view);
   if (number == kNoNode) return no_vertex(frame.look);
   why_it_hangs(frame, {view, number});
 }
 
 void draw_vertex(Frame& frame, const CellView& view, CellPast& past) {
   const Look& look = frame.look;
-  const std::uint32_t number = vertex_near(view);
+  const std::uint32_t number = vertex_near(frame, view);
   if (number == kNoNode) return no_vertex(look);
   section_title(look, "The vertex nearest to it");
   const VertexView vertex{view, number};

@@ -1,6 +1,7 @@
 // One cell of the leading run at the cursor, for the parts of the Cell tab.
 #pragma once
 
+#include "core/debug/child_in_hand.hpp"
 #include "core/trace/search_state.hpp"
 #include "ui/shell/frame.hpp"
 
@@ -29,8 +30,8 @@ void draw_why(Frame& frame, const CellView& view);
 void draw_vertex_why(Frame& frame, const CellView& view);
 
 /// Of planners that breed paths: why the child in hand is as it is, the paths over the cell, and where the fittest one comes
-/// from.
-void draw_paths(Frame& frame, const CellView& view);
+/// from, which is kept in `leader_birth`.
+void draw_paths(Frame& frame, const CellView& view, PathBirth& leader_birth);
 /// Why the child in hand is as it is, alone.
 void draw_child_why(Frame& frame, const CellView& view);
 

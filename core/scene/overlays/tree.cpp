@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/debug/event_words.hpp"
 #include "core/debug/sample_in_hand.hpp"
@@ -13,8 +14,8 @@
 namespace replan {
 namespace {
 
-/// Of larger trees every n-th vertex is drawn alone.
-constexpr std::uint32_t kMostEdges = 40'000;
+/// Where more edges are in sight every n-th of them is drawn alone.
+constexpr std::size_t kMostEdges = 40'000;
 
 /// An edge of the tree, in the world's coordinates.
 struct TreeEdge {
@@ -23,21 +24,59 @@ struct TreeEdge {
   bool from_goal = false;
 };
 
-template <class Visit>
-void each_edge(const SearchState& state, bool in_space, Visit&& visit) {
-  const std::uint32_t count = vertex_count(state), each = count / kMostEdges + 1;
+/// What is drawn of a tree.
+struct DrawnTree {
+  std::vector<TreeEdge> edges;
+  int every = 1;  ///< of those in sight every so manieth is there
+};
+
+/// The ends of the edge to a vertex; nothing for roots, and for vertices that were cut off.
+std::optional<TreeEdge> edge_to(const SearchState& state, std::uint32_t v, bool in_space) {
+  const std::uint32_t parent = vertex_parent(state, v);
+  if (parent == kNoNode || vertex_cost(state, v).is_infinite()) return std::nullopt;
+  return TreeEdge{point_of(vertex_place(state, parent, in_space)), point_of(vertex_place(state, v, in_space)),
+                  vertex_cost(state, v).to_double(), vertex_side(state, v) == TreeSide::goal};
+}
+
+template <class InSight>
+DrawnTree drawn_tree(const SearchState& state, bool in_space, InSight&& in_sight) {
+  DrawnTree tree;
   double dearest = 0;
-  for (std::uint32_t v = 0; v < count; v += each)
-    if (const Cost cost = vertex_cost(state, v); !cost.is_infinite())
-      dearest = std::max(dearest, cost.to_double());
-  for (std::uint32_t v = 0; v < count; v += each) {
-    const Cost cost = vertex_cost(state, v);
-    const std::uint32_t parent = vertex_parent(state, v);
-    if (cost.is_infinite() || parent == kNoNode) continue;
-    visit(TreeEdge{point_of(vertex_place(state, parent, in_space)),
-                   point_of(vertex_place(state, v, in_space)), cost.to_double() / dearest,
-                   vertex_side(state, v) == TreeSide::goal});
+  for (std::uint32_t v = 0; v < vertex_count(state); ++v) {
+    const auto edge = edge_to(state, v, in_space);
+    if (!edge) continue;
+    dearest = std::max(dearest, edge->cost);
+    if (in_sight(*edge)) tree.edges.push_back(*edge);
   }
+  const std::size_t every = std::max<std::size_t>(1, (tree.edges.size() + kMostEdges - 1) / kMostEdges);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < tree.edges.size(); i += every) tree.edges[kept++] = tree.edges[i];
+  tree.edges.resize(kept);
+  tree.every = static_cast<int>(every);
+  if (dearest > 0)
+    for (TreeEdge& edge : tree.edges) edge.cost /= dearest;
+  return tree;
+}
+
+/// Whether an edge may show on the slice; of one that passes a corner it says so too.
+bool may_be_seen(const SceneContext& context, const TreeEdge& edge) {
+  const Point from = context.seen(edge.from), to = context.seen(edge.to);
+  return std::max(from.x, to.x) >= context.left && std::min(from.x, to.x) <= context.right &&
+         std::max(from.y, to.y) >= context.top && std::min(from.y, to.y) <= context.bottom;
+}
+
+/// How strongly edges are drawn: the fainter the more of the ground they would cover, so that a dense tree is a ground for
+/// the path and does not hide it.
+double strength_of(const SceneContext& context, const DrawnTree& tree) {
+  constexpr double kFull = 0.12, kLeast = 0.3;  // the share of the ground at which they are drawn fully
+  double length = 0;
+  for (const TreeEdge& edge : tree.edges) {
+    const Point from = context.seen(edge.from), to = context.seen(edge.to);
+    length += std::hypot(to.x - from.x, to.y - from.y);
+  }
+  const double ground = static_cast<double>(context.right - context.left) * (context.bottom - context.top);
+  const double covered = ground > 0 ? length * context.world(1) / ground : 0;
+  return covered > kFull ? std::max(kFull / covered, kLeast) : 1;
 }
 
 Colour colour_of(const Palette& palette, const TreeEdge& edge) {
@@ -108,7 +147,8 @@ void draw_asked_vertex(SceneContext& context) {
   const auto& asked = context.view.pinned ? context.view.pinned : context.view.hovered;
   if (!asked) return;
   const bool solid = context.run.lattice().solid();
-  const std::uint32_t vertex = nearest_vertex(context.state, place_in(*asked), solid);
+  const std::uint32_t vertex =
+      context.memory.nearest_vertex.follow(context.run.log_view(), context.run.log_id(), *asked);
   if (vertex == kNoNode) return;
   std::vector<Point> way = way_in_tree(context.state, vertex, solid);
   for (Point& point : way) point = context.seen(point);
@@ -224,17 +264,19 @@ class SampleMarks {
 void draw_tree(SceneContext& context) {
   if (!context.run.info().sampling) return;
   const auto hand = sample_in_hand(context.run.log_view());
+  const DrawnTree tree = drawn_tree(context.state, context.run.lattice().solid(),
+                                    [&context](const TreeEdge& edge) { return may_be_seen(context, edge); });
+  context.scene.every_edge = tree.every;
   // What is pulled straight is the path: the tree stands back.
-  const double strength = hand && hand->pulls ? 0.35 : 1;
+  const double strength = std::min(hand && hand->pulls ? 0.35 : 1, strength_of(context, tree));
   const float width = context.pixels(1);
-  const Box& box = context.run.lattice();
-  each_edge(context.state, box.solid(), [&](const TreeEdge& edge) {
+  for (const TreeEdge& edge : tree.edges) {
     context.scene.show(edge.from_goal ? Sign::goal_tree : Sign::tree);
     const Point from = context.seen(edge.from), to = context.seen(edge.to);
     const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2, (from.z + to.z) / 2};
     const Colour colour = faded(colour_of(context.palette, edge), strength);
     context.add(Line{from, to, context.seen_at(middle, colour), width});
-  });
+  }
   draw_informed(context);
   draw_first_path(context);
   draw_asked_vertex(context);
@@ -244,10 +286,12 @@ void draw_tree(SceneContext& context) {
 void tree_in_space(SolidPen& pen) {
   const Run& run = pen.context().run;
   if (!run.info().sampling) return;
-  each_edge(pen.state(), run.lattice().solid(), [&](const TreeEdge& edge) {
+  const DrawnTree tree = drawn_tree(pen.state(), run.lattice().solid(), [](const TreeEdge&) { return true; });
+  pen.draws_every_edge(tree.every);
+  for (const TreeEdge& edge : tree.edges) {
     pen.show(edge.from_goal ? Sign::goal_tree : Sign::tree);
     pen.line(edge.from, edge.to, colour_of(pen.palette(), edge), 1);
-  });
+  }
   if (const std::vector<Point> rim = informed_rim(run, pen.state()); !rim.empty()) {
     pen.show(Sign::informed);
     pen.polyline(rim, pen.palette().warning, 1.4f);
