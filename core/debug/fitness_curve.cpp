@@ -21,9 +21,12 @@ void FitnessCurve::follow(const LogView& view, std::uint64_t log_id, std::size_t
     // A planner tells the number of the generation last.
     const std::size_t event = generation.take(log);
     for (ScalarValues* each : {&fittest, &mean, &best}) each->take_before(log, event);
-    if (generation.value() == 0) continue;  // a first plan begins anew
+    if (generation.value() == 0) {  // for another goal
+      before_ = points_.empty() ? 0 : points_.back().generation;
+      continue;
+    }
     points_.push_back({.event = event,
-                       .generation = static_cast<std::int64_t>(generation.value()),
+                       .generation = before_ + static_cast<std::int64_t>(generation.value()),
                        .fittest = {static_cast<std::int64_t>(fittest.value())},
                        .mean = {static_cast<std::int64_t>(mean.value())},
                        .free = best.value() != 0});

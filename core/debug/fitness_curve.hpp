@@ -16,7 +16,7 @@ namespace replan {
 /// The end of a generation.
 struct FitnessPoint {
   std::size_t event = 0;
-  std::int64_t generation = 0;  ///< of all plans since the first, from 1 on
+  std::int64_t generation = 0;  ///< of all plans of the run, from 1 on; a planner begins anew for a new goal
   Cost fittest = {};            ///< what the fittest path costs, penalties included
   Cost mean = {};               ///< of all paths
   bool free = false;            ///< the fittest one hits nothing
@@ -39,6 +39,7 @@ class FitnessCurve {
 
   std::uint64_t log_id_ = 0;
   std::optional<Values> values_;  // at the latest generation; nothing: not yet begun
+  std::int64_t before_ = 0;       // generations of plans before the planner last began anew
   std::vector<FitnessPoint> points_;
   bool complete_ = false;
 };

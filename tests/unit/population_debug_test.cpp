@@ -2,6 +2,7 @@
 // is drawn.
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -15,8 +16,8 @@
 namespace replan::population_debug_test {
 namespace {
 
-/// Two walls, each with a gap.
-std::unique_ptr<replan::Run> finished(double mutation = 0) {
+/// Two walls, each with a gap; the goal is put elsewhere at the robot's third move, if so.
+std::unique_ptr<replan::Run> finished(double mutation = 0, std::optional<Cell> later_goal = {}) {
   auto scenario = std::make_shared<Scenario>();
   scenario->map = GridMap(40, 30);
   for (int y = 0; y < 30; ++y) {
@@ -28,6 +29,12 @@ std::unique_ptr<replan::Run> finished(double mutation = 0) {
   scenario->planners = {{"improved-ga", {}}};
   scenario->planners[0].settings.set("generations", 12);
   scenario->planners[0].settings.set("mutation", mutation);
+  if (later_goal) {
+    Surprise surprise;
+    surprise.at.move = 3;
+    surprise.goal = later_goal;
+    scenario->surprises.push_back(surprise);
+  }
   auto run = std::make_unique<replan::Run>(scenario, 0);
   run->finish(Target::end());
   return run;
@@ -188,9 +195,19 @@ TEST(PopulationDebug, TheCurveIsThatOfTheStates) {
   EXPECT_EQ(csv.find("generation,best,mean,free\n1,"), 0u) << csv;
 }
 
+/// The planner counts its generations anew for a goal that has moved; the curve counts those of the whole run.
+TEST(PopulationDebug, TheCurveGoesOnWhereTheGoalIsPutElsewhere) {
+  const auto run = finished(0, Cell{35, 25});
+  const std::vector<FitnessPoint> curve = curve_of(*run);
+  ASSERT_EQ(curve.size(), 24u);
+  for (std::size_t i = 0; i < curve.size(); ++i)
+    EXPECT_EQ(curve[i].generation, static_cast<std::int64_t>(i + 1));
+  EXPECT_EQ(run->timeline().head().scalar(Scalar::generation), 12u);
+}
+
 /// However the log is cut into slices, and however few generations are read of each.
 TEST(PopulationDebug, TheCurveIsReadOnAsTheLogGrows) {
-  const auto run = finished();
+  const auto run = finished(0, Cell{35, 25});
   const std::vector<FitnessPoint> whole = curve_of(*run);
   for (const std::size_t slice : {7, 1000, 100000}) {
     for (const std::size_t most : {std::size_t{1}, SIZE_MAX}) {

@@ -62,6 +62,13 @@ void draw_fitness_axes(const Look& look, const FitnessAxes& axes, ImDrawList& li
   draw_text(list, small, {axes.max.x - text_width(small, end), below}, look.theme.faint, end);
 }
 
+/// The generations that have ended before a position of the log.
+std::int64_t reached(std::span<const FitnessPoint> points, std::size_t position) {
+  const auto after = std::partition_point(
+      points.begin(), points.end(), [position](const FitnessPoint& point) { return point.event < position; });
+  return after == points.begin() ? 0 : std::prev(after)->generation;
+}
+
 /// The generation that the mouse is at.
 const FitnessPoint& point_at(std::span<const FitnessPoint> points, double generation) {
   return *std::partition_point(points.begin(), points.end() - 1, [generation](const FitnessPoint& point) {
@@ -110,8 +117,7 @@ void FitnessChart::draw(Frame& frame, float height) {
   const std::span<const FitnessPoint> lead = curves_[session.lead()].points();
   draw_costs(axes, list, lead, &FitnessPoint::mean, look.theme.dim, look.px(1));
   draw_costs(axes, list, lead, &FitnessPoint::fittest, look.theme.accent, look.px(1.5f));
-  const auto reached = static_cast<std::int64_t>(session.run().timeline().state().scalar(Scalar::generation));
-  const float playhead = std::round(axes.x(reached));
+  const float playhead = std::round(axes.x(reached(lead, session.run().timeline().cursor())));
   list.AddRectFilled({playhead, origin.y}, {playhead + look.px.hair, origin.y + height}, look.theme.text);
   if ((!pressed && !hovered) || lead.empty()) return;
   const FitnessPoint& there = point_at(lead, axes.generation(ImGui::GetIO().MousePos.x));
