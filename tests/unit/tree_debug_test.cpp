@@ -10,6 +10,7 @@
 #include "core/debug/probe.hpp"
 #include "core/debug/sample_in_hand.hpp"
 #include "core/scene/scene.hpp"
+#include "core/session/lockstep.hpp"
 #include "core/session/run.hpp"
 #include "tests/support/growing_log.hpp"
 
@@ -213,6 +214,17 @@ TEST(TreeDebug, GainsAreReadOnAsTheLogGrows) {
         EXPECT_EQ(read.gains()[i].cost, whole[i].cost);
       }
     }
+  }
+}
+
+/// A chart puts its playhead by expansions, and its gains by samples.
+TEST(TreeDebug, ASampleIsAnExpansion) {
+  for (const char* planner : {"rrt-star", "informed-rrt-star", "greedy-informed-rrt-star"}) {
+    const auto run = finished(planner);
+    const std::vector<PathGain> gains = gains_of(*run);
+    ASSERT_FALSE(gains.empty());
+    for (const PathGain& gain : gains)
+      EXPECT_EQ(expansions_between(*run, 0, gain.event + 1), gain.sample) << planner;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/debug/event_words.hpp"
+#include "core/session/lockstep.hpp"
 #include "core/study/anytime.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -56,15 +57,6 @@ std::size_t plan_end(const Run& run, std::size_t begin, std::size_t end) {
   for (const Milestone& each : run.milestones())
     if (each.kind == EventKind::plan_end && each.event > begin) return std::min(each.event, end);
   return end;
-}
-
-/// Expansions between two events, to a chunk of the log.
-std::int64_t samples_between(const Run& run, std::size_t begin, std::size_t end) {
-  const auto curve = run.expansion_curve();
-  std::int64_t sum = 0;
-  for (std::size_t i = begin / Run::kCurveChunk; i < std::min(curve.size(), end / Run::kCurveChunk); ++i)
-    sum += curve[i];
-  return sum;
 }
 
 /// A cost holds until the next one, so the line goes in steps; where there is no path there is none.
@@ -126,28 +118,33 @@ const GainChart::Curve& GainChart::curve_of(Frame& frame, std::size_t pane) {
   curve.log_id = run.log_id();
   curve.begin = begin;
   curve.end = end;
-  curve.samples = samples_between(run, begin, end);
-  if (!curve.gains().empty()) curve.samples = std::max(curve.samples, curve.gains().back().sample);
+  curve.samples = expansions_between(run, begin, end);
   return curve;
 }
 
 std::optional<double> GainChart::optimum_of(Frame& frame, const Curve& curve) {
   const Run& run = frame.run();
-  if (!optimum_ || optimum_->log_id != curve.log_id || optimum_->begin != curve.begin) {
-    const SearchState state = run.timeline().state_at(plan_end(run, curve.begin, curve.end));
-    const NodeId start = state.node(Scalar::start), goal = state.node(Scalar::goal);
-    if (start == kNoNode || goal == kNoNode) return std::nullopt;
-    optimum_ = std::make_unique<Optimum>(run.lattice().node_count() > kLargeWorld);
-    optimum_->log_id = curve.log_id;
-    optimum_->begin = curve.begin;
-    optimum_->job.start([box = run.lattice(), known = state.known_map(), start, goal, choice = run.choice(),
-                         radius = run.scenario().robot.radius](const std::stop_token& stop) {
-      return shortest_of_all(box, known, box.position(start), box.position(goal), choice, radius, stop);
-    });
-  }
+  const std::size_t at = plan_end(run, curve.begin, curve.end);
+  const bool same = optimum_ && optimum_->log_id == curve.log_id && optimum_->begin == curve.begin;
+  if (!same || (!optimum_->has_ends && optimum_->at != at)) begin_optimum(run, curve, at, frame.view.live);
   if (const auto done = optimum_->job.take()) optimum_->length = *done;
   if (optimum_->job.busy()) frame.panels.animated = true;
   return optimum_->length;
+}
+
+void GainChart::begin_optimum(const Run& run, const Curve& curve, std::size_t at, bool live) {
+  optimum_ = std::make_unique<Optimum>(live || run.lattice().node_count() > kLargeWorld);
+  optimum_->log_id = curve.log_id;
+  optimum_->begin = curve.begin;
+  optimum_->at = at;
+  const SearchState state = run.timeline().state_at(at);
+  const NodeId start = state.node(Scalar::start), goal = state.node(Scalar::goal);
+  optimum_->has_ends = start != kNoNode && goal != kNoNode;
+  if (!optimum_->has_ends) return;
+  optimum_->job.start([box = run.lattice(), known = state.known_map(), start, goal, choice = run.choice(),
+                       radius = run.scenario().robot.radius](const std::stop_token& stop) {
+    return shortest_of_all(box, known, box.position(start), box.position(goal), choice, radius, stop);
+  });
 }
 
 void GainChart::draw(Frame& frame, float height) {
@@ -183,7 +180,7 @@ void GainChart::draw(Frame& frame, float height) {
                            look.px(3), look.theme.accent);
   const Run& run = session.run();
   const float playhead =
-      std::round(axes.x(static_cast<double>(samples_between(run, lead.begin, run.timeline().cursor()))));
+      std::round(axes.x(static_cast<double>(expansions_between(run, lead.begin, run.timeline().cursor()))));
   list.AddRectFilled({playhead, origin.y}, {playhead + look.px.hair, origin.y + height}, look.theme.text);
   if (!pressed && !hovered) return;
   const double sample = axes.sample(ImGui::GetIO().MousePos.x);

@@ -33,14 +33,16 @@ class GainChart {
   /// What the leading pane's plan could come to at best, kept until it is another plan.
   struct Optimum {
     std::uint64_t log_id = 0;
-    std::size_t begin = 0;
+    std::size_t begin = 0, at = 0;  // of the plan, and where its state was asked
+    bool has_ends = false;          // a start and a goal, there
     std::optional<double> length;
     Background<std::optional<double>> job;
 
-    explicit Optimum(bool large) : job(WorkPlace{.in_step = !large, .wake = {}}) {}
+    explicit Optimum(bool beside) : job(WorkPlace{.in_step = !beside, .wake = {}}) {}
   };
   const Curve& curve_of(Frame& frame, std::size_t pane);
   std::optional<double> optimum_of(Frame& frame, const Curve& curve);
+  void begin_optimum(const Run& run, const Curve& curve, std::size_t at, bool live);
 
   std::vector<Curve> curves_;
   std::unique_ptr<Optimum> optimum_;
