@@ -3,9 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "core/debug/log_view.hpp"
+#include "core/debug/scalar_values.hpp"
 
 namespace replan {
 
@@ -16,7 +19,29 @@ struct PathGain {
   Cost cost = {};           ///< infinite: there is none any more
 };
 
-/// Those in the events [begin, end), which are one plan's, in their order; none of a planner that draws no samples.
-std::vector<PathGain> path_gains(const LogView& view, std::size_t begin, std::size_t end);
+/// The gains of one plan in their order, read out of the log in slices while it grows; none of a planner that draws no samples.
+class PathGains {
+ public:
+  /// Reads on in the events [begin, end), which are the plan's, by at most `most` gains. Starts over for another plan, another
+  /// log (`log_id`), or an end before the one that was read to.
+  void follow(const LogView& view, std::uint64_t log_id, std::size_t begin, std::size_t end,
+              std::size_t most);
+
+  [[nodiscard]] std::span<const PathGain> gains() const { return gains_; }
+  /// Whether all up to the end are read.
+  [[nodiscard]] bool complete() const { return complete_; }
+
+ private:
+  struct Values {
+    ScalarValues best, sample, first;
+  };
+  void settle(const Timeline& log);
+
+  std::uint64_t log_id_ = 0;
+  std::size_t begin_ = 0, end_ = 0;
+  std::optional<Values> values_;  // at the latest gain; nothing: not yet begun
+  std::vector<PathGain> gains_;
+  bool complete_ = false;
+};
 
 }  // namespace replan

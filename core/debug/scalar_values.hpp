@@ -9,36 +9,42 @@
 
 namespace replan {
 
-/// The values that a scalar takes in a stretch of the log, one after the other.
+/// The values that a scalar takes from a place of a log on, one after the other. Each call gets that log, which may have grown
+/// since: only what has come is looked through.
 class ScalarValues {
  public:
-  ScalarValues(const Timeline& log, const SearchState& at_begin, Scalar which, std::size_t begin)
-      : log_(log), which_(which), value_(at_begin.scalar(which)) {
-    find(begin);
-  }
+  ScalarValues(const SearchState& at_begin, Scalar which, std::size_t begin)
+      : which_(which), value_(at_begin.scalar(which)), looked_to_(begin) {}
   /// That of the latest change that was taken.
   [[nodiscard]] std::uint64_t value() const { return value_; }
-  [[nodiscard]] bool changes_before(std::size_t end) const { return next_ && *next_ < end; }
-  /// Takes the next change; its event.
-  std::size_t take() {
+  [[nodiscard]] bool changes_before(const Timeline& log, std::size_t end) {
+    find(log);
+    return next_ && *next_ < end;
+  }
+  /// Takes the next change, which there is; its event.
+  std::size_t take(const Timeline& log) {
     const std::size_t event = *next_;
-    value_ ^= log_.event(event).delta;
-    find(event + 1);
+    value_ ^= log.event(event).delta;
+    next_.reset();
     return event;
   }
-  void take_before(std::size_t end) {
-    while (changes_before(end)) take();
+  void take_before(const Timeline& log, std::size_t end) {
+    while (changes_before(log, end)) take(log);
   }
-  [[nodiscard]] std::size_t next_or(std::size_t end) const { return changes_before(end) ? *next_ : end; }
+  [[nodiscard]] std::size_t next_or(const Timeline& log, std::size_t end) {
+    return changes_before(log, end) ? *next_ : end;
+  }
 
  private:
-  void find(std::size_t from) {
-    next_ = log_.next_event(static_cast<NodeId>(which_), {EventKind::scalar}, from);
+  void find(const Timeline& log) {
+    if (next_ || looked_to_ == log.size()) return;
+    next_ = log.next_event(static_cast<NodeId>(which_), {EventKind::scalar}, looked_to_);
+    looked_to_ = next_ ? *next_ + 1 : log.size();
   }
 
-  const Timeline& log_;
   Scalar which_;
   std::uint64_t value_;
+  std::size_t looked_to_;
   std::optional<std::size_t> next_;
 };
 

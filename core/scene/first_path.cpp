@@ -2,10 +2,15 @@
 
 #include <algorithm>
 
-#include "core/debug/path_gains.hpp"
 #include "core/plan/tree_values.hpp"
 
 namespace replan {
+namespace {
+
+/// A plan may give up an older path before it has its first one: that is one gain at most.
+constexpr std::size_t kGainsToFirstPath = 2;
+
+}  // namespace
 
 void FirstPath::follow(const Run& run, const RunDigest& digest) {
   shown_ = false;
@@ -13,7 +18,7 @@ void FirstPath::follow(const Run& run, const RunDigest& digest) {
   if (!run.info().sampling || plans == 0) return;
   const PlanSpan& plan = digest.plans()[plans - 1];
   const bool same = log_id_ == run.log_id() && begin_ == plan.begin;
-  if (!same || (event_ == SIZE_MAX && size_ != run.timeline().size())) read(run, plan);
+  if (!same || event_ == SIZE_MAX) read(run, plan);
   const std::uint64_t best = run.timeline().state().scalar(Scalar::best);
   shown_ = event_ < cursor && best != 0 && Cost{static_cast<std::int64_t>(best)} < cost_;
 }
@@ -22,9 +27,9 @@ void FirstPath::read(const Run& run, const PlanSpan& plan) {
   const Timeline& log = run.timeline();
   log_id_ = run.log_id();
   begin_ = plan.begin;
-  size_ = log.size();
   event_ = SIZE_MAX;
-  const auto gains = path_gains(run.log_view(), plan.begin, std::min(plan.end, log.size()));
+  gains_.follow(run.log_view(), log_id_, plan.begin, std::min(plan.end, log.size()), kGainsToFirstPath);
+  const auto gains = gains_.gains();
   const auto first =
       std::find_if(gains.begin(), gains.end(), [](const PathGain& gain) { return !gain.cost.is_infinite(); });
   if (first == gains.end()) return;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/debug/path_gains.hpp"
 #include "core/scene/digest.hpp"
 
 namespace replan {
@@ -22,8 +23,9 @@ class FirstPath {
   void read(const Run& run, const PlanSpan& plan);
 
   std::uint64_t log_id_ = 0;
-  std::size_t begin_ = SIZE_MAX, size_ = 0;  // of the plan, and of the log as it was read
-  std::size_t event_ = SIZE_MAX;             // at which it was there
+  std::size_t begin_ = SIZE_MAX;  // of the plan
+  std::size_t event_ = SIZE_MAX;  // at which it was there
+  PathGains gains_;               // of the plan, as far as its first path
   std::vector<Point> points_, none_;
   Cost cost_;
   bool shown_ = false;

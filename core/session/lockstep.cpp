@@ -62,10 +62,6 @@ Walk walk(const Run& run, std::size_t from, std::size_t end, std::int64_t most) 
   return walk;
 }
 
-std::int64_t expansions_between(const Run& run, std::size_t from, std::size_t to) {
-  return walk(run, from, to, std::numeric_limits<std::int64_t>::max()).expansions;
-}
-
 /// Behind the expansion number `count` after `from`, or `end` if that comes first.
 std::size_t behind_expansions(const Run& run, std::size_t from, std::size_t end, std::int64_t count) {
   return walk(run, from, end, count).position;
@@ -157,6 +153,10 @@ Progress progress(const Run& run, std::size_t position) {
   const std::size_t first = clock < 0 ? 0 : decisions_before(run, clock) + 1;
   return {clock, static_cast<std::int64_t>(decisions - first), expansions_between(run, begin, position),
           position > begin};
+}
+
+std::int64_t expansions_between(const Run& run, std::size_t from, std::size_t to) {
+  return walk(run, from, to, std::numeric_limits<std::int64_t>::max()).expansions;
 }
 
 std::int64_t expansions_until(const Run& run, std::size_t position) {

@@ -27,6 +27,8 @@ struct Progress {
 Progress progress(const Run& run, std::size_t position);
 /// Expansions among the first `position` events.
 std::int64_t expansions_until(const Run& run, std::size_t position);
+/// Expansions among the events [from, to).
+std::int64_t expansions_between(const Run& run, std::size_t from, std::size_t to);
 
 /// Where a pane stands, in a run that may not have come far enough yet.
 struct Standing {

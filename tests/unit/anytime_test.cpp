@@ -72,7 +72,9 @@ TEST(Anytime, TheLogTellsTheSameGains) {
     recorded.finish(Target::end());
     std::size_t end = 0;
     while (recorded.timeline().event(end).kind != EventKind::plan_end) ++end;
-    const auto gains = path_gains(recorded.log_view(), 0, end);
+    PathGains read;
+    read.follow(recorded.log_view(), recorded.log_id(), 0, end, SIZE_MAX);
+    const auto gains = read.gains();
     const AnytimeRun run = plan(*world);
     ASSERT_EQ(gains.size(), run.gains.size()) << info->id;
     for (std::size_t i = 0; i < gains.size(); ++i) {
@@ -87,7 +89,10 @@ TEST(Anytime, TheLogTellsTheSameGains) {
 TEST(Anytime, APlannerThatDrawsNoSamplesHasNoGains) {
   replan::Run run(std::make_shared<const Scenario>(gap("astar")), 0);
   run.finish(Target::end());
-  EXPECT_TRUE(path_gains(run.log_view(), 0, run.timeline().size()).empty());
+  PathGains read;
+  read.follow(run.log_view(), run.log_id(), 0, run.timeline().size(), SIZE_MAX);
+  EXPECT_TRUE(read.gains().empty());
+  EXPECT_TRUE(read.complete());
 }
 
 TEST(Anytime, TheClockEndsAPlanWithThePathByThen) {

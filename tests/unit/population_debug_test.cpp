@@ -2,6 +2,7 @@
 // is drawn.
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -10,12 +11,13 @@
 #include "core/debug/fitness_curve.hpp"
 #include "core/scene/scene.hpp"
 #include "core/session/run.hpp"
+#include "tests/support/growing_log.hpp"
 
 namespace replan::population_debug_test {
 namespace {
 
-/// Two walls, each with a gap.
-std::unique_ptr<replan::Run> finished(double mutation = 0) {
+/// Two walls, each with a gap; the goal is put elsewhere at the robot's third move, if so.
+std::unique_ptr<replan::Run> finished(double mutation = 0, std::optional<Cell> later_goal = {}) {
   auto scenario = std::make_shared<Scenario>();
   scenario->map = GridMap(40, 30);
   for (int y = 0; y < 30; ++y) {
@@ -27,6 +29,12 @@ std::unique_ptr<replan::Run> finished(double mutation = 0) {
   scenario->planners = {{"improved-ga", {}}};
   scenario->planners[0].settings.set("generations", 12);
   scenario->planners[0].settings.set("mutation", mutation);
+  if (later_goal) {
+    Surprise surprise;
+    surprise.at.move = 3;
+    surprise.goal = later_goal;
+    scenario->surprises.push_back(surprise);
+  }
   auto run = std::make_unique<replan::Run>(scenario, 0);
   run->finish(Target::end());
   return run;
@@ -42,6 +50,12 @@ std::size_t after(const replan::Run& run, EventKind kind, std::size_t n = 0) {
 /// Where the n-th child is done with.
 std::size_t end_of_child(const replan::Run& run, std::size_t n) {
   return after(run, EventKind::pop, n + 1) - 1;
+}
+
+std::vector<FitnessPoint> curve_of(const replan::Run& run) {
+  FitnessCurve read;
+  read.follow(run.log_view(), run.log_id(), SIZE_MAX);
+  return {read.points().begin(), read.points().end()};
 }
 
 std::vector<std::uint32_t> members(const SearchState& state) {
@@ -227,7 +241,7 @@ TEST(PopulationDebug, WhereAPathComesFromFollowsALogThatGrows) {
 TEST(PopulationDebug, TheCurveIsThatOfTheStates) {
   const auto run = finished();
   const Timeline& log = run->timeline();
-  const auto curve = fitness_curve(run->log_view(), 0, log.size());
+  const auto curve = curve_of(*run);
   ASSERT_EQ(curve.size(), 12u);
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const SearchState state = log.state_at(curve[i].event + 1);
@@ -253,6 +267,41 @@ TEST(PopulationDebug, TheCurveIsThatOfTheStates) {
   const std::string csv = fitness_csv(curve);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 13);
   EXPECT_EQ(csv.find("generation,best,mean,free\n1,"), 0u) << csv;
+}
+
+/// The planner counts its generations anew for a goal that has moved; the curve counts those of the whole run.
+TEST(PopulationDebug, TheCurveGoesOnWhereTheGoalIsPutElsewhere) {
+  const auto run = finished(0, Cell{35, 25});
+  const std::vector<FitnessPoint> curve = curve_of(*run);
+  ASSERT_EQ(curve.size(), 24u);
+  for (std::size_t i = 0; i < curve.size(); ++i)
+    EXPECT_EQ(curve[i].generation, static_cast<std::int64_t>(i + 1));
+  EXPECT_EQ(run->timeline().head().scalar(Scalar::generation), 12u);
+}
+
+/// However the log is cut into slices, and however few generations are read of each.
+TEST(PopulationDebug, TheCurveIsReadOnAsTheLogGrows) {
+  const auto run = finished(0, Cell{35, 25});
+  const std::vector<FitnessPoint> whole = curve_of(*run);
+  for (const std::size_t slice : {7, 1000, 100000}) {
+    for (const std::size_t most : {std::size_t{1}, SIZE_MAX}) {
+      FitnessCurve read;
+      read_while_growing(*run, slice, [&](const LogView& view) {
+        const std::size_t before = read.points().size();
+        read.follow(view, 1, most);
+        EXPECT_LE(read.points().size() - before, most);
+      });
+      while (!read.complete()) read.follow(run->log_view(), 1, most);
+      ASSERT_EQ(read.points().size(), whole.size());
+      for (std::size_t i = 0; i < whole.size(); ++i) {
+        EXPECT_EQ(read.points()[i].event, whole[i].event);
+        EXPECT_EQ(read.points()[i].generation, whole[i].generation);
+        EXPECT_EQ(read.points()[i].fittest, whole[i].fittest);
+        EXPECT_EQ(read.points()[i].mean, whole[i].mean);
+        EXPECT_EQ(read.points()[i].free, whole[i].free);
+      }
+    }
+  }
 }
 
 TEST(PopulationDebug, IsDrawnWithTheChildInHand) {

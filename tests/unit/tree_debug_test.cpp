@@ -11,7 +11,9 @@
 #include "core/debug/probe.hpp"
 #include "core/debug/sample_in_hand.hpp"
 #include "core/scene/scene.hpp"
+#include "core/session/lockstep.hpp"
 #include "core/session/run.hpp"
+#include "tests/support/growing_log.hpp"
 
 namespace replan::tree_debug_test {
 namespace {
@@ -38,6 +40,12 @@ std::size_t after(const replan::Run& run, EventKind kind, std::size_t n = 0) {
   for (std::size_t p = 0; p < run.timeline().size(); ++p)
     if (run.timeline().event(p).kind == kind && n-- == 0) return p + 1;
   return 0;
+}
+
+std::vector<PathGain> gains_of(const replan::Run& run) {
+  PathGains read;
+  read.follow(run.log_view(), run.log_id(), 0, run.timeline().size(), SIZE_MAX);
+  return {read.gains().begin(), read.gains().end()};
 }
 
 Scene scene_at(replan::Run& run, std::size_t position, std::optional<Cell> pinned = {}) {
@@ -95,7 +103,7 @@ TEST(TreeDebug, AVertexHangsOnTheCandidateWithTheLeastSum) {
 TEST(TreeDebug, TheGoalIsNotToldTheCandidatesOfTheVertexThatItHangsOn) {
   const auto run = finished("rrt-star");
   Timeline& log = run->timeline();
-  const auto gains = path_gains(run->log_view(), 0, log.size());
+  const auto gains = gains_of(*run);
   ASSERT_FALSE(gains.empty());
   log.seek(gains.front().event + 1);
   const std::uint32_t goal = goal_vertex(log.state());
@@ -177,7 +185,7 @@ TEST(TreeDebug, TheTreeIsDrawnWithWhatIsInHand) {
   EXPECT_FALSE(tried.shows(Sign::way_to_vertex));
   EXPECT_TRUE(scene_at(*run, candidate, Cell{6, 15}).shows(Sign::way_to_vertex));
   EXPECT_TRUE(scene_at(*run, rewired).shows(Sign::rewired));
-  const auto gains = path_gains(run->log_view(), 0, run->timeline().size());
+  const auto gains = gains_of(*run);
   ASSERT_GT(gains.size(), 1u);
   const Scene first = scene_at(*run, gains[0].event + 1), second = scene_at(*run, gains[1].event + 1);
   EXPECT_TRUE(first.shows(Sign::informed));
@@ -303,20 +311,69 @@ TEST(TreeDebug, TheNearestVertexIsLookedForOnceForACellAtAMoment) {
   log.seek(log.size());
   expect({30, 4}, 3);
   expect({30, 4}, 3);
-}
 
-TEST(TreeDebug, TheSecondPhaseIsToldApart) {
-  const auto run = finished("greedy-informed-rrt-star");
-  Timeline& log = run->timeline();
-  const auto gains = path_gains(run->log_view(), 0, log.size());
-  ASSERT_GT(gains.size(), 1u);
-  log.seek(gains[1].event + 1);
-  const auto hand = sample_in_hand(run->log_view());
-  ASSERT_TRUE(hand.has_value());
-  EXPECT_TRUE(hand->pulls);
-  log.seek(gains[0].event);
-  EXPECT_FALSE(sample_in_hand(run->log_view())->pulls);
-}
+  /// However the log is cut into slices, and however few gains are read of each.
+  TEST(TreeDebug, GainsAreReadOnAsTheLogGrows) {
+    const auto run = finished("informed-rrt-star");
+    const std::vector<PathGain> whole = gains_of(*run);
+    ASSERT_GT(whole.size(), 5u);
+    for (const std::size_t slice : {1, 7, 1000, 30000}) {
+      for (const std::size_t most : {std::size_t{1}, std::size_t{3}, SIZE_MAX}) {
+        PathGains read;
+        read_while_growing(*run, slice, [&](const LogView& view) {
+          const std::size_t before = read.gains().size();
+          read.follow(view, 1, 0, view.log.size(), most);
+          EXPECT_LE(read.gains().size() - before, most);
+        });
+        while (!read.complete()) read.follow(run->log_view(), 1, 0, run->timeline().size(), most);
+        ASSERT_EQ(read.gains().size(), whole.size());
+        for (std::size_t i = 0; i < whole.size(); ++i) {
+          EXPECT_EQ(read.gains()[i].event, whole[i].event);
+          EXPECT_EQ(read.gains()[i].sample, whole[i].sample);
+          EXPECT_EQ(read.gains()[i].cost, whole[i].cost);
+        }
+      }
+    }
+  }
+
+  /// A chart puts its playhead by expansions, and its gains by samples.
+  TEST(TreeDebug, ASampleIsAnExpansion) {
+    for (const char* planner : {"rrt-star", "informed-rrt-star", "greedy-informed-rrt-star"}) {
+      const auto run = finished(planner);
+      const std::vector<PathGain> gains = gains_of(*run);
+      ASSERT_FALSE(gains.empty());
+      for (const PathGain& gain : gains)
+        EXPECT_EQ(expansions_between(*run, 0, gain.event + 1), gain.sample) << planner;
+    }
+  }
+
+  TEST(TreeDebug, GainsOfAnotherPlanOrLogAreReadAnew) {
+    const auto run = finished("rrt-star"), other = finished("informed-rrt-star");
+    PathGains read;
+    read.follow(other->log_view(), other->log_id(), 0, other->timeline().size(), SIZE_MAX);
+    read.follow(run->log_view(), run->log_id(), 0, run->timeline().size(), SIZE_MAX);
+    const std::vector<PathGain> whole = gains_of(*run);
+    ASSERT_GT(whole.size(), 1u);
+    EXPECT_EQ(read.gains().size(), whole.size());
+    read.follow(run->log_view(), run->log_id(), 0, whole[1].event, SIZE_MAX);
+    EXPECT_EQ(read.gains().size(), 1u) << "the end has come before what was read";
+    read.follow(run->log_view(), run->log_id(), whole[0].event + 1, run->timeline().size(), SIZE_MAX);
+    EXPECT_EQ(read.gains().size(), whole.size() - 1);
+    EXPECT_EQ(read.gains().back().cost, whole.back().cost);
+  }
+
+  TEST(TreeDebug, TheSecondPhaseIsToldApart) {
+    const auto run = finished("greedy-informed-rrt-star");
+    Timeline& log = run->timeline();
+    const auto gains = gains_of(*run);
+    ASSERT_GT(gains.size(), 1u);
+    log.seek(gains[1].event + 1);
+    const auto hand = sample_in_hand(run->log_view());
+    ASSERT_TRUE(hand.has_value());
+    EXPECT_TRUE(hand->pulls);
+    log.seek(gains[0].event);
+    EXPECT_FALSE(sample_in_hand(run->log_view())->pulls);
+  }
 
 }  // namespace
 }  // namespace replan::tree_debug_test

@@ -11,6 +11,8 @@
 namespace replan::ui {
 namespace {
 
+constexpr std::size_t kGenerationsPerFrame = 512;
+
 /// Where generations and costs stand in the chart. Costs are laid out by their logarithms: the first paths hit much, and a
 /// hit costs more than all that is gained later.
 struct FitnessAxes {
@@ -60,6 +62,13 @@ void draw_fitness_axes(const Look& look, const FitnessAxes& axes, ImDrawList& li
   draw_text(list, small, {axes.max.x - text_width(small, end), below}, look.theme.faint, end);
 }
 
+/// The generations that have ended before a position of the log.
+std::int64_t reached(std::span<const FitnessPoint> points, std::size_t position) {
+  const auto after = std::partition_point(
+      points.begin(), points.end(), [position](const FitnessPoint& point) { return point.event < position; });
+  return after == points.begin() ? 0 : std::prev(after)->generation;
+}
+
 /// The generation that the mouse is at.
 const FitnessPoint& point_at(std::span<const FitnessPoint> points, double generation) {
   return *std::partition_point(points.begin(), points.end() - 1, [generation](const FitnessPoint& point) {
@@ -74,17 +83,14 @@ bool has_generations(const Session& session) {
                      [](const auto& run) { return run->info().evolving && !run->milestones().empty(); });
 }
 
-const std::vector<FitnessPoint>& FitnessChart::curve_of(const Run& run, std::size_t pane) {
+const FitnessCurve& FitnessChart::curve_of(const Run& run, std::size_t pane, std::size_t most) {
   if (curves_.size() <= pane) curves_.resize(pane + 1);
-  Curve& curve = curves_[pane];
-  const std::size_t size = run.timeline().size();
-  if (curve.log_id != run.log_id() || curve.size != size)
-    curve = {run.log_id(), size, fitness_curve(run.log_view(), 0, size)};
-  return curve.points;
+  curves_[pane].follow(run.log_view(), run.log_id(), most);
+  return curves_[pane];
 }
 
 std::string FitnessChart::csv(const Session& session) {
-  return fitness_csv(curve_of(session.run(), session.lead()));
+  return fitness_csv(curve_of(session.run(), session.lead(), SIZE_MAX).points());
 }
 
 void FitnessChart::draw(Frame& frame, float height) {
@@ -96,19 +102,22 @@ void FitnessChart::draw(Frame& frame, float height) {
   const bool pressed = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   FitnessAxes axes{{origin.x, origin.y + look.px(6)}, {0, origin.y + height - look.px(4)}};
-  for (std::size_t pane = 0; pane < session.runs().size(); ++pane)
-    for (const FitnessPoint& point : curve_of(*session.runs()[pane], pane)) axes.take(point);
+  for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
+    const FitnessCurve& curve =
+        curve_of(*session.runs()[pane], pane, frame.view.live ? kGenerationsPerFrame : SIZE_MAX);
+    if (!curve.complete()) frame.panels.animated = true;
+    for (const FitnessPoint& point : curve.points()) axes.take(point);
+  }
   if (axes.empty()) return;
   axes.max.x = origin.x + width - text_width(look.fonts.mono_small, fixed(axes.high, 1)) - look.px.s;
   draw_fitness_axes(look, axes, list, origin.x + width);
   for (std::size_t pane = 0; pane < session.runs().size(); ++pane)
     if (pane != session.lead())
-      draw_costs(axes, list, curves_[pane].points, &FitnessPoint::fittest, look.theme.faint, look.px(1));
-  const std::vector<FitnessPoint>& lead = curves_[session.lead()].points;
+      draw_costs(axes, list, curves_[pane].points(), &FitnessPoint::fittest, look.theme.faint, look.px(1));
+  const std::span<const FitnessPoint> lead = curves_[session.lead()].points();
   draw_costs(axes, list, lead, &FitnessPoint::mean, look.theme.dim, look.px(1));
   draw_costs(axes, list, lead, &FitnessPoint::fittest, look.theme.accent, look.px(1.5f));
-  const auto reached = static_cast<std::int64_t>(session.run().timeline().state().scalar(Scalar::generation));
-  const float playhead = std::round(axes.x(reached));
+  const float playhead = std::round(axes.x(reached(lead, session.run().timeline().cursor())));
   list.AddRectFilled({playhead, origin.y}, {playhead + look.px.hair, origin.y + height}, look.theme.text);
   if ((!pressed && !hovered) || lead.empty()) return;
   const FitnessPoint& there = point_at(lead, axes.generation(ImGui::GetIO().MousePos.x));

@@ -21,14 +21,10 @@ class FitnessChart {
   [[nodiscard]] std::string csv(const Session& session);
 
  private:
-  struct Curve {
-    std::uint64_t log_id = 0;
-    std::size_t size = 0;  // of the log that was read
-    std::vector<FitnessPoint> points;
-  };
-  const std::vector<FitnessPoint>& curve_of(const Run& run, std::size_t pane);
+  /// A pane's, read on by at most `most` generations.
+  const FitnessCurve& curve_of(const Run& run, std::size_t pane, std::size_t most);
 
-  std::vector<Curve> curves_;
+  std::vector<FitnessCurve> curves_;
 };
 
 }  // namespace replan::ui

@@ -5,12 +5,15 @@
 #include <limits>
 
 #include "core/debug/event_words.hpp"
+#include "core/session/lockstep.hpp"
 #include "core/study/anytime.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 namespace {
+
+constexpr std::size_t kGainsPerFrame = 512;
 
 /// Where samples and costs stand in the chart.
 struct GainAxes {
@@ -54,15 +57,6 @@ std::size_t plan_end(const Run& run, std::size_t begin, std::size_t end) {
   for (const Milestone& each : run.milestones())
     if (each.kind == EventKind::plan_end && each.event > begin) return std::min(each.event, end);
   return end;
-}
-
-/// Expansions between two events, to a chunk of the log.
-std::int64_t samples_between(const Run& run, std::size_t begin, std::size_t end) {
-  const auto curve = run.expansion_curve();
-  std::int64_t sum = 0;
-  for (std::size_t i = begin / Run::kCurveChunk; i < std::min(curve.size(), end / Run::kCurveChunk); ++i)
-    sum += curve[i];
-  return sum;
 }
 
 /// A cost holds until the next one, so the line goes in steps; where there is no path there is none.
@@ -112,34 +106,45 @@ bool has_gains(const Session& session) {
                      [](const auto& run) { return run->info().sampling && !run->milestones().empty(); });
 }
 
-const GainChart::Curve& GainChart::curve_of(const Run& run, std::size_t pane) {
+const GainChart::Curve& GainChart::curve_of(Frame& frame, std::size_t pane) {
+  const Run& run = *frame.session.runs()[pane];
   if (curves_.size() <= pane) curves_.resize(pane + 1);
   Curve& curve = curves_[pane];
   const auto [begin, end] = plan_at_cursor(run);
-  if (curve.log_id == run.log_id() && curve.begin == begin && curve.end == end) return curve;
-  curve = {run.log_id(), begin, end, path_gains(run.log_view(), begin, end),
-           samples_between(run, begin, end)};
-  if (!curve.gains.empty()) curve.samples = std::max(curve.samples, curve.gains.back().sample);
+  const bool same = curve.log_id == run.log_id() && curve.begin == begin && curve.end == end;
+  if (same && curve.read.complete()) return curve;
+  curve.read.follow(run.log_view(), run.log_id(), begin, end, frame.view.live ? kGainsPerFrame : SIZE_MAX);
+  if (!curve.read.complete()) frame.panels.animated = true;
+  curve.log_id = run.log_id();
+  curve.begin = begin;
+  curve.end = end;
+  curve.samples = expansions_between(run, begin, end);
   return curve;
 }
 
 std::optional<double> GainChart::optimum_of(Frame& frame, const Curve& curve) {
   const Run& run = frame.run();
-  if (!optimum_ || optimum_->log_id != curve.log_id || optimum_->begin != curve.begin) {
-    const SearchState state = run.timeline().state_at(plan_end(run, curve.begin, curve.end));
-    const NodeId start = state.node(Scalar::start), goal = state.node(Scalar::goal);
-    if (start == kNoNode || goal == kNoNode) return std::nullopt;
-    optimum_ = std::make_unique<Optimum>(run.lattice().node_count() > kLargeWorld);
-    optimum_->log_id = curve.log_id;
-    optimum_->begin = curve.begin;
-    optimum_->job.start([box = run.lattice(), known = state.known_map(), start, goal, choice = run.choice(),
-                         radius = run.scenario().robot.radius](const std::stop_token& stop) {
-      return shortest_of_all(box, known, box.position(start), box.position(goal), choice, radius, stop);
-    });
-  }
+  const std::size_t at = plan_end(run, curve.begin, curve.end);
+  const bool same = optimum_ && optimum_->log_id == curve.log_id && optimum_->begin == curve.begin;
+  if (!same || (!optimum_->has_ends && optimum_->at != at)) begin_optimum(run, curve, at, frame.view.live);
   if (const auto done = optimum_->job.take()) optimum_->length = *done;
   if (optimum_->job.busy()) frame.panels.animated = true;
   return optimum_->length;
+}
+
+void GainChart::begin_optimum(const Run& run, const Curve& curve, std::size_t at, bool live) {
+  optimum_ = std::make_unique<Optimum>(live || run.lattice().node_count() > kLargeWorld);
+  optimum_->log_id = curve.log_id;
+  optimum_->begin = curve.begin;
+  optimum_->at = at;
+  const SearchState state = run.timeline().state_at(at);
+  const NodeId start = state.node(Scalar::start), goal = state.node(Scalar::goal);
+  optimum_->has_ends = start != kNoNode && goal != kNoNode;
+  if (!optimum_->has_ends) return;
+  optimum_->job.start([box = run.lattice(), known = state.known_map(), start, goal, choice = run.choice(),
+                       radius = run.scenario().robot.radius](const std::stop_token& stop) {
+    return shortest_of_all(box, known, box.position(start), box.position(goal), choice, radius, stop);
+  });
 }
 
 void GainChart::draw(Frame& frame, float height) {
@@ -152,12 +157,13 @@ void GainChart::draw(Frame& frame, float height) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   GainAxes axes{{origin.x, origin.y + look.px(6)}, {0, origin.y + height - look.px(4)}};
   for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
-    const Curve& curve = curve_of(*session.runs()[pane], pane);
+    const Curve& curve = curve_of(frame, pane);
     axes.samples = std::max(axes.samples, static_cast<double>(curve.samples));
-    for (const PathGain& gain : curve.gains)
+    for (const PathGain& gain : curve.gains())
       if (!gain.cost.is_infinite()) axes.take(gain.cost.to_double());
   }
-  const Curve& lead = curve_of(session.run(), session.lead());
+  const Curve& lead = curves_[session.lead()];
+  const std::span<const PathGain> gains = lead.gains();
   const auto optimum = optimum_of(frame, lead);
   if (optimum) axes.take(*optimum);
   if (axes.empty()) return;
@@ -166,23 +172,22 @@ void GainChart::draw(Frame& frame, float height) {
   if (optimum) draw_optimum(look, axes, list, *optimum);
   for (std::size_t pane = 0; pane < session.runs().size(); ++pane)
     if (pane != session.lead())
-      draw_gains(axes, list, curves_[pane].gains, curves_[pane].samples, look.theme.faint, look.px(1));
-  draw_gains(axes, list, lead.gains, lead.samples, look.theme.accent, look.px(1.5f));
-  for (std::size_t i = 0; i < lead.gains.size(); ++i)
-    if (is_first_path(lead.gains, i))
-      list.AddCircleFilled(
-          {axes.x(static_cast<double>(lead.gains[i].sample)), axes.y(lead.gains[i].cost.to_double())},
-          look.px(3), look.theme.accent);
+      draw_gains(axes, list, curves_[pane].gains(), curves_[pane].samples, look.theme.faint, look.px(1));
+  draw_gains(axes, list, gains, lead.samples, look.theme.accent, look.px(1.5f));
+  for (std::size_t i = 0; i < gains.size(); ++i)
+    if (is_first_path(gains, i))
+      list.AddCircleFilled({axes.x(static_cast<double>(gains[i].sample)), axes.y(gains[i].cost.to_double())},
+                           look.px(3), look.theme.accent);
   const Run& run = session.run();
   const float playhead =
-      std::round(axes.x(static_cast<double>(samples_between(run, lead.begin, run.timeline().cursor()))));
+      std::round(axes.x(static_cast<double>(expansions_between(run, lead.begin, run.timeline().cursor()))));
   list.AddRectFilled({playhead, origin.y}, {playhead + look.px.hair, origin.y + height}, look.theme.text);
   if (!pressed && !hovered) return;
   const double sample = axes.sample(ImGui::GetIO().MousePos.x);
-  const auto after = std::partition_point(
-      lead.gains.begin(), lead.gains.end(),
-      [sample](const PathGain& gain) { return static_cast<double>(gain.sample) <= sample; });
-  if (after == lead.gains.begin()) return;
+  const auto after = std::partition_point(gains.begin(), gains.end(), [sample](const PathGain& gain) {
+    return static_cast<double>(gain.sample) <= sample;
+  });
+  if (after == gains.begin()) return;
   const PathGain& gain = *std::prev(after);
   if (pressed && (ImGui::IsItemActivated() || ImGui::GetIO().MouseDelta.x != 0))
     frame.commands.push_back(Seek{gain.event + 1});

@@ -22,24 +22,27 @@ class GainChart {
   void draw(Frame& frame, float height);
 
  private:
-  /// One pane's plan.
+  /// One pane's plan: its events, and what happened in them.
   struct Curve {
     std::uint64_t log_id = 0;
-    std::size_t begin = 0, end = 0;  // events that were read
-    std::vector<PathGain> gains;
+    std::size_t begin = 0, end = 0;
+    PathGains read;
     std::int64_t samples = 0;
+    [[nodiscard]] std::span<const PathGain> gains() const { return read.gains(); }
   };
   /// What the leading pane's plan could come to at best, kept until it is another plan.
   struct Optimum {
     std::uint64_t log_id = 0;
-    std::size_t begin = 0;
+    std::size_t begin = 0, at = 0;  // of the plan, and where its state was asked
+    bool has_ends = false;          // a start and a goal, there
     std::optional<double> length;
     Background<std::optional<double>> job;
 
-    explicit Optimum(bool large) : job(WorkPlace{.in_step = !large, .wake = {}}) {}
+    explicit Optimum(bool beside) : job(WorkPlace{.in_step = !beside, .wake = {}}) {}
   };
-  const Curve& curve_of(const Run& run, std::size_t pane);
+  const Curve& curve_of(Frame& frame, std::size_t pane);
   std::optional<double> optimum_of(Frame& frame, const Curve& curve);
+  void begin_optimum(const Run& run, const Curve& curve, std::size_t at, bool live);
 
   std::vector<Curve> curves_;
   std::unique_ptr<Optimum> optimum_;
