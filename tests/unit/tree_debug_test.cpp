@@ -311,69 +311,70 @@ TEST(TreeDebug, TheNearestVertexIsLookedForOnceForACellAtAMoment) {
   log.seek(log.size());
   expect({30, 4}, 3);
   expect({30, 4}, 3);
+}
 
-  /// However the log is cut into slices, and however few gains are read of each.
-  TEST(TreeDebug, GainsAreReadOnAsTheLogGrows) {
-    const auto run = finished("informed-rrt-star");
-    const std::vector<PathGain> whole = gains_of(*run);
-    ASSERT_GT(whole.size(), 5u);
-    for (const std::size_t slice : {1, 7, 1000, 30000}) {
-      for (const std::size_t most : {std::size_t{1}, std::size_t{3}, SIZE_MAX}) {
-        PathGains read;
-        read_while_growing(*run, slice, [&](const LogView& view) {
-          const std::size_t before = read.gains().size();
-          read.follow(view, 1, 0, view.log.size(), most);
-          EXPECT_LE(read.gains().size() - before, most);
-        });
-        while (!read.complete()) read.follow(run->log_view(), 1, 0, run->timeline().size(), most);
-        ASSERT_EQ(read.gains().size(), whole.size());
-        for (std::size_t i = 0; i < whole.size(); ++i) {
-          EXPECT_EQ(read.gains()[i].event, whole[i].event);
-          EXPECT_EQ(read.gains()[i].sample, whole[i].sample);
-          EXPECT_EQ(read.gains()[i].cost, whole[i].cost);
-        }
+/// However the log is cut into slices, and however few gains are read of each.
+TEST(TreeDebug, GainsAreReadOnAsTheLogGrows) {
+  const auto run = finished("informed-rrt-star");
+  const std::vector<PathGain> whole = gains_of(*run);
+  ASSERT_GT(whole.size(), 5u);
+  for (const std::size_t slice : {1, 7, 1000, 30000}) {
+    for (const std::size_t most : {std::size_t{1}, std::size_t{3}, SIZE_MAX}) {
+      PathGains read;
+      read_while_growing(*run, slice, [&](const LogView& view) {
+        const std::size_t before = read.gains().size();
+        read.follow(view, 1, 0, view.log.size(), most);
+        EXPECT_LE(read.gains().size() - before, most);
+      });
+      while (!read.complete()) read.follow(run->log_view(), 1, 0, run->timeline().size(), most);
+      ASSERT_EQ(read.gains().size(), whole.size());
+      for (std::size_t i = 0; i < whole.size(); ++i) {
+        EXPECT_EQ(read.gains()[i].event, whole[i].event);
+        EXPECT_EQ(read.gains()[i].sample, whole[i].sample);
+        EXPECT_EQ(read.gains()[i].cost, whole[i].cost);
       }
     }
   }
+}
 
-  /// A chart puts its playhead by expansions, and its gains by samples.
-  TEST(TreeDebug, ASampleIsAnExpansion) {
-    for (const char* planner : {"rrt-star", "informed-rrt-star", "greedy-informed-rrt-star"}) {
-      const auto run = finished(planner);
-      const std::vector<PathGain> gains = gains_of(*run);
-      ASSERT_FALSE(gains.empty());
-      for (const PathGain& gain : gains)
-        EXPECT_EQ(expansions_between(*run, 0, gain.event + 1), gain.sample) << planner;
-    }
+/// A chart puts its playhead by expansions, and its gains by samples.
+TEST(TreeDebug, ASampleIsAnExpansion) {
+  for (const char* planner : {"rrt-star", "informed-rrt-star", "greedy-informed-rrt-star"}) {
+    const auto run = finished(planner);
+    const std::vector<PathGain> gains = gains_of(*run);
+    ASSERT_FALSE(gains.empty());
+    for (const PathGain& gain : gains)
+      EXPECT_EQ(expansions_between(*run, 0, gain.event + 1), gain.sample) << planner;
   }
+}
 
-  TEST(TreeDebug, GainsOfAnotherPlanOrLogAreReadAnew) {
-    const auto run = finished("rrt-star"), other = finished("informed-rrt-star");
-    PathGains read;
-    read.follow(other->log_view(), other->log_id(), 0, other->timeline().size(), SIZE_MAX);
-    read.follow(run->log_view(), run->log_id(), 0, run->timeline().size(), SIZE_MAX);
-    const std::vector<PathGain> whole = gains_of(*run);
-    ASSERT_GT(whole.size(), 1u);
-    EXPECT_EQ(read.gains().size(), whole.size());
-    read.follow(run->log_view(), run->log_id(), 0, whole[1].event, SIZE_MAX);
-    EXPECT_EQ(read.gains().size(), 1u) << "the end has come before what was read";
-    read.follow(run->log_view(), run->log_id(), whole[0].event + 1, run->timeline().size(), SIZE_MAX);
-    EXPECT_EQ(read.gains().size(), whole.size() - 1);
-    EXPECT_EQ(read.gains().back().cost, whole.back().cost);
-  }
+TEST(TreeDebug, GainsOfAnotherPlanOrLogAreReadAnew) {
+  const auto run = finished("rrt-star"), other = finished("informed-rrt-star");
+  PathGains read;
+  read.follow(other->log_view(), other->log_id(), 0, other->timeline().size(), SIZE_MAX);
+  read.follow(run->log_view(), run->log_id(), 0, run->timeline().size(), SIZE_MAX);
+  const std::vector<PathGain> whole = gains_of(*run);
+  ASSERT_GT(whole.size(), 1u);
+  EXPECT_EQ(read.gains().size(), whole.size());
+  read.follow(run->log_view(), run->log_id(), 0, whole[1].event, SIZE_MAX);
+  EXPECT_EQ(read.gains().size(), 1u) << "the end has come before what was read";
+  read.follow(run->log_view(), run->log_id(), whole[0].event + 1, run->timeline().size(), SIZE_MAX);
+  EXPECT_EQ(read.gains().size(), whole.size() - 1);
+  EXPECT_EQ(read.gains().back().cost, whole.back().cost);
+}
 
-  TEST(TreeDebug, TheSecondPhaseIsToldApart) {
-    const auto run = finished("greedy-informed-rrt-star");
-    Timeline& log = run->timeline();
-    const auto gains = gains_of(*run);
-    ASSERT_GT(gains.size(), 1u);
-    log.seek(gains[1].event + 1);
-    const auto hand = sample_in_hand(run->log_view());
-    ASSERT_TRUE(hand.has_value());
-    EXPECT_TRUE(hand->pulls);
-    log.seek(gains[0].event);
-    EXPECT_FALSE(sample_in_hand(run->log_view())->pulls);
-  }
+TEST(TreeDebug, TheSecondPhaseIsToldApart) {
+  const auto run = finished("greedy-informed-rrt-star");
+  Timeline& log = run->timeline();
+  const auto gains = gains_of(*run);
+  ASSERT_GT(gains.size(), 1u);
+  log.seek(gains[1].event + 1);
+  const auto hand = sample_in_hand(run->log_view());
+  ASSERT_TRUE(hand.has_value());
+  EXPECT_TRUE(hand->pulls);
+  log.seek(gains[0].event);
+  EXPECT_FALSE(sample_in_hand(run->log_view())->pulls);
+}
 
 }  // namespace
 }  // namespace replan::tree_debug_test
