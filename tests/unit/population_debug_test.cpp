@@ -283,7 +283,7 @@ TEST(PopulationDebug, TheCurveGoesOnWhereTheGoalIsPutElsewhere) {
 TEST(PopulationDebug, TheCurveIsReadOnAsTheLogGrows) {
   const auto run = finished(0, Cell{35, 25});
   const std::vector<FitnessPoint> whole = curve_of(*run);
-  for (const std::size_t slice : {7, 1000, 100000}) {
+  for (const std::size_t slice : {7u, 1000u, 100000u}) {
     for (const std::size_t most : {std::size_t{1}, SIZE_MAX}) {
       FitnessCurve read;
       read_while_growing(*run, slice, [&](const LogView& view) {

@@ -318,7 +318,7 @@ TEST(TreeDebug, GainsAreReadOnAsTheLogGrows) {
   const auto run = finished("informed-rrt-star");
   const std::vector<PathGain> whole = gains_of(*run);
   ASSERT_GT(whole.size(), 5u);
-  for (const std::size_t slice : {1, 7, 1000, 30000}) {
+  for (const std::size_t slice : {1u, 7u, 1000u, 30000u}) {
     for (const std::size_t most : {std::size_t{1}, std::size_t{3}, SIZE_MAX}) {
       PathGains read;
       read_while_growing(*run, slice, [&](const LogView& view) {

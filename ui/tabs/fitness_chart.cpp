@@ -6,6 +6,7 @@
 
 #include "core/debug/event_words.hpp"
 #include "ui/shell/format.hpp"
+#include "ui/widgets/column_line.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
@@ -44,7 +45,7 @@ void draw_costs(const FitnessAxes& axes, ImDrawList& list, std::span<const Fitne
                 Cost FitnessPoint::*cost, ImU32 colour, float thick) {
   std::vector<ImVec2> line;
   for (const FitnessPoint& point : points) line.push_back({axes.x(point.generation), axes.y(point.*cost)});
-  list.AddPolyline(line.data(), static_cast<int>(line.size()), colour, ImDrawFlags_None, thick);
+  draw_long_line(list, line, colour, thick);
 }
 
 void draw_fitness_axes(const Look& look, const FitnessAxes& axes, ImDrawList& list, float right) {
