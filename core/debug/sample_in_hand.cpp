@@ -78,31 +78,12 @@ struct NearestSoFar {
   std::int64_t squared = std::numeric_limits<std::int64_t>::max();
 };
 
-/// The values of one kind in a page of vertices: a tree may have a million of them, and value by value takes several times
-/// as long.
-class VertexPage {
- public:
-  VertexPage(const SearchState& state, EventKind kind, std::uint32_t first)
-      : page_(state.page(kind, first)), initial_(state.initial_value(kind)) {}
-  [[nodiscard]] std::uint64_t operator[](std::uint32_t i) const {
-    return page_ != nullptr ? page_[i] : initial_;
-  }
-
- private:
-  const std::uint64_t* page_;
-  std::uint64_t initial_;
-};
-
-/// Looks for a nearer one among the vertices of a page, which were not cut off.
-void look_through(const SearchState& state, std::uint32_t first, std::uint32_t count, const Place& place,
-                  bool in_space, NearestSoFar& nearest) {
-  const VertexPage cost(state, fields::kVertexCost.kind, first), x(state, fields::kVertexX.kind, first),
-      y(state, fields::kVertexY.kind, first),
-      z(state, (in_space ? fields::kVertexZ : fields::kVertexY).kind, first);
+/// Looks for a nearer one among the vertices of a page, of those that were not cut off.
+void look_through(const VertexPage& page, std::uint32_t first, std::uint32_t count, const Place& place,
+                  NearestSoFar& nearest) {
   for (std::uint32_t i = 0; i < count; ++i) {
-    if (Cost{static_cast<std::int64_t>(cost[i])}.is_infinite()) continue;
-    const Place at{units_of(x[i]), units_of(y[i]), in_space ? units_of(z[i]) : kPlaceUnits / 2};
-    const std::int64_t squared = squared_between(at, place);
+    if (page.cost(i).is_infinite()) continue;
+    const std::int64_t squared = squared_between(page.place(i), place);
     if (squared < nearest.squared) nearest = {first + i, squared};
   }
 }
@@ -135,9 +116,9 @@ std::optional<VertexBirth> birth_of(const LogView& view, std::uint32_t vertex) {
 
 std::uint32_t nearest_vertex(const SearchState& state, const Place& place, bool in_space) {
   NearestSoFar nearest;
-  const std::uint32_t count = vertex_count(state), page = SearchState::kPage;
-  for (std::uint32_t first = 0; first < count; first += page)
-    look_through(state, first, std::min(page, count - first), place, in_space, nearest);
+  const std::uint32_t count = vertex_count(state);
+  for (std::uint32_t first = 0; first < count; first += VertexPage::kSize)
+    look_through({state, first, in_space}, first, std::min(VertexPage::kSize, count - first), place, nearest);
   return nearest.vertex;
 }
 

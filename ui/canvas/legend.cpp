@@ -81,10 +81,8 @@ std::vector<LegendEntry> entries_in_sight(const Look& look, const SignSet& signs
   all.signs = signs;
   std::vector<LegendEntry> entries;
   if (!every_edge.empty())
-    entries.push_back(
-        {LegendShape::line, look.theme.dim, every_edge,
-         "The tree has more edges in sight than are drawn at once: some are left out. Zoom in to "
-         "see all of them."});
+    entries.push_back({LegendShape::line, look.theme.dim, every_edge,
+                       "The tree has more edges than are drawn at once. Zoom in to see more of them."});
   for (const SignEntry& entry : kSigns)
     if (all.shows(entry.sign)) entries.push_back(entry_of(look, entry));
   entries.push_back(start_entry(look, outside));

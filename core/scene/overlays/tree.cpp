@@ -16,6 +16,8 @@ namespace {
 
 /// Where more edges are in sight every n-th of them is drawn alone.
 constexpr std::size_t kMostEdges = 40'000;
+/// Of a tree of more vertices not all are looked at, so that a frame does not wait for them.
+constexpr std::uint32_t kMostRead = 200'000;
 
 /// An edge of the tree, in the world's coordinates.
 struct TreeEdge {
@@ -30,31 +32,38 @@ struct DrawnTree {
   int every = 1;  ///< of those in sight every so manieth is there
 };
 
-/// The ends of the edge to a vertex; nothing for roots, and for vertices that were cut off.
-std::optional<TreeEdge> edge_to(const SearchState& state, std::uint32_t v, bool in_space) {
-  const std::uint32_t parent = vertex_parent(state, v);
-  if (parent == kNoNode || vertex_cost(state, v).is_infinite()) return std::nullopt;
-  return TreeEdge{point_of(vertex_place(state, parent, in_space)), point_of(vertex_place(state, v, in_space)),
-                  vertex_cost(state, v).to_double(), vertex_side(state, v) == TreeSide::goal};
+/// The edges that are in sight, of every so manieth page of vertices.
+template <class InSight>
+DrawnTree edges_in_sight(const SearchState& state, bool in_space, InSight&& in_sight) {
+  const std::uint32_t count = vertex_count(state), every = std::max(1u, (count + kMostRead - 1) / kMostRead);
+  DrawnTree tree{{}, static_cast<int>(every)};
+  double dearest = 0;
+  for (std::uint32_t first = 0; first < count; first += VertexPage::kSize * every) {
+    const VertexPage page(state, first, in_space);
+    for (std::uint32_t i = 0; i < std::min(VertexPage::kSize, count - first); ++i) {
+      if (page.parent(i) == kNoNode || page.cost(i).is_infinite()) continue;
+      const double cost = page.cost(i).to_double();
+      dearest = std::max(dearest, cost);
+      const TreeEdge edge{point_of(vertex_place(state, page.parent(i), in_space)), point_of(page.place(i)),
+                          cost};
+      if (!in_sight(edge)) continue;
+      tree.edges.push_back(edge);
+      tree.edges.back().from_goal = vertex_side(state, first + i) == TreeSide::goal;
+    }
+  }
+  if (dearest > 0)
+    for (TreeEdge& edge : tree.edges) edge.cost /= dearest;
+  return tree;
 }
 
 template <class InSight>
 DrawnTree drawn_tree(const SearchState& state, bool in_space, InSight&& in_sight) {
-  DrawnTree tree;
-  double dearest = 0;
-  for (std::uint32_t v = 0; v < vertex_count(state); ++v) {
-    const auto edge = edge_to(state, v, in_space);
-    if (!edge) continue;
-    dearest = std::max(dearest, edge->cost);
-    if (in_sight(*edge)) tree.edges.push_back(*edge);
-  }
+  DrawnTree tree = edges_in_sight(state, in_space, in_sight);
   const std::size_t every = std::max<std::size_t>(1, (tree.edges.size() + kMostEdges - 1) / kMostEdges);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < tree.edges.size(); i += every) tree.edges[kept++] = tree.edges[i];
   tree.edges.resize(kept);
-  tree.every = static_cast<int>(every);
-  if (dearest > 0)
-    for (TreeEdge& edge : tree.edges) edge.cost /= dearest;
+  tree.every *= static_cast<int>(every);
   return tree;
 }
 
