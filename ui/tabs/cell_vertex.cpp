@@ -130,7 +130,7 @@ void rehung_line(Frame& frame, const VertexView& vertex, const std::optional<Ver
   }
   if (!rewired) {
     paragraph(look.fonts.ui, look.theme.dim,
-              "It has not been rewired: it hangs where it was hung when it came.");
+              "It has not been rewired itself: it hangs where it was hung when it came.");
     return;
   }
   const std::string saved = cost_text({static_cast<std::int64_t>(log.event(*rewired).delta)});
@@ -138,7 +138,8 @@ void rehung_line(Frame& frame, const VertexView& vertex, const std::optional<Ver
       look.fonts.ui, look.theme.good,
       line == kNewRootLine
           ? "The robot has moved on: hung on where it stands now, this vertex saved " + saved + " of its way."
-          : "A later sample was hung nearer to it: rewiring it saved " + saved + " of its way.");
+          : "The way over a later vertex is shorter: when it was hung on that, it saved " + saved +
+                " of its way.");
   event_line(frame, "rewired", "Rewired by event", *rewired);
 }
 
@@ -151,6 +152,19 @@ const char* nearest_words(const VertexView& vertex) {
                                          : "It was the vertex nearest to the sample that it came from.";
 }
 
+/// What the candidates of its birth are, and what has become of its way since.
+void came_words(const Look& look, const std::vector<SampleInHand::Candidate>& candidates,
+                const VertexView& vertex) {
+  Cost least = Cost::infinity();
+  for (const SampleInHand::Candidate& candidate : candidates) least = std::min(least, candidate.cost);
+  if (vertex.cost() < least && !least.is_infinite())
+    paragraph(look.fonts.ui, look.theme.dim,
+              "Since it came its way has become " + cost_text({least.raw - vertex.cost().raw}) +
+                  " shorter, by its own rewiring or that of a vertex before it.");
+  paragraph(look.fonts.ui, look.theme.dim,
+            "When it came, the way over the first of these was the shortest that is free:");
+}
+
 void why_it_hangs(Frame& frame, const VertexView& vertex) {
   const Look& look = frame.look;
   if (vertex.parent() == kNoNode) {
@@ -159,16 +173,40 @@ void why_it_hangs(Frame& frame, const VertexView& vertex) {
     return;
   }
   section_title(look, "Why does it hang on " + grouped(std::int64_t{vertex.parent()}) + "?");
+  const Cost edge = length_between(vertex.place(), vertex.place_of(vertex.parent()));
+  paragraph(look.fonts.ui, look.theme.text,
+            "Its way is that to " + grouped(std::int64_t{vertex.parent()}) + ", " +
+                cost_text({vertex.cost().raw - edge.raw}) + ", and the edge from there, " + cost_text(edge) +
+                ": " + cost_text(vertex.cost()) + ".");
   const auto birth = birth_of(vertex.cell.run.log_view(), vertex.number);
+  rehung_line(frame, vertex, birth);
   if (birth && !birth->candidates.empty()) {
-    paragraph(look.fonts.ui, look.theme.dim,
-              "When it came, the way over the first of these was the shortest that is free:");
+    came_words(look, birth->candidates, vertex);
     candidate_table(look, birth->candidates, vertex);
   } else {
     paragraph(look.fonts.ui, look.theme.dim, nearest_words(vertex));
   }
   if (birth) event_line(frame, "birth", "It came by event", birth->event);
-  rehung_line(frame, vertex, birth);
+}
+
+/// What each vertex that was hung on the new one has saved, the most first.
+void rewired_table(const Look& look, const SearchState& state, std::vector<SampleInHand::Rewired> all) {
+  if (all.empty()) return;
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return b.saves < a.saves; });
+  const std::vector<Column> columns = {{"hung on it", 10, Align::left}, {"its way now", 12}, {"saved", 8}};
+  table_head(look, columns);
+  Cost together = Cost::zero();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    together = together + all[i].saves;
+    if (i >= kMostListed) continue;
+    const std::string number = grouped(std::int64_t{all[i].vertex}),
+                      way = cost_text(vertex_cost(state, all[i].vertex)), saved = cost_text(all[i].saves);
+    const std::vector<TableCell> cells = {{number}, {way}, {saved, look.theme.good}};
+    table_row(look, static_cast<int>(i), columns, cells, false);
+  }
+  paragraph(look.fonts.ui, look.theme.dim,
+            "Together they saved " + cost_text(together) +
+                "; what hangs on them is nearer to the start by as much.");
 }
 
 /// What the sample at the cursor has come to.
@@ -194,6 +232,7 @@ void sample_words(Frame& frame, const SampleInHand& hand) {
                   " hung on it.");
   else
     paragraph(look.fonts.ui, look.theme.dim, "It is being dealt with: step on to see what it comes to.");
+  rewired_table(look, frame.run().timeline().state(), hand.rewired);
 }
 
 }  // namespace
