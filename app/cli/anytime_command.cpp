@@ -90,9 +90,7 @@ std::string table_of(std::span<const AnytimeRun> runs, std::optional<double> opt
                {"over optimum"},
                {"samples"},
                {"ms"}});
-  for (std::size_t from = 0, to = 0; from < runs.size(); from = to) {
-    while (to < runs.size() && runs[to].planner == runs[from].planner) ++to;
-    const auto plans = runs.subspan(from, to - from);
+  for (const auto plans : by_planner(runs)) {
     const auto found = std::count_if(plans.begin(), plans.end(), [](const auto& run) { return run.found(); });
     const double last = median_of(plans, [](const AnytimeRun& run) { return run.gains.back().length; });
     std::vector<double> samples, times;

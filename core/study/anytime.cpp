@@ -72,6 +72,15 @@ std::optional<double> shortest_of_all(const Box& box, const SharedBytes& known, 
   return path_length(navigator->path());
 }
 
+std::vector<std::span<const AnytimeRun>> by_planner(std::span<const AnytimeRun> runs) {
+  std::vector<std::span<const AnytimeRun>> groups;
+  for (std::size_t from = 0, to = 0; from < runs.size(); from = to) {
+    while (to < runs.size() && runs[to].planner == runs[from].planner) ++to;
+    groups.push_back(runs.subspan(from, to - from));
+  }
+  return groups;
+}
+
 double lower_median(std::vector<double> values) {
   if (values.empty()) return kNoLength;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);

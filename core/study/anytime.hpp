@@ -30,7 +30,7 @@ enum class AnytimeEnd : std::uint8_t {
 
 /// One plan.
 struct AnytimeRun {
-  std::string planner;  ///< registry id
+  std::string planner;  ///< registry id; of a second one of the same id, with other settings, "rrt-star#2"
   std::int64_t seed = 0;
   std::vector<Gain> gains;  ///< ascending in samples and time, falling in length; empty: no path was found
   std::int64_t samples = 0;
@@ -52,6 +52,9 @@ AnytimeRun plan_anytime(const GridMap& map, Cell start, Cell goal, const Planner
 std::optional<double> shortest_of_all(const Box& box, const SharedBytes& known, Cell start, Cell goal,
                                       const PlannerChoice& choice, double radius,
                                       const std::stop_token& stop = {});
+
+/// The planners in the order in which they come, with their plans.
+std::vector<std::span<const AnytimeRun>> by_planner(std::span<const AnytimeRun> runs);
 
 /// Which number of a gain a curve is drawn against.
 enum class AnytimeAxis : std::uint8_t { samples, time };

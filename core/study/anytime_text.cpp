@@ -2,19 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "core/plan/registry.hpp"
 #include "core/study/anytime.hpp"
+#include "core/study/study_words.hpp"
 
 namespace replan {
 namespace {
-
-std::string curve_number(double value, int decimals) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
 
 const char* end_name(AnytimeEnd end) {
   switch (end) {
@@ -31,16 +25,6 @@ const char* end_name(AnytimeEnd end) {
 /// Apart for all eyes (Okabe & Ito), in the order in which planners are drawn.
 constexpr std::array<const char*, 7> kCurveColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                       "#e69f00", "#56b4e9", "#000000"};
-
-/// The planners in the order in which they come, with their plans.
-std::vector<std::span<const AnytimeRun>> by_planner(std::span<const AnytimeRun> runs) {
-  std::vector<std::span<const AnytimeRun>> groups;
-  for (std::size_t from = 0, to = 0; from < runs.size(); from = to) {
-    while (to < runs.size() && runs[to].planner == runs[from].planner) ++to;
-    groups.push_back(runs.subspan(from, to - from));
-  }
-  return groups;
-}
 
 /// 1, 2 or 5 times a power of ten: about a fifth of a range.
 double tick_step(double range) {
@@ -101,12 +85,12 @@ class CurvePlot {
   [[nodiscard]] double y(double length) const { return kTop + (high_ - length) / (high_ - low_) * kHeight; }
 
   void line(double x0, double y0, double x1, double y1, const std::string& style) {
-    out_ += "<line x1=\"" + curve_number(x0, 1) + "\" y1=\"" + curve_number(y0, 1) + "\" x2=\"" +
-            curve_number(x1, 1) + "\" y2=\"" + curve_number(y1, 1) + "\" " + style + "/>\n";
+    out_ += "<line x1=\"" + told(x0, 1) + "\" y1=\"" + told(y0, 1) + "\" x2=\"" + told(x1, 1) + "\" y2=\"" +
+            told(y1, 1) + "\" " + style + "/>\n";
   }
   void words(double x, double y, const char* anchor, const std::string& text) {
-    out_ += "<text x=\"" + curve_number(x, 1) + "\" y=\"" + curve_number(y, 1) + "\" text-anchor=\"" +
-            anchor + "\">" + text + "</text>\n";
+    out_ += "<text x=\"" + told(x, 1) + "\" y=\"" + told(y, 1) + "\" text-anchor=\"" + anchor + "\">" + text +
+            "</text>\n";
   }
   void draw_axes() {
     const std::string faint = "stroke=\"#dddddd\"", strong = "stroke=\"#666666\"";
@@ -114,28 +98,27 @@ class CurvePlot {
     for (double power = from_; power <= to_ + 1e-9; ++power) {
       const double at = x(std::pow(10, power));
       line(at, kTop, at, bottom, faint);
-      words(at, bottom + 18, "middle",
-            curve_number(std::pow(10, power), power < 0 ? static_cast<int>(-power) : 0));
+      words(at, bottom + 18, "middle", told(std::pow(10, power), power < 0 ? static_cast<int>(-power) : 0));
     }
     const double step = tick_step(high_ - low_);
     for (double length = std::ceil(low_ / step) * step; length <= high_; length += step) {
       line(left_, y(length), left_ + kWidth, y(length), faint);
-      words(left_ - 8, y(length) + 4, "end", curve_number(length, step < 1 ? 2 : 0));
+      words(left_ - 8, y(length) + 4, "end", told(length, step < 1 ? 2 : 0));
     }
     line(left_, bottom, left_ + kWidth, bottom, strong);
     line(left_, kTop, left_, bottom, strong);
     words(left_ + kWidth / 2, bottom + 38, "middle", axis_ == AnytimeAxis::time ? "milliseconds" : "samples");
     if (!optimum_) return;
     line(left_, y(*optimum_), left_ + kWidth, y(*optimum_), "stroke=\"#000000\" stroke-dasharray=\"5 4\"");
-    words(left_ + kWidth, y(*optimum_) + 14, "end", "optimum " + curve_number(*optimum_, 3));
+    words(left_ + kWidth, y(*optimum_) + 14, "end", "optimum " + told(*optimum_, 3));
   }
   /// In steps: a length holds until there is a shorter one.
   void draw_curve(std::span<const CurvePoint> curve, double end, const std::string& style) {
     if (curve.empty()) return;
-    std::string steps = "M" + curve_number(x(curve[0].at), 1) + " " + curve_number(y(curve[0].length), 1);
+    std::string steps = "M" + told(x(curve[0].at), 1) + " " + told(y(curve[0].length), 1);
     for (const CurvePoint& point : curve.subspan(1))
-      steps += "H" + curve_number(x(point.at), 1) + "V" + curve_number(y(point.length), 1);
-    steps += "H" + curve_number(x(std::max(end, curve.back().at)), 1);
+      steps += "H" + told(x(point.at), 1) + "V" + told(y(point.length), 1);
+    steps += "H" + told(x(std::max(end, curve.back().at)), 1);
     out_ += "<path d=\"" + steps + "\" fill=\"none\" " + style + "/>\n";
   }
   void draw_plans(std::span<const AnytimeRun> runs, const char* colour) {
@@ -152,8 +135,8 @@ class CurvePlot {
     const std::vector<CurvePoint> curve = median_curve(runs, axis_);
     if (curve.empty()) return;
     draw_curve(curve, end, std::string("stroke=\"") + colour + "\" stroke-width=\"2.4\"");
-    out_ += "<circle cx=\"" + curve_number(x(curve.front().at), 1) + "\" cy=\"" +
-            curve_number(y(curve.front().length), 1) + "\" r=\"4\" fill=\"" + colour + "\"/>\n";
+    out_ += "<circle cx=\"" + told(x(curve.front().at), 1) + "\" cy=\"" + told(y(curve.front().length), 1) +
+            "\" r=\"4\" fill=\"" + colour + "\"/>\n";
   }
 
   std::span<const AnytimeRun> runs_;
@@ -172,10 +155,10 @@ std::string anytime_csv(std::span<const AnytimeRun> runs) {
   for (const AnytimeRun& run : runs) {
     const std::string start = run.planner + "," + std::to_string(run.seed) + ",";
     for (const Gain& gain : run.gains)
-      text += start + std::to_string(gain.samples) + "," + curve_number(gain.ms, 4) + "," +
-              curve_number(gain.length, 6) + ",\n";
-    text += start + std::to_string(run.samples) + "," + curve_number(run.ms, 4) + "," +
-            (run.found() ? curve_number(run.gains.back().length, 6) : "") + "," + end_name(run.end) + "\n";
+      text +=
+          start + std::to_string(gain.samples) + "," + told(gain.ms, 4) + "," + told(gain.length, 6) + ",\n";
+    text += start + std::to_string(run.samples) + "," + told(run.ms, 4) + "," +
+            (run.found() ? told(run.gains.back().length, 6) : "") + "," + end_name(run.end) + "\n";
   }
   return text;
 }
@@ -190,8 +173,8 @@ std::string anytime_svg(std::span<const AnytimeRun> runs, std::optional<double> 
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const PlannerInfo* info = find_planner(groups[i].front().planner);
     const std::string name(info == nullptr ? std::string_view(groups[i].front().planner) : info->name);
-    text += "<rect x=\"" + curve_number(at, 0) + "\" y=\"18\" width=\"18\" height=\"4\" fill=\"" +
-            CurvePlot::colour(i) + "\"/>\n<text x=\"" + curve_number(at + 24, 0) + "\" y=\"25\">" + name +
+    text += "<rect x=\"" + told(at, 0) + "\" y=\"18\" width=\"18\" height=\"4\" fill=\"" +
+            CurvePlot::colour(i) + "\"/>\n<text x=\"" + told(at + 24, 0) + "\" y=\"25\">" + name +
             "</text>\n";
     at += 44 + 7 * static_cast<double>(name.size());
   }
