@@ -105,7 +105,8 @@ RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoi
   return report;
 }
 
-RunReport drive(const Scenario& scenario, const PlannerChoice& choice) {
+RunReport drive(const Scenario& scenario, const PlannerChoice& choice,
+                const std::function<void(const Mission&)>& watch) {
   constexpr std::int64_t kSlice = std::int64_t{1} << 20;
   const auto mission = make_mission(scenario, choice);
   RunReport report;
@@ -115,8 +116,11 @@ RunReport drive(const Scenario& scenario, const PlannerChoice& choice) {
   }
   report_plan(report, mission->navigator(), choice, *mission->plan().path, mission->plan().status,
               scenario.robot.radius);
-  while (mission->advance(kSlice)) {
+  for (bool going = true; going;) {
+    if (watch && mission->standing()) watch(*mission);
+    going = mission->advance(kSlice);
   }
+  if (watch) watch(*mission);
   const MissionFigures& figures = mission->now().figures;
   report.plan_ms = figures.plan_ms;
   report.replan_ms = figures.replan_ms;

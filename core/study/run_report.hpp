@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -65,8 +66,10 @@ struct RunReport {
 /// there is no path to the goal. Start and goal must be on the map, the planner in the registry.
 RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice,
                     const RobotSetup& robot = {});
-/// Drives the scenario's robot with one planner until there is nothing more to do.
-RunReport drive(const Scenario& scenario, const PlannerChoice& choice);
+/// Drives the scenario's robot with one planner until there is nothing more to do. `watch`, if there is one, is shown the
+/// mission after each decision of the robot.
+RunReport drive(const Scenario& scenario, const PlannerChoice& choice,
+                const std::function<void(const Mission&)>& watch = {});
 
 /// Why a run did not succeed, as a sentence; empty if it did.
 std::string explanation(const RunReport& report);

@@ -3,19 +3,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "core/plan/named.hpp"
-#include "core/study/paper_studies.hpp"
+#include "core/study/papers/paper_studies.hpp"
 
 namespace replan {
 
 const char* verdict_name(Verdict verdict) {
-  constexpr std::array<const char*, 3> kNames = {"reproduced", "partly", "not reproduced"};
+  constexpr std::array<const char*, 4> kNames = {"reproduced", "partly", "not reproduced", "answered"};
   return kNames[static_cast<std::size_t>(verdict)];
 }
 
 std::span<const StudyInfo> studies() {
-  static const std::array kStudies{dld_random_study(), informed_rrt_study()};
+  static const std::array kStudies{dld_table_study(), dld_surprise_study(), dld_random_study(),
+                                   dld_maze_study(),  astar_table_study(),  fusion_study(),
+                                   auv_study(),       informed_rrt_study()};
   return kStudies;
 }
 
@@ -50,6 +54,26 @@ std::optional<Spread> spread_of(const StudyReport& report, std::size_t figure, s
     if (run.planner == planner && (!world || run.world == *world) && run.values[figure])
       values.push_back(*run.values[figure]);
   return spread_of(std::move(values));
+}
+
+std::optional<Spread> ratio_of(const StudyReport& report, std::size_t figure, std::size_t planner,
+                               std::size_t to, std::optional<std::size_t> world) {
+  std::map<std::pair<std::size_t, std::uint64_t>, double> others;
+  for (const StudyRun& run : report.runs)
+    if (run.planner == to && run.found && run.values[figure])
+      others[{run.world, run.seed}] = *run.values[figure];
+  std::vector<double> ratios;
+  for (const StudyRun& run : report.runs) {
+    if (run.planner != planner || !run.found || !run.values[figure] || (world && run.world != *world))
+      continue;
+    const auto other = others.find({run.world, run.seed});
+    if (other != others.end() && other->second > 0) ratios.push_back(*run.values[figure] / other->second);
+  }
+  return spread_of(std::move(ratios));
+}
+
+double typical(const StudyFigure& figure, const Spread& spread) {
+  return figure.wall_time ? spread.median : spread.mean;
 }
 
 }  // namespace replan

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
+#include "core/world/scenario.hpp"
 
 namespace replan {
 
@@ -38,7 +39,8 @@ struct PaperFigure {
   double value = 0;
 };
 
-enum class Verdict : std::uint8_t { reproduced, partly, not_reproduced };
+/// What came out of a claim. `answered`: what the paper leaves open, and what the runs here say to it.
+enum class Verdict : std::uint8_t { reproduced, partly, not_reproduced, answered };
 /// "reproduced", ...
 const char* verdict_name(Verdict verdict);
 
@@ -50,12 +52,37 @@ struct StudyClaim {
   std::string why;
 };
 
+/// A diagram of a figure, as the papers draw them.
+struct StudyChart {
+  enum class Form : std::uint8_t {
+    bars,  ///< a bar for each planner, with its spread; a group of bars for each world where worlds are apart
+    lines,  ///< from world to world, a line for each planner
+  };
+  std::string_view id;  ///< part of its files' names
+  std::string title;
+  std::size_t figure = 0;
+  Form form = Form::bars;
+  bool logarithmic = false;
+};
+
+/// What the planners of a scenario come to in it, drawn side by side.
+struct StudyPicture {
+  std::string_view id;  ///< part of its files' names
+  std::string caption;
+  Scenario scenario;                  ///< its planners are drawn in their order, at most four
+  bool at_end = false;                ///< when the robots are there; else when the first plans stand
+  std::vector<std::string> overlays;  ///< by their ids
+};
+
 struct StudyReport {
-  std::vector<std::string> worlds, planners;  ///< by their names
+  std::vector<std::string> worlds,
+      planners;  ///< by their names; figures are held against the first planner's
   std::vector<StudyFigure> figures;
   std::vector<PaperFigure> paper;
   std::vector<StudyRun> runs;
   std::vector<StudyClaim> claims;
+  std::vector<StudyChart> charts;
+  std::string supplement;     ///< tables of another kind, as Markdown; may be empty
   bool worlds_apart = false;  ///< each world has a table of its own; else they are taken together
 };
 
@@ -64,6 +91,8 @@ struct StudyWatch {
   std::uint64_t seeds = 1;
   std::function<void(std::size_t done, std::size_t all)> progress = {};  ///< after each run
   std::stop_token stop = {};  ///< the report then has the runs done so far, and no claims
+  /// The folder of the BARN benchmark, for the study that can use it; empty: it goes without.
+  std::string barn = {};
 };
 
 struct StudyInfo {
@@ -74,6 +103,7 @@ struct StudyInfo {
   std::uint64_t seeds = 1;   ///< as many as the paper's, or as its claims need
   std::uint64_t quick_seeds = 1;
   Result<StudyReport> (*run)(const StudyWatch& watch) = nullptr;
+  Result<std::vector<StudyPicture>> (*pictures)() = nullptr;  ///< may be left out
 };
 
 /// All of them, in the order of the papers.
@@ -91,6 +121,11 @@ std::optional<Spread> spread_of(std::vector<double> values);
 /// Of a figure of a planner's runs, in a world or in all.
 std::optional<Spread> spread_of(const StudyReport& report, std::size_t figure, std::size_t planner,
                                 std::optional<std::size_t> world = {});
+/// A planner's figure over another's, run by run with the same world and seed, where both have found a path.
+std::optional<Spread> ratio_of(const StudyReport& report, std::size_t figure, std::size_t planner,
+                               std::size_t to, std::optional<std::size_t> world = {});
+/// The median of wall times, which a few slow runs do not move; the mean of all else, as papers have it.
+double typical(const StudyFigure& figure, const Spread& spread);
 
 /// The report for people: tables with the paper's figures, and a verdict for each claim.
 std::string study_markdown(const StudyInfo& info, const StudyReport& report);

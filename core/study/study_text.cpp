@@ -1,23 +1,9 @@
 // Studies as Markdown, CSV and JSON.
-#include <array>
-#include <cmath>
-#include <cstdio>
-
 #include "core/study/study.hpp"
 #include "core/study/study_words.hpp"
 #include "core/world/json_reader.hpp"
 
 namespace replan {
-
-std::string told(double value, int decimals) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  return text.data();
-}
-
-std::string signed_percent(double share) {
-  return (share < 0 ? "-" : "+") + told(100 * std::abs(share), 1) + " %";
-}
 
 namespace {
 

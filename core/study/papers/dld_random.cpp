@@ -5,73 +5,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <filesystem>
 
-#include "core/study/paper_studies.hpp"
-#include "core/study/run_report.hpp"
+#include "core/study/papers/dld_entries.hpp"
+#include "core/study/papers/paper_studies.hpp"
 #include "core/study/study_words.hpp"
-#include "core/world/choices.hpp"
-#include "core/world/generators/generators.hpp"
+#include "core/world/library.hpp"
 
 namespace replan {
 namespace {
 
-constexpr int kSide = 200, kMaps = 10;
-constexpr Cell kFrom{15, 15, 0}, kTo{175, 175, 0};
-
-enum RandomFigure : std::size_t { kNodes, kLength, kClearance, kPlanTime, kFigureCount };
+constexpr std::uint64_t kRandomMaps = 10;
 enum RandomEntry : std::size_t { kDstarLite, kDld, kRrtStar, kGenetic, kEntries };
 
-Result<std::vector<PlannerChoice>> entries() {
-  struct Entry {
-    const char* id;
-    std::vector<std::pair<const char*, const char*>> settings;
-  };
-  const std::array<Entry, kEntries> listed{
-      {{"dstar-lite", {}},
-       {"dld-star-lite", {{"sight", "bresenham"}}},
-       {"rrt-star", {{"step", "20"}, {"goal_reach", "20"}, {"samples", "5000"}}},
-       {"improved-ga", {}}}};
-  std::vector<PlannerChoice> choices;
-  for (const Entry& entry : listed) {
-    const auto info = require_choice(entry.id);
-    if (!info) return Error{info.error()};
-    PlannerChoice choice;
-    choice.id = entry.id;
-    for (const auto& [key, value] : entry.settings)
-      if (const auto set = set_from_text(choice.settings, (*info)->parameters, key, value); !set)
-        return Error{set.error()};
-    choices.push_back(std::move(choice));
-  }
-  return choices;
-}
-
-StudyRun run_on(const GridMap& map, PlannerChoice choice, std::uint64_t seed) {
-  const auto& parameters = find_choice(choice.id)->parameters;
-  if (find_parameter(parameters, "seed") != nullptr) choice.settings.set("seed", static_cast<double>(seed));
-  const RunReport report = plan_once(map, kFrom, kTo, choice);
-  StudyRun run{
-      .seed = seed, .found = report.succeeded(), .values = std::vector<std::optional<double>>(kFigureCount)};
-  run.values[kPlanTime] = report.plan_ms;
-  if (!run.found) return run;
-  run.values[kNodes] = static_cast<double>(report.figures.nodes);
-  run.values[kLength] = report.figures.length;
-  run.values[kClearance] = report.figures.min_clearance;
-  return run;
-}
-
 using ByEntry = std::array<double, kEntries>;
-
-/// Of each planner; nothing if one of them has found no path at all.
-std::optional<ByEntry> values_of(const StudyReport& report, RandomFigure figure) {
-  ByEntry values{};
-  for (std::size_t p = 0; p < kEntries; ++p) {
-    const auto spread = spread_of(report, figure, p);
-    if (!spread) return std::nullopt;
-    values[p] = report.figures[figure].wall_time ? spread->median : spread->mean;
-  }
-  return values;
-}
 
 StudyClaim nodes_claim(const ByEntry& nodes) {
   const bool most = nodes[kDstarLite] > 3 * nodes[kDld];
@@ -152,45 +99,57 @@ StudyClaim time_claim_of(const ByEntry& time) {
 }
 
 /// Where a planner has no path there is nothing to hold against the paper.
-StudyClaim claim_of(const StudyReport& report, RandomFigure figure, StudyClaim (*claim)(const ByEntry&)) {
-  if (const auto values = values_of(report, figure)) return claim(*values);
-  StudyClaim none = claim({1, 1, 1, 1});
-  none.ours = "One of the planners has found no path on any map.";
-  none.verdict = Verdict::not_reproduced;
-  none.why = "Without its paths there is nothing to compare.";
-  return none;
+StudyClaim claim_of(const StudyReport& report, PlanFigure figure, StudyClaim (*claim)(const ByEntry&)) {
+  const std::vector<double> values = typical_values(report, figure);
+  ByEntry by_entry{1, 1, 1, 1};
+  if (values.empty()) return without_paths(claim(by_entry));
+  std::copy_n(values.begin(), kEntries, by_entry.begin());
+  return claim(by_entry);
+}
+
+Result<std::vector<StudyEntry>> random_entries() {
+  return study_entries({{"D* Lite", "dstar-lite"},
+                        {"DLD* Lite", "dld-star-lite", {{"sight", "bresenham"}}},
+                        {"RRT*", "rrt-star", {{"step", "20"}, {"goal_reach", "20"}, {"samples", "5000"}}},
+                        {"Improved GA", "improved-ga"}});
 }
 
 Result<StudyReport> run_random(const StudyWatch& watch) {
-  const auto choices = entries();
-  if (!choices) return Error{choices.error()};
+  const auto entries = random_entries();
+  if (!entries) return Error{entries.error()};
+  const auto maps = dld_random_maps(kRandomMaps);
+  if (!maps) return Error{maps.error()};
   StudyReport report;
-  report.planners = {"D* Lite", "DLD* Lite", "RRT*", "improved GA"};
-  report.figures = {{"nodes", "nodes", "", 1},
-                    {"length", "length", "cells", 2},
-                    {"min_clearance", "least clearance", "cells", 2},
-                    {"plan_ms", "time", "ms", 2, true}};
+  report.planners = names_of(*entries);
+  for (std::size_t number = 1; number <= maps->size(); ++number)
+    report.worlds.push_back("map " + std::to_string(number));
+  report.figures = plan_figures();
   report.paper = {{kNodes, kDstarLite, {}, 182.7},  {kNodes, kDld, {}, 31.2},
                   {kNodes, kRrtStar, {}, 15.1},     {kNodes, kGenetic, {}, 13.3},
                   {kPlanTime, kDstarLite, {}, 502}, {kPlanTime, kDld, {}, 727},
                   {kPlanTime, kRrtStar, {}, 2464},  {kPlanTime, kGenetic, {}, 1900}};
-  const std::array keep_free{kFrom, kTo};
-  for (std::uint64_t number = 1; number <= kMaps; ++number) {
-    const auto map = random_rectangles(kSide, kSide, 0.17, 5, 15, number, keep_free);
-    if (!map) return Error{map.error()};
-    report.worlds.push_back("map " + std::to_string(number));
-    for (std::uint64_t seed = 1; seed <= watch.seeds; ++seed)
-      for (std::size_t p = 0; p < kEntries; ++p) {
-        if (watch.stop.stop_requested()) return report;
-        report.runs.push_back(run_on(*map, (*choices)[p], seed));
-        report.runs.back().world = number - 1;
-        report.runs.back().planner = p;
-        if (watch.progress) watch.progress(report.runs.size(), kMaps * watch.seeds * kEntries);
-      }
-  }
-  report.claims = {claim_of(report, kNodes, nodes_claim), claim_of(report, kLength, length_claim_of),
-                   claim_of(report, kPlanTime, time_claim_of)};
+  report.charts = {{"nodes", "Nodes of the path", kNodes, StudyChart::Form::lines, true},
+                   {"length", "Length of the path", kLength, StudyChart::Form::lines},
+                   {"time", "Time of a plan", kPlanTime, StudyChart::Form::lines, true}};
+  const bool whole = run_all(report, watch, [&](std::size_t world, std::size_t planner, std::uint64_t seed) {
+    return plan_run((*maps)[world], kDldStart, kDldGoal, (*entries)[planner].choice, seed);
+  });
+  if (whole)
+    report.claims = {claim_of(report, kNodes, nodes_claim), claim_of(report, kLength, length_claim_of),
+                     claim_of(report, kPlanTime, time_claim_of)};
   return report;
+}
+
+/// The first of the maps, as figure 6 has one of the paper's.
+Result<std::vector<StudyPicture>> random_pictures() {
+  auto scenario = read_scenario((std::filesystem::path(library_folder()) / "dld-fig-5.json").string());
+  if (!scenario) return Error{scenario.error()};
+  return std::vector<StudyPicture>{
+      {"paths",
+       "What the four planners come to on the first map, as in figure 6 of the paper.",
+       std::move(*scenario),
+       false,
+       {"path"}}};
 }
 
 }  // namespace
@@ -210,7 +169,8 @@ StudyInfo dld_random_study() {
           "maps/dld-fig-5.json.",
           5,
           1,
-          run_random};
+          run_random,
+          random_pictures};
 }
 
 }  // namespace replan

@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "core/plan/registry.hpp"
-#include "core/study/paper_studies.hpp"
+#include "core/study/papers/paper_studies.hpp"
 #include "core/study/study_words.hpp"
 #include "core/world/library.hpp"
 #include "core/world/scenario.hpp"
