@@ -1,5 +1,6 @@
 #include "core/study/study_runs.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "core/plan/registry.hpp"
@@ -8,6 +9,10 @@
 
 namespace replan {
 namespace {
+
+/// A short plan is timed so often, and the quickest counts: what else the machine does cannot make it quicker.
+constexpr int kPlansTimed = 3;
+constexpr double kLongPlan = 50;  // ms
 
 Result<PlannerChoice> choice_of(const StudyEntryText& text) {
   const auto info = require_choice(text.id);
@@ -89,7 +94,10 @@ StudyRun plan_run(const RunReport& report, std::size_t more) {
 StudyRun plan_run(const GridMap& map, Cell start, Cell goal, PlannerChoice choice, std::uint64_t seed) {
   if (find_parameter(info_of(choice).parameters, "seed") != nullptr)
     choice.settings.set("seed", static_cast<double>(seed));
-  return plan_run(plan_once(map, start, goal, choice));
+  RunReport report = plan_once(map, start, goal, choice);
+  for (int again = 1; again < kPlansTimed && report.plan_ms < kLongPlan; ++again)
+    report.plan_ms = std::min(report.plan_ms, plan_once(map, start, goal, choice).plan_ms);
+  return plan_run(report);
 }
 
 Point point_along(const Path& path, double share) {

@@ -1,39 +1,12 @@
 // Studies as Markdown, CSV and JSON.
-#include "core/study/study.hpp"
-#include "core/study/study_words.hpp"
+#include <algorithm>
+
+#include "core/study/study_tables.hpp"
 #include "core/world/json_reader.hpp"
 
 namespace replan {
 
 namespace {
-
-std::string heading(const StudyFigure& figure) {
-  std::string text(figure.label);
-  if (!figure.unit.empty()) text += " (" + std::string(figure.unit) + ")";
-  return text;
-}
-
-/// Medians of wall times, which a few slow runs do not move; means of all else, as papers have them.
-std::string value_text(const StudyFigure& figure, const std::optional<Spread>& spread) {
-  if (!spread) return "–";
-  const auto text = [&](double value) { return told(value, figure.decimals); };
-  if (figure.wall_time)
-    return text(spread->median) + " (" + text(spread->low) + " to " + text(spread->high) + ")";
-  return spread->count == 1 ? text(spread->mean) : text(spread->mean) + " ± " + text(spread->deviation);
-}
-
-std::optional<double> paper_value(const StudyReport& report, std::size_t figure, std::size_t planner,
-                                  std::optional<std::size_t> world) {
-  for (const PaperFigure& paper : report.paper)
-    if (paper.figure == figure && paper.planner == planner && paper.world == world) return paper.value;
-  return std::nullopt;
-}
-
-bool in_paper(const StudyReport& report, std::size_t figure) {
-  for (const PaperFigure& paper : report.paper)
-    if (paper.figure == figure) return true;
-  return false;
-}
 
 std::string line_of(const std::vector<std::string>& cells) {
   std::string line = "|";
@@ -41,43 +14,13 @@ std::string line_of(const std::vector<std::string>& cells) {
   return line + "\n";
 }
 
-std::string found_text(const StudyReport& report, std::size_t planner, std::optional<std::size_t> world) {
-  std::size_t runs = 0, found = 0;
-  for (const StudyRun& run : report.runs) {
-    if (run.planner != planner || (world && run.world != *world)) continue;
-    ++runs;
-    found += run.found ? 1 : 0;
-  }
-  return std::to_string(found) + " of " + std::to_string(runs);
-}
-
-std::string table_of(const StudyReport& report, std::optional<std::size_t> world) {
-  std::vector<std::string> names{"planner", "paths"}, rule{"---", "---:"};
-  for (std::size_t f = 0; f < report.figures.size(); ++f) {
-    names.push_back(heading(report.figures[f]));
-    if (in_paper(report, f)) names.push_back("the paper's");
-  }
-  rule.resize(names.size(), "---:");
-  std::string text = line_of(names) + line_of(rule);
-  for (std::size_t p = 0; p < report.planners.size(); ++p) {
-    std::vector<std::string> cells{report.planners[p], found_text(report, p, world)};
-    for (std::size_t f = 0; f < report.figures.size(); ++f) {
-      cells.push_back(value_text(report.figures[f], spread_of(report, f, p, world)));
-      if (!in_paper(report, f)) continue;
-      const auto paper = paper_value(report, f, p, world);
-      cells.push_back(paper ? told(*paper, report.figures[f].decimals) : "–");
-    }
-    text += line_of(cells);
-  }
-  return text;
-}
-
-std::string claims_of(const StudyReport& report) {
-  std::string text = "| the paper says | here | verdict |\n| --- | --- | --- |\n";
-  for (const StudyClaim& claim : report.claims)
-    text += line_of({claim.paper, claim.why.empty() ? claim.ours : claim.ours + " " + claim.why,
-                     verdict_name(claim.verdict)});
-  return text;
+std::string markdown_table(const StudyTable& table) {
+  std::vector<std::string> rule(table.lines.front().size(), "---:");
+  std::fill_n(rule.begin(), table.words, "---");
+  std::string text = table.heading.empty() ? "" : "## " + table.heading + "\n\n";
+  text += line_of(table.lines.front()) + line_of(rule);
+  for (std::size_t i = 1; i < table.lines.size(); ++i) text += line_of(table.lines[i]);
+  return text + "\n";
 }
 
 Json spread_json(const Spread& spread) {
@@ -121,16 +64,24 @@ Json runs_json(const StudyReport& report) {
 std::string study_markdown(const StudyInfo& info, const StudyReport& report) {
   std::string text = "# " + std::string(info.title) + "\n\nAfter " + std::string(info.source) + ".\n\n" +
                      std::string(info.setting) + "\n\n";
-  if (report.worlds_apart) {
-    for (std::size_t w = 0; w < report.worlds.size(); ++w)
-      text += "## " + report.worlds[w] + "\n\n" + table_of(report, w) + "\n";
-  } else {
-    text += table_of(report, std::nullopt) + "\n";
-  }
-  text += "Means with their standard deviation; times are medians with their quartiles.\n";
-  if (!report.claims.empty()) text += "\n## What the paper claims\n\n" + claims_of(report);
+  for (const StudyTable& table : figure_tables(report)) text += markdown_table(table);
+  text += table_words(report) + "\n";
+  if (!report.supplement.empty()) text += "\n" + report.supplement;
+  if (!report.claims.empty()) text += "\n## What the paper claims\n\n" + markdown_table(claim_table(report));
   return text;
 }
+
+namespace {
+
+/// As RFC 4180 has it.
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return cell + "\"";
+}
+
+}  // namespace
 
 std::string study_csv(const StudyReport& report) {
   std::string text = "world,planner,seed,found";
@@ -140,8 +91,8 @@ std::string study_csv(const StudyReport& report) {
   }
   text += "\n";
   for (const StudyRun& run : report.runs) {
-    text += report.worlds[run.world] + "," + report.planners[run.planner] + "," + std::to_string(run.seed) +
-            (run.found ? ",1" : ",0");
+    text += csv_cell(report.worlds[run.world]) + "," + csv_cell(report.planners[run.planner]) + "," +
+            std::to_string(run.seed) + (run.found ? ",1" : ",0");
     for (const auto& value : run.values) text += "," + (value ? plain_number(*value).dump() : "");
     text += "\n";
   }
@@ -159,6 +110,7 @@ std::string study_json(const StudyInfo& info, const StudyReport& report) {
     one["value"] = plain_number(paper.value);
     document["paper"].push_back(std::move(one));
   }
+  if (!report.machine.empty()) document["machine"] = report.machine;
   document["summaries"] = summaries_json(report);
   document["claims"] = Json::array();
   for (const StudyClaim& claim : report.claims)

@@ -1,0 +1,38 @@
+#include "core/base/machine.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <string_view>
+#include <thread>
+
+namespace replan {
+namespace {
+
+/// As Linux names it; "an unnamed processor" elsewhere.
+std::string processor_name() {
+  std::ifstream in("/proc/cpuinfo");
+  constexpr std::string_view kName = "model name";
+  for (std::string line; std::getline(in, line);)
+    if (const std::size_t colon = line.find(": "); line.starts_with(kName) && colon != std::string::npos)
+      return line.substr(colon + 2);
+  return "an unnamed processor";
+}
+
+}  // namespace
+
+std::string machine_sentence() {
+  const unsigned count = std::max(1u, std::thread::hardware_concurrency());
+  std::string text = "Times are of " + processor_name() + ", " + std::to_string(count) +
+                     (count == 1 ? " processor." : " processors.");
+  std::array<double, 1> load{};
+  if (::getloadavg(load.data(), 1) != 1 || load[0] < 0.5 * count) return text;
+  std::array<char, 16> number{};
+  std::snprintf(number.data(), number.size(), "%.1f", load[0]);
+  return text + " Other work kept it busy (a load of " + number.data() +
+         " as the study began), so that times are larger than they need be, and ratios the safer reading.";
+}
+
+}  // namespace replan
