@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/debug/iteration.hpp"
+
 namespace replan {
 namespace {
 
@@ -10,23 +12,6 @@ namespace {
 constexpr std::size_t kLongestChild = std::size_t{1} << 16;
 /// The lines of the pseudo-code on which a child has been crossed, and on which it is evaluated.
 constexpr int kCrossedLine = 5, kEvaluatedLine = 10;
-
-/// Whether no child is in hand any more behind such an event.
-bool ends_breeding(EventKind kind) {
-  return kind == EventKind::plan_begin || kind == EventKind::plan_end || kind == EventKind::epoch ||
-         kind == EventKind::move || kind == EventKind::surprise;
-}
-
-/// The `pop` before which no other one lies between it and `end`.
-std::optional<std::size_t> breeding_before(const Timeline& log, std::size_t end) {
-  const std::size_t first = end > kLongestChild ? end - kLongestChild : 0;
-  for (std::size_t i = end; i-- > first;) {
-    const EventKind kind = log.event(i).kind;
-    if (kind == EventKind::pop) return i;
-    if (ends_breeding(kind)) return std::nullopt;
-  }
-  return std::nullopt;
-}
 
 void read_parents(const SearchState& state, ChildInHand& hand) {
   for (const auto& [parent, which] :
@@ -92,7 +77,7 @@ ChildInHand read_child(const Timeline& log, std::size_t pop, std::size_t end, co
 /// Where the child that is bred at a moment is done with; the end of the log if it is not yet.
 std::size_t end_of_breeding(const Timeline& log, std::size_t moment) {
   while (moment < log.size() && log.event(moment).kind != EventKind::pop &&
-         !ends_breeding(log.event(moment).kind))
+         !ends_iteration(log.event(moment).kind))
     ++moment;
   return moment;
 }
@@ -101,7 +86,7 @@ std::size_t end_of_breeding(const Timeline& log, std::size_t moment) {
 
 std::optional<ChildInHand> child_in_hand(const LogView& view) {
   if (!view.info.evolving) return std::nullopt;
-  const auto pop = breeding_before(view.log, view.log.cursor());
+  const auto pop = pop_before(view.log, view.log.cursor(), kLongestChild);
   if (!pop) return std::nullopt;
   return read_child(view.log, *pop, view.log.cursor(), view.log.state());
 }
@@ -153,7 +138,7 @@ void PathBirth::read_child_of(const Timeline& log) {
   const std::size_t end = end_of_breeding(log, std::max(end_, *joined_));
   if (end == end_) return;
   end_ = end;
-  const auto pop = breeding_before(log, *joined_);
+  const auto pop = pop_before(log, *joined_, kLongestChild);
   if (pop) birth_ = read_child(log, *pop, end, log.state_at(end));
 }
 

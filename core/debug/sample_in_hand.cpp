@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/debug/iteration.hpp"
+
 namespace replan {
 namespace {
 
@@ -12,12 +14,6 @@ constexpr std::size_t kLongestSample = std::size_t{1} << 20;
 
 /// Of assets/planners/greedy-informed-rrt-star.md.
 constexpr int kFirstLineOfPulling = 19, kFirstLineOfMission = 100;
-
-/// Whether no sample is in hand any more behind such an event.
-bool parts(EventKind kind) {
-  return kind == EventKind::plan_begin || kind == EventKind::plan_end || kind == EventKind::epoch ||
-         kind == EventKind::move || kind == EventKind::surprise;
-}
 
 Place read_place(const SearchState& state, Scalar first, bool in_space) {
   const auto part = [&](std::size_t axis) {
@@ -62,17 +58,6 @@ SampleInHand read_sample(const Timeline& log, std::size_t pop, std::size_t end, 
   return hand;
 }
 
-/// The `pop` before which no other one lies between it and `end`.
-std::optional<std::size_t> pop_before(const Timeline& log, std::size_t end) {
-  const std::size_t first = end > kLongestSample ? end - kLongestSample : 0;
-  for (std::size_t i = end; i-- > first;) {
-    const EventKind kind = log.event(i).kind;
-    if (kind == EventKind::pop) return i;
-    if (parts(kind)) return std::nullopt;
-  }
-  return std::nullopt;
-}
-
 struct NearestSoFar {
   std::uint32_t vertex = kNoNode;
   std::int64_t squared = std::numeric_limits<std::int64_t>::max();
@@ -92,7 +77,7 @@ void look_through(const VertexPage& page, std::uint32_t first, std::uint32_t cou
 
 std::optional<SampleInHand> sample_in_hand(const LogView& view) {
   if (!view.info.sampling) return std::nullopt;
-  const auto pop = pop_before(view.log, view.log.cursor());
+  const auto pop = pop_before(view.log, view.log.cursor(), kLongestSample);
   if (!pop) return std::nullopt;
   return read_sample(view.log, *pop, view.log.cursor(), view.log.state(), view.lattice.solid());
 }
@@ -103,7 +88,7 @@ std::optional<VertexBirth> birth_of(const LogView& view, std::uint32_t vertex) {
       vertex, {fields::kVertexX.kind, fields::kVertexY.kind, fields::kVertexZ.kind}, view.log.cursor());
   if (!written) return std::nullopt;
   VertexBirth birth{.event = *written};
-  const auto pop = pop_before(view.log, *written);
+  const auto pop = pop_before(view.log, *written, kLongestSample);
   std::vector<SampleInHand::Candidate> tried;
   for (std::size_t i = pop.value_or(*written); i < *written; ++i) {
     const Event& event = view.log.event(i);

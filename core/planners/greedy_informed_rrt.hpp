@@ -39,20 +39,19 @@ class GreedyInformedRrt final : public Rrt<L, T> {
 
  private:
   using Base = Rrt<L, T>;
-  using Base::hit_from;
   using Base::kNone;
   using Base::space_;
   using Base::tr_;
   using Base::tree_;
 
   void grow_towards(const Place& sample) override {
-    if (this->best().is_infinite())
-      Base::grow_towards(sample);
-    else
+    if (this->has_path())
       pull(sample);
+    else
+      Base::grow_towards(sample);
   }
 
-  [[nodiscard]] int sampling_line() const override { return this->best().is_infinite() ? 3 : 20; }
+  [[nodiscard]] int sampling_line() const override { return this->has_path() ? 20 : 3; }
 
   // Lines 19-27: one sample of the second phase.
   void pull(const Place& sample) {
@@ -73,18 +72,18 @@ class GreedyInformedRrt final : public Rrt<L, T> {
     if (!(then < now) || tree_.full()) return this->reject(SampleFault::longer, space_.node(place));
     tr_.line(25);
     for (const std::uint32_t neighbour : {before, after})
-      if (const auto hit = hit_from(neighbour, place))
+      if (const auto hit = tree_.hit_from(neighbour, place))
         return this->reject(SampleFault::blocked, space_.known().node(*hit));
     tr_.line(26);
     tr_.note(EventKind::rewired, after, static_cast<std::uint64_t>(now.raw - then.raw));
     tree_.hang(after, tree_.grow(place, before));
     tr_.line(27);
-    this->take_gain();
+    tree_.take_gain();
   }
 
   /// Of the vertices of the path; of equally near ones the one nearer to the goal.
   [[nodiscard]] std::uint32_t nearest_on_path(const Place& sample) const {
-    std::uint32_t nearest = this->goal_vertex();
+    std::uint32_t nearest = tree_.goal_vertex();
     for (std::uint32_t v = nearest; v != kNone; v = tree_.parent(v))
       if (squared_between(tree_.place(v), sample) < squared_between(tree_.place(nearest), sample))
         nearest = v;
@@ -93,7 +92,7 @@ class GreedyInformedRrt final : public Rrt<L, T> {
   /// The next vertex of the path towards the goal; kNone for the goal itself.
   [[nodiscard]] std::uint32_t below_on_path(std::uint32_t vertex) const {
     std::uint32_t below = kNone;
-    for (std::uint32_t v = this->goal_vertex(); v != vertex; v = tree_.parent(v)) below = v;
+    for (std::uint32_t v = tree_.goal_vertex(); v != vertex; v = tree_.parent(v)) below = v;
     return below;
   }
 };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/plan/tree_values.hpp"
+#include "core/planners/run_numbers.hpp"
 #include "core/space/place_index.hpp"
 #include "core/trace/tracer.hpp"
 
@@ -21,8 +22,8 @@ class GrownTree {
  public:
   static constexpr std::uint32_t kNone = PlaceIndex<D>::kNone;
 
-  GrownTree(const Place& extent, T& tracer)
-      : tr_(tracer), index_{PlaceIndex<D>(extent), PlaceIndex<D>(extent)} {}
+  GrownTree(const Place& extent, RunNumbers<T>& numbers, T& tracer)
+      : numbers_(numbers), tr_(tracer), index_{PlaceIndex<D>(extent), PlaceIndex<D>(extent)} {}
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(places_.size()); }
   /// Those that grew from the start and are not cut off.
@@ -57,9 +58,8 @@ class GrownTree {
 
   /// Forgets all vertices. The log tells of it by an epoch, which is its owner's to write.
   void clear() {
-    places_.clear();
-    links_.clear();
-    for (PlaceIndex<D>& index : index_) index.clear();
+    numbers_.set_count(Scalar::vertices, 0);
+    let_all_go();
   }
   /// A vertex without a parent.
   std::uint32_t plant(const Place& at, TreeSide side = TreeSide::start) {
@@ -120,7 +120,7 @@ class GrownTree {
 
   /// As the log's state shows it.
   void restore(const SearchState& state) {
-    clear();
+    let_all_go();
     const auto count = vertex_count(state);
     for (std::uint32_t v = 0; v < count; ++v) {
       places_.push_back(vertex_place(state, v, D == 3));
@@ -146,9 +146,14 @@ class GrownTree {
   [[nodiscard]] const PlaceIndex<D>& index(TreeSide side) const {
     return index_[static_cast<std::size_t>(side)];
   }
+  void let_all_go() {
+    places_.clear();
+    links_.clear();
+    for (PlaceIndex<D>& index : index_) index.clear();
+  }
   std::uint32_t append(const Place& at, TreeSide side) {
     const std::uint32_t v = size();
-    tr_.change(Scalar::vertices, std::uint64_t{v}, std::uint64_t{v} + 1);
+    numbers_.set_count(Scalar::vertices, std::int64_t{v} + 1);
     places_.emplace_back();
     if constexpr (D == 2) places_.back()[2] = kPlaceUnits / 2;
     links_.emplace_back();
@@ -210,6 +215,7 @@ class GrownTree {
 
   static constexpr std::array<Field, 3> kVertexPlace = {fields::kVertexX, fields::kVertexY, fields::kVertexZ};
 
+  RunNumbers<T>& numbers_;
   T& tr_;
   std::vector<Place> places_;
   std::vector<Link> links_;

@@ -2,42 +2,14 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "core/plan/population_values.hpp"
-#include "core/trace/tracer.hpp"
+#include "core/planners/run_numbers.hpp"
 
 namespace replan {
-
-/// Values of a run, told to the tracer whenever they change.
-template <Tracer T>
-class RunNumbers {
- public:
-  explicit RunNumbers(T& tracer) : tr_(tracer) {}
-
-  [[nodiscard]] std::uint64_t get(Scalar which) const { return held_[static_cast<std::size_t>(which)]; }
-  void set(Scalar which, std::uint64_t value) {
-    std::uint64_t& held = held_[static_cast<std::size_t>(which)];
-    tr_.change(which, held, value);
-    held = value;
-  }
-  /// A node, a vertex or a path, held as its number + 1.
-  [[nodiscard]] std::uint32_t number(Scalar which) const {
-    return static_cast<std::uint32_t>(get(which)) - 1u;
-  }
-  void set_number(Scalar which, std::uint32_t number) { set(which, std::uint64_t{number + 1u}); }
-
-  void restore(const SearchState& state) {
-    for (std::size_t i = 0; i < held_.size(); ++i) held_[i] = state.scalar(static_cast<Scalar>(i));
-  }
-
- private:
-  T& tr_;
-  std::array<std::uint64_t, static_cast<std::size_t>(Scalar::count)> held_{};
-};
 
 /// Every write goes through a function that tells the tracer. One of the paths is no member but the child's: where a child
 /// becomes a member, the path that leaves gives its room to the next one.
@@ -56,13 +28,13 @@ class Population {
   /// Room for so many members and a child.
   void make_room(std::uint32_t members) {
     members_.resize(members + 1);
-    numbers_.set(Scalar::paths, count());
+    numbers_.set_count(Scalar::paths, count());
     numbers_.set_number(Scalar::child, members);
   }
   /// Forgets all. The log tells of it by an epoch, which is its owner's to write.
   void clear() {
     members_.clear();
-    numbers_.set(Scalar::paths, 0);
+    numbers_.set_count(Scalar::paths, 0);
     numbers_.set(Scalar::child, 0);
   }
   void write(std::uint32_t i, const BredPath& path) {

@@ -73,9 +73,7 @@ class Rrt : public TreeSearch<L, T> {
 
  protected:
   using Base = TreeSearch<L, T>;
-  using Base::bits;
   using Base::D;
-  using Base::hit_from;
   using Base::space_;
   using Base::step_;
   using Base::tr_;
@@ -102,9 +100,9 @@ class Rrt : public TreeSearch<L, T> {
     tr_.line(9);
     const std::uint32_t added = tree_.grow(place, parent);
     for (const std::uint32_t v : near)
-      if (v != parent) this->hang_if_shorter(v, added, 11);
-    this->join_goal(added, goal_reach_);
-    this->take_gain();
+      if (v != parent) tree_.hang_if_shorter(v, added, 11);
+    tree_.join_goal(added, goal_reach_);
+    tree_.take_gain();
   }
   // Lines 7 and 8.
   std::uint32_t cheapest_parent(const Place& place, std::uint32_t nearest,
@@ -112,21 +110,25 @@ class Rrt : public TreeSearch<L, T> {
     tr_.line(8);
     std::uint32_t parent = nearest;
     Cost least = tree_.cost_over(nearest, place);
-    tr_.note(EventKind::candidate, nearest, bits(least));
+    tell_candidate(nearest, least);
     for (const std::uint32_t v : near) {
       if (v == nearest) continue;
       const Cost sum = tree_.cost_over(v, place);
-      const bool better = sum < least && !hit_from(v, place);
-      tr_.note(EventKind::candidate, v, sum < least && !better ? bits(Cost::infinity()) : bits(sum));
+      const bool better = sum < least && !tree_.hit_from(v, place);
+      tell_candidate(v, sum < least && !better ? Cost::infinity() : sum);
       if (!better) continue;
       parent = v;
       least = sum;
     }
     return parent;
   }
+  /// Infinite: the way is blocked.
+  void tell_candidate(std::uint32_t v, Cost sum) {
+    tr_.note(EventKind::candidate, v, static_cast<std::uint64_t>(sum.raw));
+  }
   [[nodiscard]] Place sample_with_path(std::int64_t number) const override {
     if (!switches_.informed) return this->sampler_.anywhere(number);
-    return this->sampler_.within(InformedSet<D>(this->start_place(), this->goal_place(), this->best()),
+    return this->sampler_.within(InformedSet<D>(tree_.start_place(), tree_.goal_place(), tree_.best()),
                                  number);
   }
   [[nodiscard]] bool path_could_gain() const override {

@@ -40,19 +40,18 @@ class RrtConnect final : public TreeSearch<L, T> {
  private:
   using Base = TreeSearch<L, T>;
   using Base::kNone;
-  using Base::space_;
   using Base::tr_;
   using Base::tree_;
 
   void planted() override {
-    if (!this->best().is_infinite() || tree_.full()) return;
-    if (tree_.nearest(this->goal_place(), TreeSide::goal) == kNone)
-      tree_.plant(this->goal_place(), TreeSide::goal);
+    if (this->has_path() || tree_.full()) return;
+    if (tree_.nearest(tree_.goal_place(), TreeSide::goal) == kNone)
+      tree_.plant(tree_.goal_place(), TreeSide::goal);
   }
 
   // Lines 4-12.
   void grow_towards(const Place& sample) override {
-    const bool turned = this->counters().expansions % 2 == 0;
+    const bool turned = this->counters_.expansions % 2 == 0;
     const TreeSide side = turned ? TreeSide::goal : TreeSide::start,
                    other = turned ? TreeSide::start : TreeSide::goal;
     const std::uint32_t added = extend(side, sample);
@@ -86,7 +85,7 @@ class RrtConnect final : public TreeSearch<L, T> {
   /// Both lie at one place, `far` in the goal's tree: what hangs on it hangs on `near`.
   void join(std::uint32_t near, std::uint32_t far) {
     tree_.graft(near, far);
-    this->reach_goal(tree_.vertex_at(this->goal_place()));
+    tree_.reach_goal(tree_.vertex_at(tree_.goal_place()));
   }
 
   [[nodiscard]] Place sample_with_path(std::int64_t number) const override {

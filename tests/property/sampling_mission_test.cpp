@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/mission_witness.hpp"
-#include "tests/support/taking_up.hpp"
+#include "tests/support/mission_drives.hpp"
 
 namespace replan::test::sampling_mission_test {
 namespace {
@@ -29,21 +28,10 @@ Scenario drawn_for(std::uint64_t seed, bool solid, const PlannerInfo& info) {
 }
 
 void drive_sampling(std::uint64_t count, bool solid) {
-  MissionTotals all;
-  const auto planners = sampling_planners();
-  std::int64_t taken = 0;
-  for (std::uint64_t seed = 0; seed < count; ++seed) {
-    const PlannerInfo& info = *planners[seed % planners.size()];
-    const Scenario scenario = drawn_for(seed, solid, info);
-    MissionWitness witness(scenario, info);
-    std::string fault = witness.run(all);
-    Random random(seed);
-    if (fault.empty() && seed % kTakenUp == 0) {
-      fault = taken_up(random, scenario, witness.log());
-      ++taken;
-    }
-    ASSERT_EQ(fault, "") << "seed " << seed << ", " << info.id << "\n" << scenario_text(scenario);
-  }
+  const auto [all, taken, fault] = drive_missions(
+      count, sampling_planners(), kTakenUp,
+      [solid](std::uint64_t seed, const PlannerInfo& info) { return drawn_for(seed, solid, info); });
+  ASSERT_EQ(fault, "");
   const auto number = [](std::int64_t n) { return static_cast<long long>(n); };
   std::printf("%lld missions, %lld arrived, %lld without a path; %lld moves, %lld replans, %lld taken up\n",
               number(all.missions), number(all.arrived), number(all.no_path), number(all.moves),

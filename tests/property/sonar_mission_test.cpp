@@ -6,8 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/mission_witness.hpp"
-#include "tests/support/taking_up.hpp"
+#include "tests/support/mission_drives.hpp"
 
 namespace replan::test::sonar_mission_test {
 namespace {
@@ -56,21 +55,10 @@ std::vector<const PlannerInfo*> planners_of(bool solid) {
 }
 
 void drive_all(std::uint64_t count, bool solid) {
-  MissionTotals all;
-  std::int64_t taken = 0;
-  const std::vector<const PlannerInfo*> planners = planners_of(solid);
-  for (std::uint64_t seed = 0; seed < count; ++seed) {
-    const PlannerInfo& info = *planners[seed % planners.size()];
-    const Scenario scenario = drawn(seed, solid, info);
-    MissionWitness witness(scenario, info);
-    std::string fault = witness.run(all);
-    Random random(seed);
-    if (fault.empty() && seed % kTakenUp == 0) {
-      fault = taken_up(random, scenario, witness.log());
-      ++taken;
-    }
-    ASSERT_EQ(fault, "") << "seed " << seed << ", " << info.id << "\n" << scenario_text(scenario);
-  }
+  const auto [all, taken, fault] = drive_missions(
+      count, planners_of(solid), kTakenUp,
+      [solid](std::uint64_t seed, const PlannerInfo& info) { return drawn(seed, solid, info); });
+  ASSERT_EQ(fault, "");
   const auto number = [](std::int64_t n) { return static_cast<long long>(n); };
   std::printf(
       "%lld missions, %lld arrived, %lld without a path, %lld at the nearest cell, %lld turned back for "

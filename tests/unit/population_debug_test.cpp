@@ -12,9 +12,12 @@
 #include "core/scene/scene.hpp"
 #include "core/session/run.hpp"
 #include "tests/support/growing_log.hpp"
+#include "tests/support/log_places.hpp"
 
 namespace replan::population_debug_test {
 namespace {
+
+using test::after;
 
 /// Two walls, each with a gap; the goal is put elsewhere at the robot's third move, if so.
 std::unique_ptr<replan::Run> finished(double mutation = 0, std::optional<Cell> later_goal = {}) {
@@ -38,13 +41,6 @@ std::unique_ptr<replan::Run> finished(double mutation = 0, std::optional<Cell> l
   auto run = std::make_unique<replan::Run>(scenario, 0);
   run->finish(Target::end());
   return run;
-}
-
-/// The position after the n-th event of a kind.
-std::size_t after(const replan::Run& run, EventKind kind, std::size_t n = 0) {
-  for (std::size_t p = 0; p < run.timeline().size(); ++p)
-    if (run.timeline().event(p).kind == kind && n-- == 0) return p + 1;
-  return 0;
 }
 
 /// Where the n-th child is done with.

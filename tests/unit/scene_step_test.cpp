@@ -10,9 +10,12 @@
 #include "core/session/player.hpp"
 #include "core/session/session.hpp"
 #include "core/session/stepping.hpp"
+#include "tests/support/log_places.hpp"
 
 namespace replan::scene_step_test {
 namespace {
+
+using test::after;
 
 constexpr Viewport kView{640, 480};
 
@@ -75,13 +78,6 @@ View view_of(std::initializer_list<Overlay> overlays, Camera camera = {}) {
 Scene scene_at(Run& run, std::size_t position, const View& view, Viewport size = kView) {
   run.timeline().seek(position);
   return build_scene(run, view, size, palette());
-}
-
-/// The position after the n-th event of a kind in the first plan.
-std::size_t after(const Run& run, EventKind kind, std::size_t n) {
-  for (std::size_t p = 0; p < run.timeline().size(); ++p)
-    if (run.timeline().event(p).kind == kind && n-- == 0) return p + 1;
-  return 0;
 }
 
 bool has_label(const Scene& scene, const std::string& part) {

@@ -14,9 +14,12 @@
 #include "core/session/lockstep.hpp"
 #include "core/session/run.hpp"
 #include "tests/support/growing_log.hpp"
+#include "tests/support/log_places.hpp"
 
 namespace replan::tree_debug_test {
 namespace {
+
+using test::after;
 
 /// Two walls, each with a gap.
 std::unique_ptr<replan::Run> finished(std::string planner) {
@@ -33,13 +36,6 @@ std::unique_ptr<replan::Run> finished(std::string planner) {
   auto run = std::make_unique<replan::Run>(scenario, 0);
   run->finish(Target::end());
   return run;
-}
-
-/// The position after the n-th event of a kind.
-std::size_t after(const replan::Run& run, EventKind kind, std::size_t n = 0) {
-  for (std::size_t p = 0; p < run.timeline().size(); ++p)
-    if (run.timeline().event(p).kind == kind && n-- == 0) return p + 1;
-  return 0;
 }
 
 std::vector<PathGain> gains_of(const replan::Run& run) {
