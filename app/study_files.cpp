@@ -33,6 +33,7 @@ Result<void> write_charts(StudySection& section, const std::string& folder) {
   const bool drawn = ChildProcess::is_installed(kGnuplot);
   if (!drawn && !section.report.charts.empty()) section.notes.emplace_back(kNoGnuplot);
   for (const StudyChart& chart : section.report.charts) {
+    if (!can_be_drawn(section.report, chart)) continue;
     const std::string stem = std::string(section.info->id) + "-" + std::string(chart.id);
     const std::string path = (std::filesystem::path(folder) / stem).string();
     const std::string script = chart_script(section.report, chart, stem);

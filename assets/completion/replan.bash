@@ -38,7 +38,7 @@ _replan_options() {
     batch) echo "-h --help --map --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --limit --json" ;;
     anytime) echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --seeds --time --csv --svg" ;;
     barn) echo "-h --help --global --set --world --csv" ;;
-    study) echo "-h --help --out --seeds --quick --json" ;;
+    study) echo "-h --help --out --seeds --barn --quick --json" ;;
     render)
       echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage -o --output --size --scale" \
         "--at --at-end --at-plan" \
@@ -93,7 +93,7 @@ _replan() {
     run | render | show | anytime) _replan_files json ;;
     batch) _replan_files scen 3dscen ;;
     barn) _replan_files json ;;
-    study) COMPREPLY=($(compgen -W "dld-random informed-rrt" -- "$cur")) ;;
+    study) COMPREPLY=($(compgen -W "all dld-table1 dld-surprise dld-random dld-maze astar-table1 fusion auv informed-rrt" -- "$cur")) ;;
     convert) _replan_files json 3dmap $maps ;;
     list) COMPREPLY=($(compgen -W "planners stages robots maps overlays generators terms actions lessons studies" -- "$cur")) ;;
     *)

@@ -218,12 +218,16 @@ std::string lines(const StudyReport& report, const StudyChart& chart, Plotted& p
 
 std::string y_axis(const StudyChart& chart, const Plotted& plotted) {
   if (!chart.logarithmic) return "set yrange [0:" + number(1.05 * std::max(plotted.most, 1e-6)) + "]\n";
-  if (plotted.plots.empty()) return {};
   return "set logscale y\nset yrange [" + number(plotted.least / 1.5) + ":" + number(plotted.most * 1.5) +
          "]\n";
 }
 
 }  // namespace
+
+bool can_be_drawn(const StudyReport& report, const StudyChart& chart) {
+  return std::any_of(report.runs.begin(), report.runs.end(),
+                     [&](const StudyRun& run) { return run.values[chart.figure].has_value(); });
+}
 
 std::string chart_script(const StudyReport& report, const StudyChart& chart, std::string_view stem) {
   Plotted plotted;
@@ -236,7 +240,6 @@ std::string chart_script(const StudyReport& report, const StudyChart& chart, std
                      "set border 3\nset bmargin 3.5\nset tics nomirror out\nset grid ytics linecolor rgb "
                      "\"#d8d8d8\" linewidth 0.7\n" +
                      shape + y_axis(chart, plotted);
-  if (plotted.plots.empty()) return text + "# There is nothing to draw: no run has this figure.\n";
   for (const auto& [terminal, ending] :
        {std::pair{"svg size 760,460 dynamic font \"Helvetica,14\" background rgb \"white\"", ".svg"},
         {"pngcairo size 2280,1380 fontscale 1.0 font \"Helvetica,36\" linewidth 3 pointscale 3 background "

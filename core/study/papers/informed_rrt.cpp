@@ -9,6 +9,7 @@
 
 #include "core/plan/registry.hpp"
 #include "core/study/papers/paper_studies.hpp"
+#include "core/study/study_runs.hpp"
 #include "core/study/study_words.hpp"
 #include "core/world/library.hpp"
 #include "core/world/scenario.hpp"
@@ -184,21 +185,40 @@ Result<StudyReport> run_study(const StudyWatch& watch) {
                     {"first_length", "first path", "m", 2},
                     {"last_length", "optimised path", "m", 2},
                     {"all_ms", "time for all samples", "ms", 2, true}};
-  for (std::size_t w = 0; w < worlds->size(); ++w) {
-    const World& world = (*worlds)[w];
+  report.charts = {{"first", "Length of the first path", kFirstLength},
+                   {"last", "Length of the optimised path", kLastLength},
+                   {"first-time", "Time to the first path", kFirstTime},
+                   {"time", "Time for all samples", kTime}};
+  std::vector<Grid2> lattices;
+  for (const World& world : *worlds) {
     report.worlds.push_back(world.scenario.name);
-    const Grid2 lattice({world.scenario.map.width, world.scenario.map.height},
-                        world.scenario.map.blocked.plain());
-    for (std::uint64_t seed = 1; seed <= watch.seeds; ++seed)
-      for (const Entry entry : {kOriginal, kImproved}) {
-        if (watch.stop.stop_requested()) return report;
-        report.runs.push_back(run_once(world, lattice, entry, seed));
-        report.runs.back().world = w;
-        if (watch.progress) watch.progress(report.runs.size(), worlds->size() * watch.seeds * 2);
-      }
+    const GridMap& map = world.scenario.map;
+    lattices.emplace_back(std::array{map.width, map.height}, map.blocked.plain());
   }
-  add_claims(report);
+  const bool whole = run_all(report, watch, [&](std::size_t world, std::size_t planner, std::uint64_t seed) {
+    return run_once((*worlds)[world], lattices[world], static_cast<Entry>(planner), seed);
+  });
+  if (whole) add_claims(report);
   return report;
+}
+
+Result<std::vector<StudyPicture>> informed_pictures() {
+  auto worlds = read_worlds();
+  if (!worlds) return Error{worlds.error()};
+  std::vector<StudyPicture> pictures;
+  for (std::size_t w = 0; w < worlds->size(); ++w) {
+    Scenario scenario = std::move((*worlds)[w].scenario);
+    std::erase_if(scenario.planners, [](const PlannerChoice& choice) {
+      return std::find(std::begin(kIds), std::end(kIds), choice.id) == std::end(kIds);
+    });
+    constexpr std::array kPictures{"environment-1", "environment-2", "environment-3"};
+    std::string caption = filled(
+        "The original and the improved method when all samples are drawn, their trees and best paths. World: "
+        "{1}.",
+        {scenario.name});
+    pictures.push_back({kPictures[w], std::move(caption), std::move(scenario), false, {"tree", "path"}});
+  }
+  return pictures;
 }
 
 }  // namespace
@@ -217,7 +237,8 @@ StudyInfo informed_rrt_study() {
           "of these. Each seed is a run of either method.",
           50,
           5,
-          run_study};
+          run_study,
+          informed_pictures};
 }
 
 }  // namespace replan
