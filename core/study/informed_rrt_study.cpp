@@ -4,10 +4,9 @@
 //  tables 1 and 2
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <filesystem>
 
-#include "core/plan/registry.hpp"
+#include "core/study/anytime.hpp"
 #include "core/study/paper_studies.hpp"
 #include "core/study/study_words.hpp"
 #include "core/world/library.hpp"
@@ -46,29 +45,21 @@ Result<std::vector<World>> read_worlds() {
 }
 
 /// The first path and the one that has come of it when all samples are drawn. Lengths in metres.
-StudyRun run_once(const World& world, const Grid2& lattice, Entry entry, std::uint64_t seed) {
+StudyRun run_once(const World& world, Entry entry, std::uint64_t seed) {
   PlannerChoice choice = world.choice(entry);
   choice.settings.set("seed", static_cast<double>(seed));
-  const double metres = world.scenario.map.resolution;
+  const Scenario& scenario = world.scenario;
+  const AnytimeRun plan =
+      plan_anytime(scenario.map, scenario.start, scenario.goal, choice, scenario.robot.radius);
   StudyRun run{.planner = entry, .seed = seed, .values = std::vector<std::optional<double>>(kTime + 1)};
-
-  const auto begun = std::chrono::steady_clock::now();
-  const auto passed = [&] {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
-  };
-  NoTrace trace;
-  const auto planner = make_planner(*find_planner(choice.id), lattice, choice.settings, trace);
-  planner->begin(lattice.node(world.scenario.start), lattice.node(world.scenario.goal));
-  for (bool done = false; !done;) {
-    done = planner->advance(1);
-    if (run.found || planner->best_so_far().is_infinite()) continue;
-    run.found = true;
-    run.values[kFirstSamples] = static_cast<double>(planner->counters().expansions);
-    run.values[kFirstTime] = passed();
-    run.values[kFirstLength] = planner->best_so_far().to_double() * metres;
-  }
-  run.values[kTime] = passed();
-  if (run.found) run.values[kLastLength] = planner->best_so_far().to_double() * metres;
+  run.found = plan.found();
+  run.values[kTime] = plan.ms;
+  if (!run.found) return run;
+  const Gain &first = plan.gains.front(), &last = plan.gains.back();
+  run.values[kFirstSamples] = static_cast<double>(first.samples);
+  run.values[kFirstTime] = first.ms;
+  run.values[kFirstLength] = first.length * scenario.map.resolution;
+  run.values[kLastLength] = last.length * scenario.map.resolution;
   return run;
 }
 
@@ -187,12 +178,10 @@ Result<StudyReport> run_study(const StudyWatch& watch) {
   for (std::size_t w = 0; w < worlds->size(); ++w) {
     const World& world = (*worlds)[w];
     report.worlds.push_back(world.scenario.name);
-    const Grid2 lattice({world.scenario.map.width, world.scenario.map.height},
-                        world.scenario.map.blocked.plain());
     for (std::uint64_t seed = 1; seed <= watch.seeds; ++seed)
       for (const Entry entry : {kOriginal, kImproved}) {
         if (watch.stop.stop_requested()) return report;
-        report.runs.push_back(run_once(world, lattice, entry, seed));
+        report.runs.push_back(run_once(world, entry, seed));
         report.runs.back().world = w;
         if (watch.progress) watch.progress(report.runs.size(), worlds->size() * watch.seeds * 2);
       }
