@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <set>
 
 #include <CLI/CLI.hpp>
 
@@ -9,6 +10,7 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
 #include "core/base/file.hpp"
+#include "core/plan/common_parameters.hpp"
 #include "core/plan/registry.hpp"
 #include "core/planners/rrt_parameters.hpp"
 #include "core/study/anytime.hpp"
@@ -43,6 +45,17 @@ Result<void> check_planners(std::span<const PlannerChoice> planners) {
   return {};
 }
 
+/// What is for a robot that drives would change nothing.
+Result<void> check_nobody_drives(const WorldArguments& world) {
+  for (const auto& [option, given] : {std::pair{"--stage", !world.planners.stages.empty()},
+                                      std::pair{"--unreachable-goal", !world.unreachable_goal.empty()},
+                                      std::pair{"--robot", !world.robot.empty()}})
+    if (given)
+      return Error{std::string(option) +
+                   " is for a robot that drives, and 'replan anytime' only plans: leave it out"};
+  return {};
+}
+
 /// Each planner with its seed and those that follow it.
 Result<std::vector<AnytimeRun>> plan_all(const Scenario& world, std::int64_t seeds, double most_ms) {
   std::vector<AnytimeRun> runs;
@@ -65,6 +78,35 @@ Result<std::vector<AnytimeRun>> plan_all(const Scenario& world, std::int64_t see
   return runs;
 }
 
+/// How long the shortest of all ways is by each planner's corner rule, in their order.
+std::vector<std::optional<double>> optima_of(const Scenario& world, double most_ms) {
+  std::map<double, std::optional<double>> by_rule;
+  std::vector<std::optional<double>> optima;
+  for (const PlannerChoice& choice : world.planners) {
+    const auto [found, is_new] = by_rule.try_emplace(choice.settings.get(parameters::kCorners));
+    if (is_new)
+      found->second = shortest_of_all(world.map.box(), world.map.blocked, world.start, world.goal, choice,
+                                      world.robot.radius, most_ms);
+    optima.push_back(found->second);
+  }
+  return optima;
+}
+
+/// Those that are known, ascending, each once.
+std::vector<double> known_of(std::span<const std::optional<double>> optima) {
+  std::set<double> known;
+  for (const auto& optimum : optima)
+    if (optimum) known.insert(*optimum);
+  return {known.begin(), known.end()};
+}
+
+std::string optimum_words(std::span<const double> known) {
+  if (known.empty()) return "How long the shortest of all ways is, is not known here.";
+  if (known.size() == 1) return "The shortest of all ways is " + decimals(known.front(), 3) + " cells long.";
+  return "The shortest of all ways is " + decimals(known.front(), 3) + " to " + decimals(known.back(), 3) +
+         " cells long, by each planner's own corner rule.";
+}
+
 std::string or_dash(double value, int decimals_shown) {
   return std::isfinite(value) ? decimals(value, decimals_shown) : "-";
 }
@@ -78,7 +120,7 @@ double median_of(std::span<const AnytimeRun> runs, const Of& of) {
   return lower_median(std::move(values));
 }
 
-std::string table_of(std::span<const AnytimeRun> runs, std::optional<double> optimum) {
+std::string table_of(std::span<const AnytimeRun> runs, std::span<const std::optional<double>> optima) {
   using enum Table::Align;
   Table table({{"planner", left},
                {"plans"},
@@ -90,7 +132,10 @@ std::string table_of(std::span<const AnytimeRun> runs, std::optional<double> opt
                {"over optimum"},
                {"samples"},
                {"ms"}});
-  for (const auto plans : by_planner(runs)) {
+  const auto groups = by_planner(runs);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const auto plans = groups[i];
+    const std::optional<double> optimum = optima[i];
     const auto found = std::count_if(plans.begin(), plans.end(), [](const auto& run) { return run.found(); });
     const double last = median_of(plans, [](const AnytimeRun& run) { return run.gains.back().length; });
     std::vector<double> samples, times;
@@ -111,6 +156,7 @@ std::string table_of(std::span<const AnytimeRun> runs, std::optional<double> opt
 Result<int> anytime(const AnytimeArguments& arguments) {
   const auto world = arguments.world.load();
   if (!world) return Error{world.error()};
+  if (const auto good = check_nobody_drives(arguments.world); !good) return Error{good.error()};
   if (const auto good = check_planners(world->planners); !good) return Error{good.error()};
   const auto seeds = parse_count("--seeds", arguments.seeds, 1);
   if (!seeds) return Error{seeds.error()};
@@ -121,20 +167,17 @@ Result<int> anytime(const AnytimeArguments& arguments) {
   if (arguments.svg == "-") return Error{"--svg needs the name of a file"};
   const auto runs = plan_all(*world, *seeds, *most_ms);
   if (!runs) return Error{runs.error()};
-  const std::optional<double> optimum =
-      shortest_of_all(world->map.box(), world->map.blocked, world->start, world->goal,
-                      world->planners.front(), world->robot.radius);
+  const auto optima = optima_of(*world, *most_ms);
+  const std::vector<double> known = known_of(optima);
   for (const auto& [file, text] : {std::pair{&arguments.csv, anytime_csv(*runs)},
-                                   std::pair{&arguments.svg, anytime_svg(*runs, optimum)}}) {
+                                   std::pair{&arguments.svg, anytime_svg(*runs, known)}}) {
     if (file->empty() || *file == "-") continue;
     if (const auto written = write_file_atomically(*file, text); !written) return Error{written.error()};
   }
   if (arguments.csv == "-")
     print(anytime_csv(*runs));
   else
-    print(table_of(*runs, optimum) + "\nMedians over the plans. " +
-          (optimum ? "The shortest of all ways is " + decimals(*optimum, 3) + " cells long.\n"
-                   : "How long the shortest of all ways is, is not known here.\n"));
+    print(table_of(*runs, optima) + "\nMedians over the plans. " + optimum_words(known) + "\n");
   const bool all = std::all_of(runs->begin(), runs->end(), [](const auto& run) { return run.found(); });
   return all ? kDone : kFailed;
 }
@@ -166,7 +209,10 @@ Command add_anytime(CLI::App& program) {
   arguments->world.declare(*app);
   app->add_option("--seeds", arguments->seeds, "So many plans of each planner: its seed and those behind it")
       ->type_name("N");
-  app->add_option("--time", arguments->seconds, "End each plan after so many seconds, with its path by then")
+  app->add_option(
+         "--time", arguments->seconds,
+         "End each plan after so many seconds, with its path by then; and the search for the shortest of all "
+         "ways likewise")
       ->type_name("SECONDS");
   app->add_option("--csv", arguments->csv, "Write a line for each gain; '-' prints them instead")
       ->type_name("FILE");

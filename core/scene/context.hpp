@@ -7,6 +7,7 @@
 #include "core/debug/sample_in_hand.hpp"
 #include "core/scene/coverage.hpp"
 #include "core/scene/digest.hpp"
+#include "core/scene/edge_bins.hpp"
 #include "core/scene/field.hpp"
 #include "core/scene/first_path.hpp"
 #include "core/scene/open_cells.hpp"
@@ -23,6 +24,7 @@ struct SceneMemory::Parts {
   SizeZone zone;
   FirstPath first_path;
   NearestVertex nearest_vertex;
+  EdgeBins edges;
 };
 
 /// Words about a cell that are put where they hide least, once all else is drawn.

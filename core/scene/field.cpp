@@ -45,7 +45,7 @@ RangeTracker::Ends RangeTracker::ends(const FieldReader& reader, const SearchSta
 std::optional<FieldRange> RangeTracker::follow(const FieldReader& reader, const Timeline& log,
                                                std::uint64_t log_id, const SearchState& state,
                                                std::size_t position, const Deadline& deadline) {
-  if (stale_.follow({log, log_id, position, state.node_count()}, reader.kind))
+  if (stale_.follow({log, log_id, position, state.node_count()}, {reader.kind}))
     stretches_.assign(stale_.count(), {});
   stale_.refresh(deadline, [&](std::size_t stretch, std::size_t first, std::size_t end) {
     ++scanned_;

@@ -21,7 +21,7 @@ void OpenCells::scan(const SearchState& state, std::size_t first, std::size_t en
 void OpenCells::follow(const Run& run, const Deadline& deadline) {
   const Timeline& log = run.timeline();
   const SearchState& state = log.state();
-  if (stale_.follow({log, run.log_id(), log.cursor(), state.node_count()}, EventKind::queue))
+  if (stale_.follow({log, run.log_id(), log.cursor(), state.node_count()}, {EventKind::queue}))
     stretches_.assign(stale_.count(), {});
   stale_.refresh(deadline, [&](std::size_t stretch, std::size_t first, std::size_t end) {
     scan(state, first, end, stretches_[stretch]);

@@ -22,9 +22,9 @@ class StaleStretches {
     std::size_t position;
     std::size_t nodes;
   };
-  /// Marks what was written of that kind on the way from the last place to this one. True if nothing that is kept holds any
+  /// Marks what was written of those kinds on the way from the last place to this one. True if nothing that is kept holds any
   /// more: the log or its world is another one.
-  bool follow(const Place& now, EventKind kind);
+  bool follow(const Place& now, KindSet kinds);
   /// Calls `scan(stretch, first node, end)` for those that are stale until the deadline, and for some of them in any case.
   /// Goes on where it left off, so that each has its turn even where all of them are stale again each time.
   template <class Scan>
@@ -55,7 +55,7 @@ class StaleStretches {
     stale_.assign((nodes_ + stretch_ - 1) / stretch_, true);
     waiting_ = stale_.size();
   }
-  void mark_written(const Timeline& log, EventKind kind, std::size_t from, std::size_t to);
+  void mark_written(const Timeline& log, KindSet kinds, std::size_t from, std::size_t to);
 
   std::size_t stretch_;
   std::uint64_t log_id_ = 0;

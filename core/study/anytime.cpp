@@ -59,15 +59,16 @@ AnytimeRun plan_anytime(const GridMap& map, Cell start, Cell goal, const Planner
 }
 
 std::optional<double> shortest_of_all(const Box& box, const SharedBytes& known, Cell start, Cell goal,
-                                      const PlannerChoice& choice, double radius,
+                                      const PlannerChoice& choice, double radius, double most_ms,
                                       const std::stop_token& stop) {
   PlannerChoice exact{"visibility-graph", {}};
   if (!fits(*find_planner(exact.id), box, radius)) return std::nullopt;
   exact.settings.set(parameters::kCorners.key, choice.settings.get(parameters::kCorners));
   const auto navigator = make_navigator(exact, box, known, radius);
+  const auto begin = std::chrono::steady_clock::now();
   navigator->begin(centre_of(start), centre_of(goal));
   while (!navigator->advance(16))
-    if (stop.stop_requested()) return std::nullopt;
+    if (stop.stop_requested() || milliseconds_since(begin) >= most_ms) return std::nullopt;
   if (navigator->status() != PlanStatus::found) return std::nullopt;
   return path_length(navigator->path());
 }

@@ -47,10 +47,11 @@ AnytimeRun plan_anytime(const GridMap& map, Cell start, Cell goal, const Planner
                         double most_ms = std::numeric_limits<double>::infinity(),
                         const std::stop_token& stop = {});
 
-/// How long the shortest of all ways is; nothing where that is not known: in space, for a robot with a size, without a way,
-/// or if it was asked to stop.
+/// How long the shortest of all ways is by the planner's corner rule; nothing where that is not known: in space, for a robot
+/// with a size, without a way, or if it was asked to stop or took longer than `most_ms`.
 std::optional<double> shortest_of_all(const Box& box, const SharedBytes& known, Cell start, Cell goal,
                                       const PlannerChoice& choice, double radius,
+                                      double most_ms = std::numeric_limits<double>::infinity(),
                                       const std::stop_token& stop = {});
 
 /// The planners in the order in which they come, with their plans.
@@ -72,7 +73,7 @@ double lower_median(std::vector<double> values);
 /// A line for each gain, and one for each plan's end: planner, seed, samples, ms, length, end.
 std::string anytime_csv(std::span<const AnytimeRun> runs);
 /// Two diagrams side by side, over samples and over time, both logarithmic: each plan thin, each planner's median bold, its
-/// first path marked; and a line for the optimum.
-std::string anytime_svg(std::span<const AnytimeRun> runs, std::optional<double> optimum);
+/// first path marked; and a line for each optimum: there are several where the planners' corner rules differ.
+std::string anytime_svg(std::span<const AnytimeRun> runs, std::span<const double> optima);
 
 }  // namespace replan

@@ -37,8 +37,8 @@ double tick_step(double range) {
 /// One diagram.
 class CurvePlot {
  public:
-  CurvePlot(std::span<const AnytimeRun> runs, std::optional<double> optimum, AnytimeAxis axis, double left)
-      : runs_(runs), optimum_(optimum), axis_(axis), left_(left) {
+  CurvePlot(std::span<const AnytimeRun> runs, std::span<const double> optima, AnytimeAxis axis, double left)
+      : runs_(runs), optima_(optima), axis_(axis), left_(left) {
     fit();
   }
 
@@ -56,7 +56,7 @@ class CurvePlot {
 
   void fit() {
     double least = 1e300, most = 0;
-    low_ = optimum_.value_or(1e300);
+    low_ = optima_.empty() ? 1e300 : *std::min_element(optima_.begin(), optima_.end());
     for (const AnytimeRun& run : runs_) {
       if (!run.found()) continue;
       low_ = std::min(low_, run.gains.back().length);
@@ -66,7 +66,7 @@ class CurvePlot {
     }
     if (most <= 0) {  // no plan has a path
       least = most = 1;
-      low_ = high_ = optimum_.value_or(1);
+      low_ = high_ = optima_.empty() ? 1 : low_;
     }
     high_ = std::max(high_, low_ * 1.001);
     low_ -= (high_ - low_) * 0.05;
@@ -108,9 +108,10 @@ class CurvePlot {
     line(left_, bottom, left_ + kWidth, bottom, strong);
     line(left_, kTop, left_, bottom, strong);
     words(left_ + kWidth / 2, bottom + 38, "middle", axis_ == AnytimeAxis::time ? "milliseconds" : "samples");
-    if (!optimum_) return;
-    line(left_, y(*optimum_), left_ + kWidth, y(*optimum_), "stroke=\"#000000\" stroke-dasharray=\"5 4\"");
-    words(left_ + kWidth, y(*optimum_) + 14, "end", "optimum " + told(*optimum_, 3));
+    for (const double optimum : optima_) {
+      line(left_, y(optimum), left_ + kWidth, y(optimum), "stroke=\"#000000\" stroke-dasharray=\"5 4\"");
+      words(left_ + kWidth, y(optimum) + 14, "end", "optimum " + told(optimum, 3));
+    }
   }
   /// In steps: a length holds until there is a shorter one.
   void draw_curve(std::span<const CurvePoint> curve, double end, const std::string& style) {
@@ -140,7 +141,7 @@ class CurvePlot {
   }
 
   std::span<const AnytimeRun> runs_;
-  std::optional<double> optimum_;
+  std::span<const double> optima_;
   AnytimeAxis axis_;
   double left_;
   double from_ = 0, to_ = 1;  // powers of ten
@@ -163,7 +164,7 @@ std::string anytime_csv(std::span<const AnytimeRun> runs) {
   return text;
 }
 
-std::string anytime_svg(std::span<const AnytimeRun> runs, std::optional<double> optimum) {
+std::string anytime_svg(std::span<const AnytimeRun> runs, std::span<const double> optima) {
   std::string text =
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1000\" height=\"410\" viewBox=\"0 0 1000 410\" "
       "font-family=\"Inter, sans-serif\" font-size=\"12\" fill=\"#333333\">\n"
@@ -178,8 +179,8 @@ std::string anytime_svg(std::span<const AnytimeRun> runs, std::optional<double> 
             "</text>\n";
     at += 44 + 7 * static_cast<double>(name.size());
   }
-  text += CurvePlot(runs, optimum, AnytimeAxis::samples, 64).text();
-  text += CurvePlot(runs, optimum, AnytimeAxis::time, 564).text();
+  text += CurvePlot(runs, optima, AnytimeAxis::samples, 64).text();
+  text += CurvePlot(runs, optima, AnytimeAxis::time, 564).text();
   return text + "</svg>\n";
 }
 

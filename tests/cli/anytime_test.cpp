@@ -64,6 +64,32 @@ TEST_F(AnytimeCommand, saysWhatIsWrong) {
   expect_complaint({"anytime", scenario_, "--set", "seed=1000000000", "--seeds", "2"}, "fewer with --seeds");
 }
 
+/// Two obstacles meet at a corner in the middle of the way.
+TEST_F(AnytimeCommand, holdsEachPlannerAgainstTheShortestWayOfItsOwnRule) {
+  const std::string scenario = folder_.with("corner.json", R"({
+    "replan": 1, "name": "Corner",
+    "map": {"rows": ["..@...", "..@...", "..@...", "...@..", "......"]},
+    "start": [0, 3], "goal": [5, 2],
+    "planners": [{"id": "rrt-star", "settings": {"samples": 300}}]
+  })");
+  const std::vector<std::string> both = {"anytime", scenario, "--planner", "rrt-star,rrt-star"};
+  EXPECT_NE(run_program(both).out.find("The shortest of all ways is "), std::string::npos);
+  EXPECT_EQ(run_program(both).out.find("own corner rule"), std::string::npos);
+  std::vector<std::string> apart = both;
+  apart.insert(apart.end(), {"--set", "rrt-star#2.corners=any"});
+  const Outcome outcome = run_program(apart);
+  EXPECT_NE(outcome.out.find("The shortest of all ways is 5.099 to "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("by each planner's own corner rule."), std::string::npos) << outcome.out;
+}
+
+TEST_F(AnytimeCommand, refusesWhatIsForARobotThatDrives) {
+  for (const auto& [option, value] :
+       {std::pair{"--stage", "floyd"}, std::pair{"--unreachable-goal", "nearest"},
+        std::pair{"--robot", "vehicle"}})
+    expect_complaint({"anytime", scenario_, option, value},
+                     std::string(option) + " is for a robot that drives");
+}
+
 TEST_F(AnytimeCommand, planSideBySideWithSeedsOfTheirOwn) {
   const std::vector<std::string> both = {"run", scenario_, "--planner", "rrt,rrt", "--json"};
   const auto paths_with = [&](std::vector<std::string> more) {

@@ -139,6 +139,30 @@ TEST(Anytime, NoPathIsShorterThanTheShortestOfAll) {
       << "nor in space";
 }
 
+/// Two obstacles meet at a corner in the middle of the way.
+TEST(Anytime, TheShortestOfAllGoesByTheCornerRuleOfThePlanner) {
+  GridMap map(6, 5);
+  for (const Cell cell : {Cell{2, 0}, Cell{2, 1}, Cell{2, 2}, Cell{3, 3}}) map.set(cell, true);
+  const auto shortest = [&](double rule) {
+    PlannerChoice choice{"rrt-star", {}};
+    choice.settings.set("corners", rule);
+    return shortest_of_all(map.box(), map.blocked, {0, 3}, {5, 2}, choice, 0).value_or(0);
+  };
+  EXPECT_DOUBLE_EQ(shortest(2), std::hypot(2.5, 0.5) * 2) << "through the corner";
+  EXPECT_GT(shortest(0), shortest(2) + 0.1);
+}
+
+TEST(Anytime, TheShortestOfAllIsNotLookedForForEver) {
+  GridMap map(60, 60);
+  for (int y = 1; y < 59; y += 2)
+    for (int x = 1 + y % 4; x < 59; x += 4) map.set({x, y}, true);
+  const auto within = [&](double most_ms) {
+    return shortest_of_all(map.box(), map.blocked, {0, 0}, {59, 58}, {"rrt-star", {}}, 0, most_ms);
+  };
+  EXPECT_TRUE(within(std::numeric_limits<double>::infinity()).has_value());
+  EXPECT_FALSE(within(0).has_value());
+}
+
 TEST(Anytime, TheMedianBeginsWhereHalfOfThePlansHaveAPath) {
   const std::vector<AnytimeRun> runs = {made(1, {{10, 1, 50}, {20, 2, 40}}), made(2, {{30, 3, 45}}),
                                         made(3, {})};
@@ -163,14 +187,15 @@ TEST(Anytime, IsWrittenAsLinesAndAsAPicture) {
             "rrt-star,1,20,2.0000,40.000000,\n"
             "rrt-star,1,100,10.0000,40.000000,planner\n"
             "rrt-star,2,100,10.0000,,planner\n");
-  const std::string svg = anytime_svg(runs, 39.5);
+  const std::string svg = anytime_svg(runs, std::vector<double>{39.5, 38.25});
   EXPECT_NE(svg.find("optimum 39.500"), std::string::npos);
+  EXPECT_NE(svg.find("optimum 38.250"), std::string::npos);
   EXPECT_NE(svg.find(">RRT*<"), std::string::npos);
   EXPECT_NE(svg.find("samples"), std::string::npos);
   EXPECT_NE(svg.find("milliseconds"), std::string::npos);
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   EXPECT_EQ(svg.find("inf"), std::string::npos);
-  EXPECT_TRUE(anytime_svg(std::vector<AnytimeRun>{made(1, {})}, std::nullopt).ends_with("</svg>\n"));
+  EXPECT_TRUE(anytime_svg(std::vector<AnytimeRun>{made(1, {})}, {}).ends_with("</svg>\n"));
 }
 
 }  // namespace

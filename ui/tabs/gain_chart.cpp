@@ -143,7 +143,8 @@ void GainChart::begin_optimum(const Run& run, const Curve& curve, std::size_t at
   if (!optimum_->has_ends) return;
   optimum_->job.start([box = run.lattice(), known = state.known_map(), start, goal, choice = run.choice(),
                        radius = run.scenario().robot.radius](const std::stop_token& stop) {
-    return shortest_of_all(box, known, box.position(start), box.position(goal), choice, radius, stop);
+    return shortest_of_all(box, known, box.position(start), box.position(goal), choice, radius,
+                           std::numeric_limits<double>::infinity(), stop);
   });
 }
 

@@ -9,69 +9,22 @@
 #include "core/debug/sample_in_hand.hpp"
 #include "core/scene/overlay.hpp"
 #include "core/scene/solid_pen.hpp"
+#include "core/scene/tree_edges.hpp"
 #include "core/space/informed_set.hpp"
 
 namespace replan {
 namespace {
 
-/// Where more edges are in sight every n-th of them is drawn alone.
-constexpr std::size_t kMostEdges = 40'000;
-/// Of a tree of more vertices not all are looked at, so that a frame does not wait for them.
-constexpr std::uint32_t kMostRead = 200'000;
-
-/// An edge of the tree, in the world's coordinates.
-struct TreeEdge {
-  Point from, to;
-  double cost = 0;  ///< of its vertex, as a share of the dearest one's
-  bool from_goal = false;
-};
-
-/// What is drawn of a tree.
-struct DrawnTree {
-  std::vector<TreeEdge> edges;
-  int every = 1;  ///< of those in sight every so manieth is there
-};
-
-/// The edges that are in sight, of every so manieth page of vertices.
-template <class InSight>
-DrawnTree edges_in_sight(const SearchState& state, bool in_space, InSight&& in_sight) {
-  const std::uint32_t count = vertex_count(state), every = std::max(1u, (count + kMostRead - 1) / kMostRead);
-  DrawnTree tree{{}, static_cast<int>(every)};
-  double dearest = 0;
-  for (std::uint32_t first = 0; first < count; first += VertexPage::kSize * every) {
-    const VertexPage page(state, first, in_space);
-    for (std::uint32_t i = 0; i < std::min(VertexPage::kSize, count - first); ++i) {
-      if (page.parent(i) == kNoNode || page.cost(i).is_infinite()) continue;
-      const double cost = page.cost(i).to_double();
-      dearest = std::max(dearest, cost);
-      const TreeEdge edge{point_of(vertex_place(state, page.parent(i), in_space)), point_of(page.place(i)),
-                          cost};
-      if (!in_sight(edge)) continue;
-      tree.edges.push_back(edge);
-      tree.edges.back().from_goal = vertex_side(state, first + i) == TreeSide::goal;
-    }
-  }
-  if (dearest > 0)
-    for (TreeEdge& edge : tree.edges) edge.cost /= dearest;
-  return tree;
-}
-
-template <class InSight>
-DrawnTree drawn_tree(const SearchState& state, bool in_space, InSight&& in_sight) {
-  DrawnTree tree = edges_in_sight(state, in_space, in_sight);
-  const std::size_t every = std::max<std::size_t>(1, (tree.edges.size() + kMostEdges - 1) / kMostEdges);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < tree.edges.size(); i += every) tree.edges[kept++] = tree.edges[i];
-  tree.edges.resize(kept);
-  tree.every *= static_cast<int>(every);
-  return tree;
-}
-
-/// Whether an edge may show on the slice; of one that passes a corner it says so too.
-bool may_be_seen(const SceneContext& context, const TreeEdge& edge) {
-  const Point from = context.seen(edge.from), to = context.seen(edge.to);
+/// Whether an edge between two points may show on the slice; of one that passes a corner it says so too.
+bool may_be_seen(const SceneContext& context, const Point& a, const Point& b) {
+  const Point from = context.seen(a), to = context.seen(b);
   return std::max(from.x, to.x) >= context.left && std::min(from.x, to.x) <= context.right &&
          std::max(from.y, to.y) >= context.top && std::min(from.y, to.y) <= context.bottom;
+}
+
+bool sees_all(const SceneContext& context) {
+  return context.left <= 0 && context.top <= 0 && context.right >= context.lattice.width() &&
+         context.bottom >= context.lattice.height();
 }
 
 /// How strongly edges are drawn: the fainter the more of the ground they would cover, so that a dense tree is a ground for
@@ -273,8 +226,9 @@ class SampleMarks {
 void draw_tree(SceneContext& context) {
   if (!context.run.info().sampling) return;
   const auto hand = sample_in_hand(context.run.log_view());
-  const DrawnTree tree = drawn_tree(context.state, context.run.lattice().solid(),
-                                    [&context](const TreeEdge& edge) { return may_be_seen(context, edge); });
+  const DrawnTree tree =
+      drawn_tree(context.run, sees_all(context) ? nullptr : &context.memory.edges,
+                 [&context](const Point& from, const Point& to) { return may_be_seen(context, from, to); });
   context.scene.every_edge = tree.every;
   // What is pulled straight is the path: the tree stands back.
   const double strength = std::min(hand && hand->pulls ? 0.35 : 1, strength_of(context, tree));
@@ -295,7 +249,7 @@ void draw_tree(SceneContext& context) {
 void tree_in_space(SolidPen& pen) {
   const Run& run = pen.context().run;
   if (!run.info().sampling) return;
-  const DrawnTree tree = drawn_tree(pen.state(), run.lattice().solid(), [](const TreeEdge&) { return true; });
+  const DrawnTree tree = drawn_tree(run, nullptr, [](const Point&, const Point&) { return true; });
   pen.draws_every_edge(tree.every);
   for (const TreeEdge& edge : tree.edges) {
     pen.show(edge.from_goal ? Sign::goal_tree : Sign::tree);

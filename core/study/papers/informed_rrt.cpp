@@ -4,10 +4,9 @@
 //  tables 1 and 2
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <filesystem>
 
-#include "core/plan/registry.hpp"
+#include "core/study/anytime.hpp"
 #include "core/study/papers/paper_studies.hpp"
 #include "core/study/study_runs.hpp"
 #include "core/study/study_words.hpp"
@@ -47,29 +46,21 @@ Result<std::vector<World>> read_worlds() {
 }
 
 /// The first path and the one that has come of it when all samples are drawn. Lengths in metres.
-StudyRun run_once(const World& world, const Grid2& lattice, Entry entry, std::uint64_t seed) {
+StudyRun run_once(const World& world, Entry entry, std::uint64_t seed) {
   PlannerChoice choice = world.choice(entry);
   choice.settings.set("seed", static_cast<double>(seed));
-  const double metres = world.scenario.map.resolution;
+  const Scenario& scenario = world.scenario;
+  const AnytimeRun plan =
+      plan_anytime(scenario.map, scenario.start, scenario.goal, choice, scenario.robot.radius);
   StudyRun run{.planner = entry, .seed = seed, .values = std::vector<std::optional<double>>(kTime + 1)};
-
-  const auto begun = std::chrono::steady_clock::now();
-  const auto passed = [&] {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
-  };
-  NoTrace trace;
-  const auto planner = make_planner(*find_planner(choice.id), lattice, choice.settings, trace);
-  planner->begin(lattice.node(world.scenario.start), lattice.node(world.scenario.goal));
-  for (bool done = false; !done;) {
-    done = planner->advance(1);
-    if (run.found || planner->best_so_far().is_infinite()) continue;
-    run.found = true;
-    run.values[kFirstSamples] = static_cast<double>(planner->counters().expansions);
-    run.values[kFirstTime] = passed();
-    run.values[kFirstLength] = planner->best_so_far().to_double() * metres;
-  }
-  run.values[kTime] = passed();
-  if (run.found) run.values[kLastLength] = planner->best_so_far().to_double() * metres;
+  run.found = plan.found();
+  run.values[kTime] = plan.ms;
+  if (!run.found) return run;
+  const Gain &first = plan.gains.front(), &last = plan.gains.back();
+  run.values[kFirstSamples] = static_cast<double>(first.samples);
+  run.values[kFirstTime] = first.ms;
+  run.values[kFirstLength] = first.length * scenario.map.resolution;
+  run.values[kLastLength] = last.length * scenario.map.resolution;
   return run;
 }
 
@@ -189,14 +180,9 @@ Result<StudyReport> run_study(const StudyWatch& watch) {
                    {"last", "Length of the optimised path", kLastLength},
                    {"first-time", "Time to the first path", kFirstTime},
                    {"time", "Time for all samples", kTime}};
-  std::vector<Grid2> lattices;
-  for (const World& world : *worlds) {
-    report.worlds.push_back(world.scenario.name);
-    const GridMap& map = world.scenario.map;
-    lattices.emplace_back(std::array{map.width, map.height}, map.blocked.plain());
-  }
+  for (const World& world : *worlds) report.worlds.push_back(world.scenario.name);
   const bool whole = run_all(report, watch, [&](std::size_t world, std::size_t planner, std::uint64_t seed) {
-    return run_once((*worlds)[world], lattices[world], static_cast<Entry>(planner), seed);
+    return run_once((*worlds)[world], static_cast<Entry>(planner), seed);
   });
   if (whole) add_claims(report);
   return report;
