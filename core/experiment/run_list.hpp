@@ -40,14 +40,14 @@ struct RunParts {
 
 /// What a run is called in results, whatever its number: two experiments are compared by this.
 struct RunName {
-  std::string world;        ///< its file
-  int line = 0;             ///< of the problem in its file; 0: the file has one question alone
-  std::string start, goal;  ///< "3 4"
-  std::string planner;      ///< registry id
-  std::string settings;     ///< settings_label() ...
-  std::string stages;
-  std::string robot;
-  std::string surprises;
+  std::string world = {};             ///< its file
+  int line = 0;                       ///< of the problem in its file; 0: the file has one question alone
+  std::string start = {}, goal = {};  ///< "3 4"
+  std::string planner = {};           ///< registry id
+  std::string settings = {};          ///< settings_label() ...
+  std::string stages = {};
+  std::string robot = {};
+  std::string surprises = {};
   std::uint64_t seed = 0;
   friend auto operator<=>(const RunName&, const RunName&) = default;
 };
