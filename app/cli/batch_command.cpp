@@ -99,7 +99,9 @@ Result<int> batch(const BatchArguments& arguments) {
   if (!*results) return kInterrupted;
   const auto reports = batch_reports(**results);
   print(arguments.json ? batch_json(reports)
-                       : batch_title(*list, arguments.files.front()) + batch_table(reports));
+                       : batch_title(*list, arguments.files.front()) +
+                             batch_table(reports, arguments.of_problems() ? BatchKind::problems
+                                                                          : BatchKind::experiment));
   complain_of_mismatches(reports);
   const bool passed = std::all_of(reports.begin(), reports.end(), [&](const BatchReport& report) {
     return arguments.of_problems() ? report.passed() : report.mismatches == 0;

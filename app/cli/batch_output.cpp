@@ -6,36 +6,42 @@
 namespace replan::cli {
 namespace {
 
+const char* noun_of(BatchKind kind) {
+  return kind == BatchKind::problems ? "problem" : "run";
+}
+
 /// What the table cannot say: what was skipped, and which planners the listed lengths do not judge.
-std::string remarks(std::span<const BatchReport> reports) {
+std::string remarks(std::span<const BatchReport> reports, BatchKind kind) {
   std::string text;
+  const char* noun = noun_of(kind);
   if (const std::int64_t skipped = reports.empty() ? 0 : reports.front().skipped; skipped > 0)
-    text += counted(skipped, "problem") + " skipped: the start or the goal lies in an obstacle of the map.\n";
+    text += counted(skipped, noun) + " skipped: the start or the goal lies in an obstacle of the map.\n";
   for (const BatchReport& report : reports) {
-    if (!report.comparable && report.mean_ratio > 0)
+    if (kind == BatchKind::problems && !report.comparable)
       text +=
           report.label + ": not held to the listed lengths; with these settings it looks for other paths.\n";
     if (report.unsolved() > 0)
-      text += report.label + ": " + counted(report.unsolved(), "problem") +
+      text += report.label + ": " + counted(report.unsolved(), noun) +
               (find_pilot(report.planner) != nullptr ? " in which the robot did not arrive.\n"
-                                                     : " without a path.\n");
+               : kind == BatchKind::problems         ? " without a path.\n"
+                                                     : " that did not succeed.\n");
   }
   return text.empty() ? text : "\n" + text;
 }
 
 }  // namespace
 
-std::string batch_table(std::span<const BatchReport> reports) {
+std::string batch_table(std::span<const BatchReport> reports, BatchKind kind) {
   using enum Table::Align;
   Table table({{"planner", left},
-               {"problems"},
+               {std::string(noun_of(kind)) + "s"},
                {"skipped"},
                {"found"},
                {"mismatches"},
                {"max rel. error"},
                {"mean ratio"},
                {"total ms"},
-               {"ms a problem"},
+               {"ms a " + std::string(noun_of(kind))},
                {"expansions"}});
   for (const BatchReport& report : reports) {
     const auto solved = static_cast<double>(std::max<std::int64_t>(1, report.problems - report.skipped));
@@ -48,7 +54,7 @@ std::string batch_table(std::span<const BatchReport> reports) {
                decimals(report.total_ms, 1), decimals(report.total_ms / solved, 3),
                std::to_string(report.expansions)});
   }
-  return table.text() + remarks(reports);
+  return table.text() + remarks(reports, kind);
 }
 
 std::string batch_title(const RunList& list, const std::string& source) {

@@ -19,7 +19,8 @@ Result<int> merge(const MergeArguments& arguments) {
   const auto merged = merge_results(arguments.folders, arguments.out);
   if (!merged) return Error{merged.error()};
   print(counted(merged->results.size(), "run") + " of " + counted(arguments.folders.size(), "part") +
-        " in '" + arguments.out + "'\n\n" + batch_table(batch_reports(merged->results)));
+        " in '" + arguments.out + "'\n\n" +
+        batch_table(batch_reports(merged->results), BatchKind::experiment));
   return kDone;
 }
 

@@ -7,6 +7,7 @@
 #include "core/experiment/experiment.hpp"
 #include "core/world/choice_json.hpp"
 #include "core/world/choices.hpp"
+#include "core/world/formats/text_lines.hpp"
 #include "core/world/json_reader.hpp"
 #include "core/world/scenario_map.hpp"
 
@@ -174,7 +175,7 @@ class ExperimentReader {
       world.reading = read_map_reading(node);
     }
     const auto files = files_of(world.file, experiment_.folder);
-    if (!files) return node.fail(files.error());
+    if (!files) return node.fail(one_line(files.error()));
     for (const std::string& file : *files) {
       world.file = file;
       add_world(node, world);
@@ -201,7 +202,7 @@ class ExperimentReader {
         refuse(key, "goes with a map: the scenario says itself how its map is read");
     for (const ExperimentWorld& other : experiment_.worlds)
       if (other.file == world.file && other.start == world.start && other.goal == world.goal)
-        return node.fail("'" + world.file + "' is there twice");
+        return node.fail(one_line("'" + world.file + "' is there twice"));
     if (experiment_.worlds.size() == kMostPlanned)
       return node.fail("there are more than " + std::to_string(kMostPlanned) + " worlds");
     experiment_.worlds.push_back(world);

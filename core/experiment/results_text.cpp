@@ -1,6 +1,7 @@
 #include "core/experiment/results_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/experiment/result_json.hpp"
 #include "core/experiment/statistics.hpp"
@@ -19,12 +20,17 @@ std::string csv_field(const Json& value) {
   return quoted + "\"";
 }
 
+/// To the nanosecond, which is as much as a clock says: digits behind that are of the interpolation.
+Json time_json(double milliseconds) {
+  return plain_number(std::round(milliseconds * 1e6) / 1e6);
+}
+
 /// ",median,lower quartile,upper quartile"; three empty fields of no times.
 std::string spread_fields(std::vector<double> values) {
   if (values.empty()) return ",,,";
   std::sort(values.begin(), values.end());
   std::string fields;
-  for (const double p : {0.5, 0.25, 0.75}) fields += "," + plain_number(quantile(values, p)).dump();
+  for (const double p : {0.5, 0.25, 0.75}) fields += "," + time_json(quantile(values, p)).dump();
   return fields;
 }
 
