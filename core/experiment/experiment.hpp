@@ -86,7 +86,7 @@ std::string experiment_text(const Experiment& experiment);
 /// The folder and the file, as a path.
 std::string path_in(const Experiment& experiment, const std::string& file);
 
-/// How results name a planner's settings, its stages, a robot and what happens: "weight=1.5", "b-spline degree=3",
+/// How results name a planner's settings, its stages, a robot and what happens: "weight=1.5", "bspline degree=3",
 /// "radius=1.5", "3 blocks of 2"; empty where there is nothing that is not usual. They tell apart what is not equal.
 std::string settings_label(const PlannerChoice& choice);
 std::string stages_label(const PlannerChoice& choice);

@@ -52,7 +52,7 @@ struct RunName {
   friend auto operator<=>(const RunName&, const RunName&) = default;
 };
 
-/// The planner with its settings and stages: "weighted-astar weight=2 | b-spline".
+/// The planner with its settings and stages: "weighted-astar weight=2 | bspline".
 std::string planner_label(const RunName& name);
 
 /// All runs of an experiment. They are numbered from 0: worlds are the slowest digit, then robots, planners, problems,

@@ -27,7 +27,7 @@ class ExperimentCommand : public ::testing::Test {
     std::string problems = "version 1\n";
     for (int i = 0; i < 60; ++i)
       problems += "0\tfield.map\t200\t200\t0\t0\t199\t" + std::to_string(i) + "\t" +
-                  std::to_string(199 + i * 0.41421356) + "\n";
+                  std::to_string(199 + i * 0.414213562373095) + "\n";
     folder_.with("field.map.scen", problems);
     experiment_ =
         with_planners(R"({"id": "dijkstra"}, {"id": "weighted-astar", "settings": {"weight": [1, 2]}})");

@@ -54,11 +54,11 @@ class Experiments : public ::testing::Test {
 TEST_F(Experiments, SweepWhatIsListedWithTheLastSettingFastest) {
   const Experiment read = experiment(
       R"("worlds": ["room.map.scen"], "planners": [{"id": "weighted-astar",
-         "settings": {"weight": [1, 2.5], "corners": ["never", "always"]}}, {"id": "astar"}])");
+         "settings": {"weight": [1, 2.5], "corners": ["none", "any"]}}, {"id": "astar"}])");
   ASSERT_EQ(read.planners.size(), 5u);
-  EXPECT_EQ(settings_label(read.planners[0]), "corners=never weight=1");
-  EXPECT_EQ(settings_label(read.planners[1]), "corners=always weight=1");
-  EXPECT_EQ(settings_label(read.planners[2]), "corners=never weight=2.5");
+  EXPECT_EQ(settings_label(read.planners[0]), "corners=none weight=1");
+  EXPECT_EQ(settings_label(read.planners[1]), "corners=any weight=1");
+  EXPECT_EQ(settings_label(read.planners[2]), "corners=none weight=2.5");
   EXPECT_EQ(settings_label(read.planners[4]), "");
 }
 
@@ -122,7 +122,7 @@ TEST_F(Experiments, SayWhichWorldAPlannerOrACellDoesNotFit) {
 TEST_F(Experiments, ReadBackWhatIsWrittenOut) {
   const Experiment read = experiment(
       R"("name": "all of it", "worlds": ["*.scen", {"file": "room.map", "start": [0, 0], "goal": [7, 0], "unknown": "free"}],
-         "planners": [{"id": "rrt-star", "settings": {"step": [2, 4]}, "stages": [{"id": "shortcut"}]}, {"id": "dstar-lite"}],
+         "planners": [{"id": "rrt-star", "settings": {"step": [2, 4]}, "stages": [{"id": "floyd"}]}, {"id": "dstar-lite"}],
          "robots": ["own", {"radius": 0.5, "knowledge": "nothing"}], "seeds": {"from": 3, "count": 4}, "repeat": 2,
          "drive": true, "surprises": ["none", "own", {"blocks": 2, "side": 2}], "limit": {"samples": 300})");
   EXPECT_EQ(read.worlds.size(), 3u);

@@ -181,12 +181,13 @@ TEST(CompareResults, TellsBetterFromWorseAndFromTheSame) {
   EXPECT_EQ(expansions.worsened, 11);
   EXPECT_EQ(expansions.effect, 1);
   EXPECT_NEAR(expansions.p, 2 / 2048.0, 1e-12);
-  EXPECT_NEAR(expansions.corrected, 2 * 2 / 2048.0, 1e-12) << "two rows differ";
+  EXPECT_NEAR(expansions.corrected, 2 / 2048.0, 1e-12) << "the less certain of two rows that differ";
   EXPECT_GT(expansions.loss().value_or(0), 0.04);
   EXPECT_LE(expansions.interval.low, *expansions.ratio);
   EXPECT_GE(expansions.interval.high, *expansions.ratio);
   const ComparedFigure& length = row_of(comparison, "astar", "length_cells");
   EXPECT_EQ(length.verdict, Trend::better);
+  EXPECT_NEAR(length.corrected, 2 * 2 / 4096.0, 1e-12) << "the more certain one, for two";
   EXPECT_NEAR(*length.ratio, 0.9, 1e-12);
   EXPECT_FALSE(length.loss());
   EXPECT_EQ(row_of(comparison, "jps", "expansions").verdict, Trend::unchanged);
