@@ -1,5 +1,6 @@
-#include <map>
+#include <algorithm>
 #include <memory>
+#include <numeric>
 
 #include <CLI/CLI.hpp>
 
@@ -17,9 +18,9 @@ namespace {
 
 constexpr int kInterrupted = 130;  // as a shell tells it
 
-/// Makes runs and gives each to `keep`. Nothing if it was interrupted.
-Result<std::optional<int>> make(const RunList& list, std::span<const std::int64_t> runs, std::size_t threads,
-                                const std::function<Result<void>(RunResult)>& keep) {
+/// Makes runs and gives each to `keep`. Returns whether all were made: else it was interrupted.
+Result<bool> make(const RunList& list, std::span<const std::int64_t> runs, std::size_t threads,
+                  const std::function<Result<void>(RunResult)>& keep) {
   const StopOnInterrupt interrupt;
   ProgressBar bar("batch", runs.size());
   std::size_t done = 0;
@@ -29,49 +30,53 @@ Result<std::optional<int>> make(const RunList& list, std::span<const std::int64_
     bar.show(++done);
     return kept.ok();
   };
-  if (make_runs(list, runs, threads, {.take = take, .stop = interrupt.token()})) return std::optional(kDone);
+  if (make_runs(list, runs, threads, {.take = take, .stop = interrupt.token()})) return true;
   if (!kept) return Error{kept.error()};
-  return std::optional<int>();
+  return false;
 }
 
-/// The results by their numbers, kept in the folder if there is one. Nothing if it was interrupted, which is told.
-Result<std::optional<std::vector<RunResult>>> results_of(const RunList& list,
-                                                         const BatchArguments& arguments) {
-  const auto threads = arguments.threads();
-  if (!threads) return Error{threads.error()};
-  const auto part = arguments.part();
-  if (!part) return Error{part.error()};
-  std::map<std::int64_t, RunResult> results;
-  std::vector<RunResult> sorted;
-  const bool kept = !arguments.folder.empty();
-  std::optional<ResultsFolder> folder;
-  std::vector<std::int64_t> runs;
-  if (kept) {
-    auto opened = ResultsFolder::open(arguments.folder, list, *part);
-    if (!opened) return Error{opened.error()};
-    folder.emplace(std::move(opened.value()));
-    runs = folder->missing();
-  } else {
-    for (std::int64_t run = 0; run < list.count(); ++run) runs.push_back(run);
-  }
-  const auto keep = [&](RunResult result) -> Result<void> {
-    if (folder) return folder->add(std::move(result));
-    results.emplace(result.run, std::move(result));
+/// How a batch that was interrupted stands.
+std::string stopped_text(const ResultsFolder* folder, const std::string& path) {
+  if (folder == nullptr) return "stopped: nothing is kept; with --out DIR the same command would go on";
+  return "stopped: " + counted(folder->results().size(), "run") + " done and kept in '" + path + "', " +
+         std::to_string(folder->missing().size()) + " to go; the same command goes on";
+}
+
+/// Makes all runs and reports on them. Nothing if it was interrupted, which is told.
+Result<std::optional<std::vector<BatchReport>>> reports_without_folder(const RunList& list,
+                                                                       std::size_t threads) {
+  std::vector<std::int64_t> runs(static_cast<std::size_t>(list.count()));
+  std::iota(runs.begin(), runs.end(), std::int64_t{0});
+  std::vector<RunResult> results;
+  const auto made = make(list, runs, threads, [&](RunResult result) -> Result<void> {
+    results.push_back(std::move(result));
     return {};
-  };
-  const auto made = make(list, runs, *threads, keep);
+  });
   if (!made) return Error{made.error()};
   if (!*made) {
-    complain(kept ? "stopped: " + std::to_string(folder->results().size()) + " runs are done and kept in '" +
-                        arguments.folder + "', " + std::to_string(folder->missing().size()) +
-                        " are not; the same command goes on"
-                  : "stopped: nothing is kept; with --out DIR the same command would go on");
-    return std::optional<std::vector<RunResult>>();
+    complain(stopped_text(nullptr, ""));
+    return std::optional<std::vector<BatchReport>>();
   }
-  if (folder)
-    if (const auto written = folder->write_results(); !written) return Error{written.error()};
-  for (const auto& [run, result] : folder ? folder->results() : results) sorted.push_back(result);
-  return std::optional(std::move(sorted));
+  std::sort(results.begin(), results.end(),
+            [](const RunResult& a, const RunResult& b) { return a.run < b.run; });
+  return std::optional(batch_reports(results));
+}
+
+/// The same with the results kept in a folder, and what is there already not made again.
+Result<std::optional<std::vector<BatchReport>>> reports_in_folder(const RunList& list,
+                                                                  const std::string& path, const Shard& part,
+                                                                  std::size_t threads) {
+  auto folder = ResultsFolder::open(path, list, part);
+  if (!folder) return Error{folder.error()};
+  const auto made = make(list, folder->missing(), threads,
+                         [&](RunResult result) { return folder->add(std::move(result)); });
+  if (!made) return Error{made.error()};
+  if (!*made) {
+    complain(stopped_text(&folder.value(), path));
+    return std::optional<std::vector<BatchReport>>();
+  }
+  if (const auto written = folder->write_results(); !written) return Error{written.error()};
+  return std::optional(batch_reports(folder->results()));
 }
 
 /// Writes the scenario that a run is.
@@ -94,10 +99,15 @@ Result<int> batch(const BatchArguments& arguments) {
   for (const LoadedWorld& world : list->worlds()) tell_notes(world.notes);
   if (!arguments.scenario.empty()) return write_run(*list, arguments);
   if (!arguments.output.empty()) return Error{"-o goes with --scenario; results are kept by --out DIR"};
-  const auto results = results_of(*list, arguments);
-  if (!results) return Error{results.error()};
-  if (!*results) return kInterrupted;
-  const auto reports = batch_reports(**results);
+  const auto threads = arguments.threads();
+  if (!threads) return Error{threads.error()};
+  const auto part = arguments.part();
+  if (!part) return Error{part.error()};
+  const auto made = arguments.folder.empty() ? reports_without_folder(*list, *threads)
+                                             : reports_in_folder(*list, arguments.folder, *part, *threads);
+  if (!made) return Error{made.error()};
+  if (!*made) return kInterrupted;
+  const std::vector<BatchReport>& reports = **made;
   print(arguments.json ? batch_json(reports)
                        : batch_title(*list, arguments.files.front()) +
                              batch_table(reports, arguments.of_problems() ? BatchKind::problems

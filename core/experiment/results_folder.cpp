@@ -1,5 +1,6 @@
 #include "core/experiment/results_folder.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -80,8 +81,8 @@ Result<void> ResultsFolder::take_up() {
   if (!journal) return Error{journal.error()};
   if (::ftruncate(journal_, static_cast<off_t>(journal->whole)) != 0) return cannot_write(path);
   for (RunResult& result : journal->results)
-    if (result.run < head_.runs && shard_.has(result.run))
-      results_.insert_or_assign(result.run, std::move(result));
+    if (result.run < head_.runs && shard_.has(result.run) && done_.insert(result.run).second)
+      results_.push_back(std::move(result));
   return {};
 }
 
@@ -91,7 +92,8 @@ ResultsFolder::ResultsFolder(ResultsFolder&& other) noexcept
       head_(std::move(other.head_)),
       shard_(other.shard_),
       journal_(std::exchange(other.journal_, -1)),
-      results_(std::move(other.results_)) {}
+      results_(std::move(other.results_)),
+      done_(std::move(other.done_)) {}
 
 ResultsFolder::~ResultsFolder() {
   if (journal_ >= 0) ::close(journal_);
@@ -101,21 +103,22 @@ ResultsFolder::~ResultsFolder() {
 std::vector<std::int64_t> ResultsFolder::missing() const {
   std::vector<std::int64_t> numbers;
   for (std::int64_t run = shard_.index; run < head_.runs; run += shard_.count)
-    if (!results_.contains(run)) numbers.push_back(run);
+    if (!done_.contains(run)) numbers.push_back(run);
   return numbers;
 }
 
 Result<void> ResultsFolder::add(RunResult result) {
   if (write_all(journal_, result_line(result) + "\n") != 0)
     return cannot_write(batch_path(path_, kJournalFile));
-  results_.insert_or_assign(result.run, std::move(result));
+  done_.insert(result.run);
+  results_.push_back(std::move(result));
   return {};
 }
 
-Result<void> ResultsFolder::write_results() const {
-  std::vector<RunResult> all;
-  for (const auto& [run, result] : results_) all.push_back(result);
-  return write_result_files(path_, head_, all);
+Result<void> ResultsFolder::write_results() {
+  std::sort(results_.begin(), results_.end(),
+            [](const RunResult& a, const RunResult& b) { return a.run < b.run; });
+  return write_result_files(path_, head_, results_);
 }
 
 Result<KeptResults> read_results_folder(const std::string& path) {

@@ -7,8 +7,9 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
+#include <span>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "core/base/lock_file.hpp"
@@ -40,14 +41,14 @@ class ResultsFolder {
   ResultsFolder& operator=(const ResultsFolder&) = delete;
   ~ResultsFolder();
 
-  /// By the number of the run.
-  [[nodiscard]] const std::map<std::int64_t, RunResult>& results() const { return results_; }
+  /// Of the runs that are done, in the order in which they ended; after write_results() in that of their numbers.
+  [[nodiscard]] std::span<const RunResult> results() const { return results_; }
   /// The numbers of the runs of this part that are not done.
   [[nodiscard]] std::vector<std::int64_t> missing() const;
   /// Writes a result down.
   Result<void> add(RunResult result);
   /// Writes results.csv, results.json and times.csv of all that is done.
-  [[nodiscard]] Result<void> write_results() const;
+  Result<void> write_results();
 
  private:
   ResultsFolder(std::string path, LockFile lock, ResultsHead head, Shard shard)
@@ -59,7 +60,8 @@ class ResultsFolder {
   ResultsHead head_;
   Shard shard_;
   int journal_ = -1;
-  std::map<std::int64_t, RunResult> results_;
+  std::vector<RunResult> results_;
+  std::unordered_set<std::int64_t> done_;  // their numbers
 };
 
 /// A folder as it stands, whoever writes to it.

@@ -83,6 +83,15 @@ TEST(SignedRanks, OfManyPairsAreNearTheExactOnes) {
   EXPECT_EQ(signed_ranks(std::vector<double>(80, 0.0)).p, 1) << "no pair differs";
 }
 
+TEST(SignedRanks, OfManyPairsAreThoseOfR) {
+  // R 4.2: wilcox.test(d, exact = FALSE, correct = TRUE), of sizes that all differ and of many that are equal.
+  std::vector<double> sizes, ties;
+  for (int i = 1; i <= 60; ++i) sizes.push_back(i % 3 == 0 ? -i : i);
+  for (int i = 0; i < 8; ++i) ties.insert(ties.end(), {1, 1, 2, -3, 4, 5, -5, 6});
+  EXPECT_NEAR(signed_ranks(sizes).p, 0.03622649, 1e-8);
+  EXPECT_NEAR(signed_ranks(ties).p, 0.004431662, 1e-9);
+}
+
 TEST(SignTest, IsMcNemarsExactTest) {
   // SAS and statsmodels, exact test of 121 and 59 changes: 4.434e-06.
   EXPECT_NEAR(sign_test(121, 59), 4.434e-6, 1e-9);
