@@ -58,11 +58,12 @@ std::string batch_table(std::span<const BatchReport> reports, BatchKind kind) {
 }
 
 std::string batch_title(const RunList& list, const std::string& source) {
-  if (list.worlds().size() == 1 && list.worlds().front().problems.front().line > 0)
+  const bool named = !list.experiment().name.empty();
+  const bool one_file = list.worlds().size() == 1 && list.worlds().front().lengths_are_listed();
+  if (!named && one_file)
     return list.worlds().front().file + " on " + list.worlds().front().map_file + ", " +
            counted(list.count(), "run") + "\n\n";
-  return (list.experiment().name.empty() ? source : list.experiment().name) + ": " +
-         counted(list.worlds().size(), "world") + ", " +
+  return (named ? list.experiment().name : source) + ": " + counted(list.worlds().size(), "world") + ", " +
          counted(list.experiment().planners.size(), "planner") + ", " + counted(list.count(), "run") + "\n\n";
 }
 

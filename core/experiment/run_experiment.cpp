@@ -45,7 +45,7 @@ Navigator& ExperimentWorker::navigator_for(const RunParts& parts) {
 
 std::optional<RunReport> ExperimentWorker::once(const RunParts& parts, const std::stop_token& stop) {
   const PlannerChoice choice = list_.choice(parts);
-  if (list_.drives(parts)) return drive(list_.scenario(parts), choice, stop);
+  if (list_.drives(parts)) return drive_until(stop, list_.scenario(parts), choice);
   const ScenProblem& asked = list_.problem(parts);
   RunLimit limit{.stop = stop};
   if (find_planner(choice.id)->can_miss()) limit.seconds = list_.experiment().seconds;

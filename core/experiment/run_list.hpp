@@ -23,6 +23,9 @@ struct LoadedWorld {
   Scenario scenario;     ///< the map; of a scenario its robot, surprises and moving obstacles besides
   std::vector<std::string> notes;  ///< what there is to say of the map, a sentence each
   std::string map_file;            ///< its map's file, as opened
+
+  /// Whether it is a file of problems.
+  [[nodiscard]] bool lengths_are_listed() const { return !problems.empty() && problems.front().line > 0; }
 };
 /// Loads one world, and folds the bytes of its files into `digest`.
 Result<LoadedWorld> load_world(const Experiment& experiment, const ExperimentWorld& world,

@@ -130,8 +130,8 @@ RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoi
   return *plan_once(*navigator, map, start, goal, choice, robot, {});
 }
 
-std::optional<RunReport> drive(const Scenario& scenario, const PlannerChoice& choice,
-                               const std::stop_token& stop) {
+std::optional<RunReport> drive_until(const std::stop_token& stop, const Scenario& scenario,
+                                     const PlannerChoice& choice) {
   const auto mission = make_mission(scenario, choice);
   RunReport report;
   report.planner = choice.id;
@@ -155,7 +155,7 @@ std::optional<RunReport> drive(const Scenario& scenario, const PlannerChoice& ch
 }
 
 RunReport drive(const Scenario& scenario, const PlannerChoice& choice) {
-  return *drive(scenario, choice, {});
+  return *drive_until({}, scenario, choice);
 }
 
 std::string explanation(const RunReport& report) {

@@ -82,8 +82,8 @@ std::optional<RunReport> plan_once(Navigator& navigator, const GridMap& map, Cel
 /// Drives the scenario's robot with one planner until there is nothing more to do.
 RunReport drive(const Scenario& scenario, const PlannerChoice& choice);
 /// As above; nothing if it was stopped.
-std::optional<RunReport> drive(const Scenario& scenario, const PlannerChoice& choice,
-                               const std::stop_token& stop);
+std::optional<RunReport> drive_until(const std::stop_token& stop, const Scenario& scenario,
+                                     const PlannerChoice& choice);
 
 /// Why a run did not succeed, as a sentence; empty if it did.
 std::string explanation(const RunReport& report);
