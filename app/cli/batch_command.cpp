@@ -1,138 +1,121 @@
+#include <algorithm>
 #include <memory>
+#include <numeric>
 
 #include <CLI/CLI.hpp>
 
 #include "app/cli/arguments.hpp"
+#include "app/cli/batch_input.hpp"
+#include "app/cli/batch_output.hpp"
 #include "app/cli/commands.hpp"
+#include "app/cli/interrupt.hpp"
 #include "app/cli/output.hpp"
-#include "core/base/file.hpp"
-#include "core/study/batch.hpp"
-#include "core/world/choices.hpp"
-#include "core/world/map_file.hpp"
+#include "core/experiment/run_experiment.hpp"
+#include "core/world/formats/text_lines.hpp"
 
 namespace replan::cli {
 namespace {
 
-struct BatchArguments {
-  std::string scen;
-  std::string map;
-  std::string limit;
-  ReadingArguments reading;
-  PlannerArguments planners;
-  bool json = false;
-};
+constexpr int kInterrupted = 130;  // as a shell tells it
 
-std::string table(std::span<const BatchReport> reports) {
-  using enum Table::Align;
-  Table table({{"planner", left},
-               {"problems"},
-               {"skipped"},
-               {"found"},
-               {"mismatches"},
-               {"max rel. error"},
-               {"mean ratio"},
-               {"total ms"},
-               {"ms a problem"},
-               {"expansions"}});
-  for (const BatchReport& report : reports) {
-    const auto solved = static_cast<double>(std::max<std::int64_t>(1, report.problems - report.skipped));
-    char error[32];
-    std::snprintf(error, sizeof error, "%.2e", report.max_relative_error);
-    table.add({report.planner, std::to_string(report.problems), std::to_string(report.skipped),
-               std::to_string(report.found), report.comparable ? std::to_string(report.mismatches) : "-",
-               error, decimals(report.mean_ratio, 6), decimals(report.total_ms, 1),
-               decimals(report.total_ms / solved, 3), std::to_string(report.expansions)});
+/// Makes runs and gives each to `keep`. Returns whether all were made: else it was interrupted.
+Result<bool> make(const RunList& list, std::span<const std::int64_t> runs, std::size_t threads,
+                  const std::function<Result<void>(RunResult)>& keep) {
+  const StopOnInterrupt interrupt;
+  ProgressBar bar("batch", runs.size());
+  std::size_t done = 0;
+  Result<void> kept;
+  const auto take = [&](RunResult result) {
+    kept = keep(std::move(result));
+    bar.show(++done);
+    return kept.ok();
+  };
+  if (make_runs(list, runs, threads, {.take = take, .stop = interrupt.token()})) return true;
+  if (!kept) return Error{kept.error()};
+  return false;
+}
+
+/// How a batch that was interrupted stands.
+std::string stopped_text(const ResultsFolder* folder, const std::string& path) {
+  if (folder == nullptr) return "stopped: nothing is kept; with --out DIR the same command would go on";
+  return "stopped: " + counted(folder->results().size(), "run") + " done and kept in '" + path + "', " +
+         std::to_string(folder->missing().size()) + " to go; the same command goes on";
+}
+
+/// Makes all runs and reports on them. Nothing if it was interrupted, which is told.
+Result<std::optional<std::vector<BatchReport>>> reports_without_folder(const RunList& list,
+                                                                       std::size_t threads) {
+  std::vector<std::int64_t> runs(static_cast<std::size_t>(list.count()));
+  std::iota(runs.begin(), runs.end(), std::int64_t{0});
+  std::vector<RunResult> results;
+  const auto made = make(list, runs, threads, [&](RunResult result) -> Result<void> {
+    results.push_back(std::move(result));
+    return {};
+  });
+  if (!made) return Error{made.error()};
+  if (!*made) {
+    complain(stopped_text(nullptr, ""));
+    return std::optional<std::vector<BatchReport>>();
   }
-  return table.text();
+  std::sort(results.begin(), results.end(),
+            [](const RunResult& a, const RunResult& b) { return a.run < b.run; });
+  return std::optional(batch_reports(results));
 }
 
-/// What the table cannot say: what was skipped, and which planners the listed lengths do not judge.
-std::string remarks(std::span<const BatchReport> reports) {
-  std::string text;
-  if (const std::int64_t skipped = reports.front().skipped; skipped > 0)
-    text += counted(skipped, "problem") + " skipped: the start or the goal lies in an obstacle of the map.\n";
-  for (const BatchReport& report : reports) {
-    if (!report.comparable)
-      text += report.planner +
-              ": not held to the listed lengths; with these settings it looks for other paths.\n";
-    if (report.unsolved() > 0)
-      text += report.planner + ": " + counted(report.unsolved(), "problem") +
-              (find_pilot(report.planner) != nullptr ? " in which the robot did not arrive.\n"
-                                                     : " without a path.\n");
+/// The same with the results kept in a folder, and what is there already not made again.
+Result<std::optional<std::vector<BatchReport>>> reports_in_folder(const RunList& list,
+                                                                  const std::string& path, const Shard& part,
+                                                                  std::size_t threads) {
+  auto folder = ResultsFolder::open(path, list, part);
+  if (!folder) return Error{folder.error()};
+  const auto made = make(list, folder->missing(), threads,
+                         [&](RunResult result) { return folder->add(std::move(result)); });
+  if (!made) return Error{made.error()};
+  if (!*made) {
+    complain(stopped_text(&folder.value(), path));
+    return std::optional<std::vector<BatchReport>>();
   }
-  return text.empty() ? text : "\n" + text;
+  if (const auto written = folder->write_results(); !written) return Error{written.error()};
+  return std::optional(batch_reports(folder->results()));
 }
 
-void complain_of_mismatches(const std::string& scen, const BatchReport& report) {
-  for (const BatchMismatch& mismatch : report.first_mismatches)
-    complain(scen + ":" + std::to_string(mismatch.line) + ": " + report.planner + " found " +
-             (mismatch.found > 0 ? decimals(mismatch.found, 8) : "no path") + ", listed is " +
-             decimals(mismatch.listed, 8));
-  const auto told = static_cast<std::int64_t>(report.first_mismatches.size());
-  if (report.mismatches > told)
-    complain(scen + ": " + report.planner + ": and " + counted(report.mismatches - told, "more mismatch") +
-             (report.mismatches - told == 1 ? "" : "es"));
-}
-
-/// The problems, the map that they are for, and the planners.
-struct BatchInput {
-  ScenFile scen;
-  std::string map_path;
-  GridMap map;
-  std::vector<PlannerChoice> planners;
-  std::vector<ScenProblem> problems;
-};
-
-Result<GridMap> read_map_for(const std::string& path, const BatchArguments& arguments) {
-  const auto how = arguments.reading.reading(path);
-  if (!how) return Error{how.error()};
-  auto file = read_map_file(path, *how);
-  if (!file) return Error{file.error()};
-  tell_notes(file->found.notes_for_planning());
-  return std::move(file->map);
-}
-
-Result<BatchInput> load(const BatchArguments& arguments) {
-  BatchInput input;
-  auto choices = arguments.planners.choose();
-  if (!choices) return Error{choices.error()};
-  input.planners = std::move(choices.value());
-  const auto limit = arguments.limit.empty() ? 0 : parse_count("--limit", arguments.limit, 1);
-  if (!limit) return Error{limit.error()};
-  auto scen = read_scen(arguments.scen);
-  if (!scen) return Error{scen.error()};
-  input.scen = std::move(scen.value());
-  const auto path = arguments.map.empty() ? map_beside(arguments.scen, input.scen.map_name) : arguments.map;
-  if (!path) return Error{path.error()};
-  auto map = read_map_for(input.map_path = *path, arguments);
-  if (!map) return Error{map.error()};
-  input.map = std::move(map.value());
-  if (const auto fits = check_scen_fits(input.scen, input.map, *path); !fits) return Error{fits.error()};
-  auto fitting = arguments.planners.choose({}, &input.map);
-  if (!fitting) return Error{fitting.error()};
-  input.planners = std::move(fitting.value());
-  input.problems = even_sample(input.scen.problems, static_cast<std::size_t>(*limit));
-  return input;
+/// Writes the scenario that a run is.
+Result<int> write_run(const RunList& list, const BatchArguments& arguments) {
+  const auto run = number_from<std::int64_t>(arguments.scenario);
+  if (!run || *run < 0 || *run >= list.count())
+    return Error{"--scenario cannot be '" + arguments.scenario + "': give a run's number, from 0 to " +
+                 std::to_string(list.count() - 1)};
+  if (arguments.output.empty()) return Error{"--scenario needs -o FILE.json, the scenario's file"};
+  const auto written = write_scenario(list.scenario(list.parts(*run)), arguments.output);
+  if (!written) return Error{written.error()};
+  return kDone;
 }
 
 Result<int> batch(const BatchArguments& arguments) {
-  const auto input = load(arguments);
-  if (!input) return Error{input.error()};
-  std::vector<BatchReport> reports;
-  bool passed = true;
-  for (const PlannerChoice& choice : input->planners) {
-    ProgressBar bar(choice.id, input->problems.size());
-    const BatchWatch watch{.progress = [&](std::size_t done) { bar.show(done); }, .stop = {}};
-    reports.push_back(run_batch(input->map, input->scen.lengths, input->problems, choice, watch));
-    passed &= reports.back().passed();
-  }
-  if (arguments.json)
-    print(batch_json(reports));
-  else
-    print(arguments.scen + " on " + input->map_path + ", " +
-          counted(static_cast<std::int64_t>(input->scen.problems.size()), "problem") + " in the file\n\n" +
-          table(reports) + remarks(reports));
-  for (const BatchReport& report : reports) complain_of_mismatches(arguments.scen, report);
+  auto experiment = arguments.experiment();
+  if (!experiment) return Error{experiment.error()};
+  const auto list = RunList::load(std::move(experiment.value()));
+  if (!list) return Error{list.error()};
+  for (const LoadedWorld& world : list->worlds()) tell_notes(world.notes);
+  if (!arguments.scenario.empty()) return write_run(*list, arguments);
+  if (!arguments.output.empty()) return Error{"-o goes with --scenario; results are kept by --out DIR"};
+  const auto threads = arguments.threads();
+  if (!threads) return Error{threads.error()};
+  const auto part = arguments.part();
+  if (!part) return Error{part.error()};
+  const auto made = arguments.folder.empty() ? reports_without_folder(*list, *threads)
+                                             : reports_in_folder(*list, arguments.folder, *part, *threads);
+  if (!made) return Error{made.error()};
+  if (!*made) return kInterrupted;
+  const std::vector<BatchReport>& reports = **made;
+  print(arguments.json ? batch_json(reports)
+                       : batch_title(*list, arguments.files.front()) +
+                             batch_table(reports, arguments.of_problems() ? BatchKind::problems
+                                                                          : BatchKind::experiment));
+  complain_of_mismatches(reports);
+  const bool passed = std::all_of(reports.begin(), reports.end(), [&](const BatchReport& report) {
+    return arguments.of_problems() ? report.passed() : report.mismatches == 0;
+  });
   return passed ? kDone : kFailed;
 }
 
@@ -143,18 +126,30 @@ std::string batch_footer() {
          "  replan batch big.map.scen --map maps/big.map --planner all --limit 60 --json\n"
          "      An even sample of 60 problems, for a program.\n"
          "  replan batch Simple.3dmap.3dscen --planner astar --limit 100\n"
-         "      Problems in a box of voxels.\n\n"
+         "      Problems in a box of voxels.\n"
+         "  replan batch experiment.json --out results --jobs 4\n"
+         "      An experiment of your own: planners x robots x worlds x surprises x seeds. After an end of "
+         "any\n"
+         "      kind the same command goes on where it was.\n"
+         "  replan batch experiment.json --out part3 --shard 3/8\n"
+         "      The third of eight parts, for a cluster; 'replan merge part*' puts them together.\n"
+         "  replan batch experiment.json --scenario 1284 -o run.json\n"
+         "      Run 1284 as a scenario, to look at in the window.\n\n"
          "A mismatch is a length that is not the listed one to the precision printed in the file. The listed "
          "lengths\n"
          "judge planners that find shortest paths on the grid; for the others the ratio to them is told. "
          "dwa and fusion\n"
          "drive each problem, and what is told is the length of their way. A problem whose start or goal "
-         "lies in "
-         "an\n"
+         "lies in an\n"
          "obstacle is skipped and counted as that. --limit N takes N problems spread "
-         "evenly over the file, the first and the last among them. Exit code 0 if all agree, 1 if any "
-         "mismatches or\n"
-         "has no path, 2 for bad input.\n\n" +
+         "evenly over the file, the first and the\n"
+         "last among them. --out keeps a line for each run as soon as it is done, and in the end "
+         "results.csv, "
+         "results.json\n"
+         "and times.csv. docs/batches.md has the format of experiments and of results.\n\n"
+         "Exit code 0 if all is done, 1 if a length mismatches or, of problems, there is no path, 2 for bad "
+         "input, 130 if\n"
+         "it was stopped by Ctrl-C.\n\n" +
          settings_help();
 }
 
@@ -162,14 +157,27 @@ std::string batch_footer() {
 
 Command add_batch(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "batch", "Solve every problem of a MovingAI .scen or .3dscen file and check the lengths");
+      "batch", "Run an experiment, or all problems of MovingAI files and check the lengths");
   const auto arguments = std::make_shared<BatchArguments>();
-  app->add_option("FILE", arguments->scen, "A problem file (.scen or .3dscen)")->required();
-  app->add_option("--map", arguments->map, "The map, if it is not beside the file")->type_name("FILE");
+  app->add_option("FILE", arguments->files, "An experiment (.json), or files of problems (.scen, .3dscen)")
+      ->required()
+      ->type_name("...");
+  app->add_option("--map", arguments->map, "Of problems: the map, if it is not beside the file")
+      ->type_name("FILE");
   arguments->reading.declare(*app);
   arguments->planners.declare(*app);
-  app->add_option("--limit", arguments->limit, "Only an even sample of N problems")->type_name("N");
-  app->add_flag("--json", arguments->json, "Print the results as JSON");
+  app->add_option("--limit", arguments->limit, "Of problems: only an even sample of N of each file")
+      ->type_name("N");
+  app->add_option("--out", arguments->folder, "Keep the results there, or go on with what is there")
+      ->type_name("DIR");
+  app->add_option("--jobs", arguments->jobs, "Threads; more than one disturb each other's times (1)")
+      ->type_name("N");
+  app->add_option("--shard", arguments->shard, "Only part I of N: the runs I-1, I-1+N, I-1+2N, ...")
+      ->type_name("I/N");
+  app->add_option("--scenario", arguments->scenario, "Make no runs, but write run K as a scenario (-o)")
+      ->type_name("K");
+  app->add_option("-o,--output", arguments->output, "The scenario's file")->type_name("FILE");
+  app->add_flag("--json", arguments->json, "Print the results of each planner as JSON");
   app->footer(batch_footer);
   return {app, [arguments] { return batch(*arguments); }};
 }

@@ -21,6 +21,8 @@ struct Command {
 
 Command add_run(CLI::App& program);
 Command add_batch(CLI::App& program);
+Command add_merge(CLI::App& program);
+Command add_compare(CLI::App& program);
 Command add_barn(CLI::App& program);
 Command add_study(CLI::App& program);
 Command add_anytime(CLI::App& program);

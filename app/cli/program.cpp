@@ -120,8 +120,9 @@ int run_program(int argc, char** argv) {
   program.get_formatter()->label("TEXT", "");
   std::string file;
   program.add_option("FILE", file, "A scenario or a map to open in the window");
-  std::vector<Command> commands = {add_run(program), add_batch(program), add_anytime(program),
-                                   add_barn(program), add_study(program)};
+  std::vector<Command> commands = {add_run(program),     add_batch(program),   add_merge(program),
+                                   add_compare(program), add_anytime(program), add_barn(program),
+                                   add_study(program)};
   for (Command& command : add_drawing(program)) commands.push_back(std::move(command));
   for (const auto add : {add_convert, add_show, add_list}) commands.push_back(add(program));
   for (const Command& command : commands) command.app->group("Commands");

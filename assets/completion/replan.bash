@@ -10,7 +10,7 @@ _replan_list() {
   compopt -o nospace 2>/dev/null
 }
 
-# Offers files that end in one of the given extensions, and folders.
+# Offers files that end in one of the given extensions, and folders; without extensions folders alone.
 _replan_files() {
   local file
   while IFS= read -r file; do
@@ -35,7 +35,9 @@ _replan_settings() {
 _replan_options() {
   case "$1" in
     run) echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --json --csv --markdown --latex --cells --check --trace --trace-map --break" ;;
-    batch) echo "-h --help --map --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --limit --json" ;;
+    batch) echo "-h --help --map --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --limit --out --jobs --shard --scenario -o --output --json" ;;
+    merge) echo "-h --help -o --output" ;;
+    compare) echo "-h --help --times --alpha --fail-on-loss --tolerate --all --json" ;;
     anytime) echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --seeds --time --csv --svg" ;;
     barn) echo "-h --help --global --set --world --csv" ;;
     study) echo "-h --help --out --seeds --barn --quick --json" ;;
@@ -52,7 +54,7 @@ _replan_options() {
 }
 
 _replan() {
-  local maps="map yaml yml cfg txt csv npy asc png bmp tga pgm ppm pbm pnm gif jpg jpeg" commands="run batch anytime barn study render convert show list"
+  local maps="map yaml yml cfg txt csv npy asc png bmp tga pgm ppm pbm pnm gif jpg jpeg" commands="run batch merge compare anytime barn study render convert show list"
   local cur="${COMP_WORDS[COMP_CWORD]}" before="${COMP_WORDS[COMP_CWORD - 1]}" command=""
   COMPREPLY=()
   [ "$COMP_CWORD" -gt 1 ] && command="${COMP_WORDS[1]}"
@@ -76,10 +78,18 @@ _replan() {
     --latex) _replan_files tex; return ;;
     --trace) _replan_files jsonl yaml yml json; return ;;
     --trace-map) _replan_files map; return ;;
-    -o | --output) _replan_files png svg gif webp mp4; return ;;
+    -o | --output)
+      case "$command" in
+        batch) _replan_files json ;;
+        merge) _replan_files ;;
+        *) _replan_files png svg gif webp mp4 ;;
+      esac
+      return
+      ;;
+    --out) _replan_files; return ;;
     --dialog) COMPREPLY=($(compgen -W "new_world open worlds opening save_as figures film film_window film_run picture trace unsaved changed overwrite recover generate resize edits keys about menu_file menu_edit menu_world menu_planner menu_run menu_view menu_overlays menu_tabs menu_panes menu_record menu_help" -- "$cur")); return ;;
     --action) _replan_list "$(_replan_ids actions)"; return ;;
-    --start | --goal | --radius | --world | --break | --cell | --pin | --arc | --orbit | --camera | --size | --scale | --limit | --threshold | --occupied | --layers | --heights | --reduce | --slice | --fps | --hold) return ;;
+    --start | --goal | --radius | --world | --break | --cell | --pin | --arc | --orbit | --camera | --size | --scale | --limit | --jobs | --shard | --scenario | --alpha | --tolerate | --threshold | --occupied | --layers | --heights | --reduce | --slice | --fps | --hold) return ;;
     --panes) COMPREPLY=($(compgen -W "1 2 4 all" -- "$cur")); return ;;
     --colours) COMPREPLY=($(compgen -W "viridis cividis grey" -- "$cur")); return ;;
     --range) COMPREPLY=($(compgen -W "whole-run so-far" -- "$cur")); return ;;
@@ -91,7 +101,9 @@ _replan() {
   esac
   case "$command" in
     run | render | show | anytime) _replan_files json ;;
-    batch) _replan_files scen 3dscen ;;
+    batch) _replan_files json scen 3dscen ;;
+    merge) _replan_files ;;
+    compare) _replan_files json ;;
     barn) _replan_files json ;;
     study) COMPREPLY=($(compgen -W "all dld-table1 dld-surprise dld-random dld-maze astar-table1 fusion auv informed-rrt" -- "$cur")) ;;
     convert) _replan_files json 3dmap $maps ;;

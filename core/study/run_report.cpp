@@ -76,47 +76,76 @@ std::string_view why_without_a_path(const RunReport& report) {
   return "The robot did not arrive: the way to the goal was cut off while it drove.";
 }
 
+/// Often enough asked to stop; for a planner that is given so much time, often enough held against the clock.
+constexpr std::int64_t kSlice = std::int64_t{1} << 14, kTimedSlice = 16;
+
+/// How the plan stands in the end; nothing if it was stopped.
+std::optional<PlanStatus> finish_within(Navigator& navigator, const RunLimit& limit) {
+  const auto begin = std::chrono::steady_clock::now();
+  while (!navigator.advance(limit.seconds ? kTimedSlice : kSlice)) {
+    if (limit.stop.stop_requested()) return std::nullopt;
+    const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - begin;
+    if (limit.seconds && gone.count() >= *limit.seconds)
+      return navigator.settle() ? navigator.status() : PlanStatus::none_found;
+  }
+  return navigator.status();
+}
+
 }  // namespace
 
-RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice,
-                    const RobotSetup& robot) {
-  const auto navigator = make_navigator(planner_of(choice), map.box(), map.blocked, robot.radius);
+std::optional<RunReport> plan_once(Navigator& navigator, const GridMap& map, Cell start, Cell goal,
+                                   const PlannerChoice& choice, const RobotSetup& robot,
+                                   const RunLimit& limit) {
   RunReport report;
   report.planner = choice.id;
   const auto begin = std::chrono::steady_clock::now();
-  navigator->begin(centre_of(start), centre_of(goal));
-  PlanStatus status = finish(*navigator);
+  navigator.begin(centre_of(start), centre_of(goal));
+  const auto first = finish_within(navigator, limit);
+  if (!first) return std::nullopt;
+  PlanStatus status = *first;
   Counters in_vain;
   if (robot.unreachable_goal == UnreachableGoal::nearest && may_be_unreachable(status)) {
     const NodeId aim = map.box().node(goal),
-                 nearest = navigator->nearest_reachable(map.box().node(start), aim);
+                 nearest = navigator.nearest_reachable(map.box().node(start), aim);
     if (nearest != aim) {
-      in_vain = navigator->counters();
-      navigator->begin(centre_of(start), centre_of(map.box().position(nearest)));
-      if (finish(*navigator) == PlanStatus::found) status = PlanStatus::found_nearest;
+      in_vain = navigator.counters();
+      navigator.begin(centre_of(start), centre_of(map.box().position(nearest)));
+      const auto second = finish_within(navigator, limit);
+      if (!second) return std::nullopt;
+      if (*second == PlanStatus::found) status = PlanStatus::found_nearest;
     }
   }
   report.plan_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  report_plan(report, *navigator, choice, navigator->path(), status, robot.radius);
+  report_plan(report, navigator, choice, navigator.path(), status, robot.radius);
   report.frame = metric_frame(map);
-  report.counters = in_vain + navigator->counters();
-  report.memory_bytes = static_cast<std::int64_t>(navigator->memory_bytes());
+  report.counters = in_vain + navigator.counters();
+  report.memory_bytes = static_cast<std::int64_t>(navigator.memory_bytes());
   return report;
 }
 
-RunReport drive(const Scenario& scenario, const PlannerChoice& choice,
-                const std::function<void(const Mission&)>& watch) {
-  constexpr std::int64_t kSlice = std::int64_t{1} << 20;
+RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice,
+                    const RobotSetup& robot) {
+  const auto navigator = make_navigator(planner_of(choice), map.box(), map.blocked, robot.radius);
+  return *plan_once(*navigator, map, start, goal, choice, robot, {});
+}
+
+namespace {
+
+/// Nothing if it was stopped.
+std::optional<RunReport> drive_watched(const Scenario& scenario, const PlannerChoice& choice,
+                                       const std::stop_token& stop,
+                                       const std::function<void(const Mission&)>& watch) {
   const auto mission = make_mission(scenario, choice);
   RunReport report;
   report.planner = choice.id;
   report.frame = metric_frame(scenario.map);
-  while (!mission->standing() && mission->advance(kSlice)) {
-  }
+  while (!mission->standing() && mission->advance(kSlice))
+    if (stop.stop_requested()) return std::nullopt;
   report_plan(report, mission->navigator(), choice, *mission->plan().path, mission->plan().status,
               scenario.robot.radius);
   for (bool going = true; going;) {
+    if (stop.stop_requested()) return std::nullopt;
     if (watch && mission->standing()) watch(*mission);
     going = mission->advance(kSlice);
   }
@@ -131,6 +160,18 @@ RunReport drive(const Scenario& scenario, const PlannerChoice& choice,
   report.robot->covered = mission->covered();
   report.robot->short_of_goal = mission->short_of_goal();
   return report;
+}
+
+}  // namespace
+
+RunReport drive(const Scenario& scenario, const PlannerChoice& choice,
+                const std::function<void(const Mission&)>& watch) {
+  return *drive_watched(scenario, choice, {}, watch);
+}
+
+std::optional<RunReport> drive_until(const std::stop_token& stop, const Scenario& scenario,
+                                     const PlannerChoice& choice) {
+  return drive_watched(scenario, choice, stop, {});
 }
 
 std::string explanation(const RunReport& report) {

@@ -5,12 +5,14 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/plan/figures.hpp"
+#include "core/plan/navigator.hpp"
 #include "core/plan/planner.hpp"
 #include "core/plan/search_values.hpp"
 #include "core/sim/mission.hpp"
@@ -62,14 +64,29 @@ struct RunReport {
   [[nodiscard]] bool succeeded() const { return robot ? robot->reached() : status == "found"; }
 };
 
+/// What ends a run before it is done.
+struct RunLimit {
+  std::stop_token stop = {};
+  /// Seconds that a planner has which becomes better with time: it then takes the best path that it has. Nothing: as many
+  /// as it takes.
+  std::optional<double> seconds = std::nullopt;
+};
+
 /// Plans once, for a robot of that radius; with UnreachableGoal::nearest to the reachable cell nearest to the goal if
 /// there is no path to the goal. Start and goal must be on the map, the planner in the registry.
 RunReport plan_once(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice,
                     const RobotSetup& robot = {});
+/// As above with a navigator of that planner, map and radius, which may have planned before; nothing if it was stopped.
+std::optional<RunReport> plan_once(Navigator& navigator, const GridMap& map, Cell start, Cell goal,
+                                   const PlannerChoice& choice, const RobotSetup& robot,
+                                   const RunLimit& limit);
 /// Drives the scenario's robot with one planner until there is nothing more to do. `watch`, if there is one, is shown the
 /// mission after each decision of the robot.
 RunReport drive(const Scenario& scenario, const PlannerChoice& choice,
                 const std::function<void(const Mission&)>& watch = {});
+/// As above; nothing if it was stopped.
+std::optional<RunReport> drive_until(const std::stop_token& stop, const Scenario& scenario,
+                                     const PlannerChoice& choice);
 
 /// Why a run did not succeed, as a sentence; empty if it did.
 std::string explanation(const RunReport& report);

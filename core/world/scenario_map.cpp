@@ -36,22 +36,6 @@ Json height_reading_json(const HeightReading& reading) {
   return json;
 }
 
-/// How a map file is to be read.
-MapReading read_reading(const JsonNode& node, bool inline_map) {
-  MapReading reading;
-  const auto threshold = node.find("threshold"), invert = node.find("invert"), unknown = node.find("unknown"),
-             occupied = node.find("occupied");
-  const auto heights = node.find("heights");
-  for (const auto& option : {threshold, invert, unknown, occupied, heights})
-    if (inline_map && option) option->fail("goes with 'file'");
-  if (heights) reading.heights = read_height_reading(*heights);
-  if (threshold) reading.image.threshold = static_cast<int>(threshold->whole(1, 255));
-  if (invert) reading.image.invert = invert->toggle();
-  if (unknown) reading.unknown = static_cast<UnknownCells>(unknown->one_of({"blocked", "free", "unmapped"}));
-  if (occupied) reading.occupied = occupied->number(-kMaxOccupied, kMaxOccupied);
-  return reading;
-}
-
 void read_origin(const JsonNode& node, GridMap& map) {
   const auto parts = node.items(3, 3, "a pose [x, y, yaw]");
   for (std::size_t i = 0; i < parts.size(); ++i) map.origin[i] = parts[i].number(-kMaxOrigin, kMaxOrigin);
@@ -190,7 +174,9 @@ void read_map_of(const JsonNode& node, const std::string& folder, Scenario& scen
   if (size) read_listed(*size, *obstacles, map);
   if (!file && resolution) map.resolution = resolution->number(kMinResolution, kMaxResolution);
   if (!file && origin) read_origin(*origin, map);
-  const MapReading reading = read_reading(node, !file);
+  for (const char* option : {"threshold", "invert", "unknown", "occupied", "heights"})
+    if (const auto given = node.find(option); given && !file) given->fail("goes with 'file'");
+  const MapReading reading = read_map_reading(node);
   if (!file) return;
   if (resolution) return resolution->fail("is for a map that is held here; a map file has its own");
   if (origin) return origin->fail("is for a map that is held here; a map file has its own");
@@ -198,18 +184,34 @@ void read_map_of(const JsonNode& node, const std::string& folder, Scenario& scen
   read_file_of(*file, folder, scenario);
 }
 
+MapReading read_map_reading(const JsonNode& node) {
+  MapReading reading;
+  if (const auto heights = node.find("heights")) reading.heights = read_height_reading(*heights);
+  if (const auto threshold = node.find("threshold"))
+    reading.image.threshold = static_cast<int>(threshold->whole(1, 255));
+  if (const auto invert = node.find("invert")) reading.image.invert = invert->toggle();
+  if (const auto unknown = node.find("unknown"))
+    reading.unknown = static_cast<UnknownCells>(unknown->one_of({"blocked", "free", "unmapped"}));
+  if (const auto occupied = node.find("occupied"))
+    reading.occupied = occupied->number(-kMaxOccupied, kMaxOccupied);
+  return reading;
+}
+
+void add_map_reading(Json& map, const MapReading& reading) {
+  constexpr const char* kUnknown[] = {"blocked", "free", "unmapped"};
+  if (reading.image.threshold != ImageMapOptions{}.threshold) map["threshold"] = reading.image.threshold;
+  if (reading.image.invert) map["invert"] = true;
+  if (reading.unknown != UnknownCells::blocked)
+    map["unknown"] = kUnknown[static_cast<std::size_t>(reading.unknown)];
+  if (reading.occupied) map["occupied"] = plain_number(*reading.occupied);
+  if (reading.heights) map["heights"] = height_reading_json(*reading.heights);
+}
+
 Json map_json(const Scenario& scenario) {
   Json map = Json::object();
   if (!scenario.map_file.empty()) {
-    const MapReading& reading = scenario.map_reading;
-    constexpr const char* kUnknown[] = {"blocked", "free", "unmapped"};
     map["file"] = scenario.map_file;
-    if (reading.image.threshold != ImageMapOptions{}.threshold) map["threshold"] = reading.image.threshold;
-    if (reading.image.invert) map["invert"] = true;
-    if (reading.unknown != UnknownCells::blocked)
-      map["unknown"] = kUnknown[static_cast<std::size_t>(reading.unknown)];
-    if (reading.occupied) map["occupied"] = plain_number(*reading.occupied);
-    if (reading.heights) map["heights"] = height_reading_json(*reading.heights);
+    add_map_reading(map, scenario.map_reading);
     return map;
   }
   if (auto listed = few_boxes(scenario.map)) {

@@ -13,6 +13,11 @@ namespace replan {
 /// after one the map may have no cells.
 void read_map_of(const JsonNode& node, const std::string& folder, Scenario& scenario);
 
+/// Reads how a map file is to be read: the keys "threshold", "invert", "unknown", "occupied" and "heights".
+MapReading read_map_reading(const JsonNode& node);
+/// Adds what of it differs from the default.
+void add_map_reading(Json& map, const MapReading& reading);
+
 /// What read_map_of() reads back.
 Json map_json(const Scenario& scenario);
 

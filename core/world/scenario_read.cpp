@@ -1,7 +1,6 @@
 #include "core/base/file.hpp"
-#include "core/base/words.hpp"
 #include "core/debug/condition.hpp"
-#include "core/plan/stage.hpp"
+#include "core/world/choice_json.hpp"
 #include "core/world/choices.hpp"
 #include "core/world/formats/movingai.hpp"
 #include "core/world/formats/text_lines.hpp"
@@ -18,10 +17,9 @@ namespace {
 
 constexpr std::int64_t kMaxScenarioBytes = std::int64_t{1} << 28;
 constexpr std::size_t kMaxSurprises = std::size_t{1} << 22;
-constexpr std::size_t kMaxPlanners = 16, kMaxStages = 8;
+constexpr std::size_t kMaxPlanners = 16;
 constexpr std::int64_t kMaxCount = 1'000'000'000'000;  // steps of the robot
 constexpr double kMaxReach = 10'000;                   // cells
-constexpr double kMaxPatience = 86'400;                // seconds
 constexpr std::size_t kMaxWay = 1000;                  // corners
 constexpr double kMaxCamera = 1e9;                     // cells
 constexpr double kMinZoom = 0.001, kMaxZoom = 10'000;  // pixels per cell
@@ -46,7 +44,7 @@ class ScenarioReader {
     if (const auto node = root_.require("planners"))
       for (const JsonNode& item : node->items(1, kMaxPlanners, "a list of 1 to 16 planners"))
         read_planner(item);
-    if (const auto node = root_.find("robot")) read_robot(*node);
+    if (const auto node = root_.find("robot")) read_robot_setup(*node, scenario_.map.box(), scenario_.robot);
     check_radius();
     if (const auto node = root_.find("surprises"))
       for (const JsonNode& item : node->items(0, kMaxSurprises, "a list")) read_surprise(item);
@@ -77,9 +75,7 @@ class ScenarioReader {
     if (const auto fit = fits(**info, scenario_.map.box(), 0); !fit) return id->fail(fit.error());
     if (const auto settings = node.find("settings"))
       read_settings(*settings, (*info)->parameters, choice.settings);
-    if (const auto stages = node.find("stages"))
-      for (const JsonNode& item : stages->items(0, kMaxStages, "a list of at most 8 stages"))
-        read_stage(item, choice.stages);
+    if (const auto stages = node.find("stages")) read_stages(*stages, choice.stages);
     scenario_.planners.push_back(std::move(choice));
   }
 
@@ -88,68 +84,6 @@ class ScenarioReader {
     for (const PlannerChoice& choice : scenario_.planners)
       if (const auto fit = fits(info_of(choice), scenario_.map.box(), scenario_.robot.radius); !fit)
         return root_.fail(fit.error());
-  }
-
-  static void read_stage(const JsonNode& node, std::vector<StageChoice>& stages) {
-    if (!node.expect_object({"id", "settings"})) return;
-    const auto id = node.require("id");
-    if (!id) return;
-    StageChoice choice{id->text(), {}};
-    const Result<const StageInfo*> info = require_stage(choice.id);
-    if (!info) return id->fail(info.error());
-    if (const auto settings = node.find("settings"))
-      read_settings(*settings, (*info)->parameters, choice.settings);
-    stages.push_back(std::move(choice));
-  }
-
-  static void read_settings(const JsonNode& node, std::span<const Parameter> parameters, Settings& settings) {
-    if (!node.value().is_object()) return node.fail("must be an object {...}, not " + node.shown());
-    for (auto item = node.value().begin(); item != node.value().end(); ++item) {
-      const JsonNode value = *node.find(item.key());
-      const Parameter* parameter = find_parameter(parameters, item.key());
-      const bool text = parameter != nullptr && parameter->type == ParameterType::choice;
-      const bool toggle = parameter != nullptr && parameter->type == ParameterType::toggle;
-      if (parameter != nullptr && (text != value.value().is_string() || toggle != value.value().is_boolean()))
-        return value.fail(text ? "must be a text in quotes, " + choices(*parameter) + ", not " + value.shown()
-                          : toggle ? "must be true or false, not " + value.shown()
-                                   : "must be a number from " + plain_number(parameter->low).dump() + " to " +
-                                         plain_number(parameter->high).dump() + ", not " + value.shown());
-      const std::string typed = value.value().is_string() ? value.text() : value.value().dump();
-      if (const auto set = set_from_text(settings, parameters, item.key(), typed); !set)
-        return value.fail(set.error());
-    }
-  }
-
-  static std::string choices(const Parameter& parameter) {
-    return "one of \"" + joined(parameter.choices, "\", \"") + "\"";
-  }
-
-  void read_robot(const JsonNode& node) {
-    if (!node.expect_object({"knowledge", "sensor_radius", "sensor_angle", "sensor_blocked", "radius",
-                             "motion", "speed", "patience", "unreachable_goal", "robot_cell_blocks", "kind",
-                             "settings"}))
-      return;
-    RobotSetup& robot = scenario_.robot;
-    if (const auto kind = node.find("kind")) {
-      robot.kind = kind->text();
-      if (const auto known = require_robot(robot.kind, scenario_.map.box()); !known)
-        return kind->fail(known.error());
-    }
-    if (const auto settings = node.find("settings"))
-      read_settings(*settings, find_robot(robot.kind)->parameters, robot.settings);
-    if (const auto item = node.find("knowledge"))
-      robot.knowledge = static_cast<Knowledge>(item->one_of({"all", "map", "nothing"}));
-    if (const auto item = node.find("sensor_radius")) robot.sensor_radius = item->number(0, kMaxReach);
-    if (const auto item = node.find("sensor_angle")) robot.sensor_angle = item->number(1, 360);
-    if (const auto item = node.find("sensor_blocked")) robot.sensor_blocked = item->toggle();
-    if (const auto item = node.find("radius")) robot.radius = item->number(0, MoveRules::kMostRadius);
-    if (const auto item = node.find("motion"))
-      robot.motion = static_cast<Motion>(item->one_of({"steps", "smooth"}));
-    if (const auto item = node.find("speed")) robot.speed = item->number(kMinSpeed, kMaxSpeed);
-    if (const auto item = node.find("patience")) robot.patience = item->number(0, kMaxPatience);
-    if (const auto item = node.find("unreachable_goal"))
-      robot.unreachable_goal = static_cast<UnreachableGoal>(item->one_of({"wait", "nearest"}));
-    if (const auto item = node.find("robot_cell_blocks")) robot.robot_cell_blocks = item->toggle();
   }
 
   void read_mover(const JsonNode& node) {

@@ -1,7 +1,5 @@
 #include "core/base/file.hpp"
-#include "core/base/words.hpp"
-#include "core/plan/stage.hpp"
-#include "core/world/choices.hpp"
+#include "core/world/choice_json.hpp"
 #include "core/world/json_reader.hpp"
 #include "core/world/place_writer.hpp"
 #include "core/world/scenario.hpp"
@@ -9,38 +7,6 @@
 
 namespace replan {
 namespace {
-
-/// Puts the settings that are set under "settings"; none, and there is no such key.
-void add_settings(Json& owner, const Settings& settings, std::span<const Parameter> parameters) {
-  for (const auto& [key, value] : settings.values()) {
-    const Parameter* parameter = find_parameter(parameters, key);
-    const ParameterType type = parameter == nullptr ? ParameterType::real : parameter->type;
-    Json& setting = owner["settings"][key];
-    if (type == ParameterType::choice)
-      setting = format_value(*parameter, value);
-    else if (type == ParameterType::toggle)
-      setting = value != 0;
-    else
-      setting = plain_number(value);
-  }
-}
-
-/// What a registry has declared for an id; nothing for one that it does not know.
-template <class Info>
-std::span<const Parameter> parameters_of(const Info* info) {
-  return info == nullptr ? std::span<const Parameter>() : info->parameters;
-}
-
-Json planner_json(const PlannerChoice& choice) {
-  Json planner = {{"id", choice.id}};
-  add_settings(planner, choice.settings, parameters_of(find_choice(choice.id)));
-  for (const StageChoice& stage : choice.stages) {
-    Json one = {{"id", stage.id}};
-    add_settings(one, stage.settings, parameters_of(find_stage(stage.id)));
-    planner["stages"].push_back(std::move(one));
-  }
-  return planner;
-}
 
 Json surprise_json(const PlaceWriter& places, const Surprise& surprise) {
   Json at = Json::object();
@@ -72,24 +38,6 @@ Json mover_json(const PlaceWriter& places, const MovingObstacle& mover) {
   result["speed"] = plain_number(mover.speed);
   result["at_end"] = kAtEnd[static_cast<std::size_t>(mover.at_end)];
   if (mover.from != 0) result["from"] = mover.from;
-  return result;
-}
-
-Json robot_json(const RobotSetup& robot) {
-  constexpr const char* kKnowledge[] = {"all", "map", "nothing"};
-  Json result = {{"knowledge", kKnowledge[static_cast<std::size_t>(robot.knowledge)]},
-                 {"sensor_radius", plain_number(robot.sensor_radius)},
-                 {"sensor_blocked", robot.sensor_blocked}};
-  const RobotSetup usual;
-  if (robot.sensor_angle != usual.sensor_angle) result["sensor_angle"] = plain_number(robot.sensor_angle);
-  if (robot.radius != usual.radius) result["radius"] = plain_number(robot.radius);
-  if (robot.motion != usual.motion) result["motion"] = robot.motion == Motion::smooth ? "smooth" : "steps";
-  if (robot.speed != usual.speed) result["speed"] = plain_number(robot.speed);
-  if (robot.patience != usual.patience) result["patience"] = plain_number(robot.patience);
-  if (robot.unreachable_goal != usual.unreachable_goal) result["unreachable_goal"] = "nearest";
-  if (robot.robot_cell_blocks) result["robot_cell_blocks"] = true;
-  if (robot.kind != usual.kind) result["kind"] = robot.kind;
-  add_settings(result, robot.settings, parameters_of(find_robot(robot.kind)));
   return result;
 }
 

@@ -11,8 +11,8 @@
 namespace replan::test::help_test {
 namespace {
 
-const std::vector<std::string> kCommands = {"run",    "batch",   "anytime", "barn", "study",
-                                            "render", "convert", "show",    "list"};
+const std::vector<std::string> kCommands = {"run",   "batch",  "merge",   "compare", "anytime", "barn",
+                                            "study", "render", "convert", "show",    "list"};
 
 /// The options of a help text: the words that begin with "-" in its first column.
 std::set<std::string> options_in(const std::string& help) {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include "core/study/batch.hpp"
+#include "core/experiment/batch_report.hpp"
 #include "core/world/formats/voxel_map.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -49,7 +49,7 @@ TEST(LargeVoxels, AreReadAndSolvedWithinTheMemoryOfADesktop) {
   scen.problems = {{.start = kStart, .goal = kGoal, .printed = length, .printed_ratio = "1"}};
   const auto read = parse_voxel_scen(scen_text(scen), "large.3dscen");
   ASSERT_TRUE(read.ok()) << read.error();
-  const BatchReport report = run_batch(*map, read->lengths, read->problems, {"astar", {}});
+  const BatchReport report = solve_problems(*map, read->lengths, read->problems, {"astar", {}});
   rusage used{};
   ::getrusage(RUSAGE_SELF, &used);
   std::printf("%lld expansions, %.0f ms, %.2f GiB\n", static_cast<long long>(report.expansions),

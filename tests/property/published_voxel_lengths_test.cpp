@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/study/batch.hpp"
+#include "core/experiment/batch_report.hpp"
 #include "core/world/formats/voxel_map.hpp"
 #include "tests/support/shared_data.hpp"
 
@@ -19,7 +19,7 @@ void expect_listed_lengths(const std::string& name, std::size_t limit, const cha
   ASSERT_TRUE(scen.ok()) << scen.error();
   ASSERT_TRUE(lengths_apply({planner, {}}));
   const auto problems = even_sample(scen->problems, limit);
-  const BatchReport report = run_batch(*map, scen->lengths, problems, {planner, {}});
+  const BatchReport report = solve_problems(*map, scen->lengths, problems, {planner, {}});
   std::printf("%s, %s: %lld of %zu problems solved, %lld with another length, %lld expansions, %.0f ms\n",
               name.c_str(), planner, static_cast<long long>(report.found), problems.size(),
               static_cast<long long>(report.mismatches), static_cast<long long>(report.expansions),

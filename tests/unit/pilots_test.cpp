@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/session/session.hpp"
-#include "core/study/batch.hpp"
+#include "core/experiment/batch_report.hpp"
 #include "core/study/run_report.hpp"
 #include "core/world/choices.hpp"
 
@@ -325,11 +325,11 @@ ScenProblem problem(Cell start, Cell goal, double length) {
 TEST(Pilots, DriveTheProblemsOfABatch) {
   const Scenario cup = facing_cup();
   const std::vector<ScenProblem> problems = {problem({2, 7}, {21, 7}, 25.0), problem({2, 2}, {21, 2}, 19)};
-  const BatchReport fusion = run_batch(cup.map, {}, problems, {"fusion", {}});
+  const BatchReport fusion = solve_problems(cup.map, {}, problems, {"fusion", {}});
   EXPECT_EQ(fusion.found, 2);
   EXPECT_FALSE(fusion.comparable);
   EXPECT_GT(fusion.mean_ratio, 0.9);
-  const BatchReport dwa = run_batch(cup.map, {}, problems, {"dwa", {}});
+  const BatchReport dwa = solve_problems(cup.map, {}, problems, {"dwa", {}});
   EXPECT_EQ(dwa.found, 1) << "the cup holds it";
   EXPECT_EQ(dwa.unsolved(), 1);
 }
