@@ -17,7 +17,7 @@ build_packages=(
 # What the tests and benchmarks need on top.
 test_packages=(libgtest-dev libbenchmark-dev xvfb xauth xdotool)
 # What only ./test --all and ./test --fuzz need on top.
-long_packages=(clang libclang-rt-dev)
+long_packages=(clang libclang-rt-dev slurm-wlm munge)
 
 # Prints those of the given packages that are not installed, one a line.
 missing_packages() {
