@@ -57,19 +57,25 @@ TEST_F(SamplesTest, TheVertexLeadsToWhereItCameAndCanBeStoppedAt) {
   const std::uint32_t vertex = nearest_vertex(state, place_in(Cell{30, 15}), false);
   ASSERT_NE(vertex, kNoNode);
   const std::string number = "(" + std::to_string(vertex) + ")";
-  std::set<std::string> conditions, watched;
-  for (const float x : {60.0f, 240.0f}) {
-    for (const AddBreakpoint& each : sweep<AddBreakpoint>(x, 12)) conditions.insert(each.condition);
-    for (const AddWatch& each : sweep<AddWatch>(x, 12)) watched.insert(each.expression);
-  }
-  EXPECT_EQ(conditions, std::set<std::string>{"rewired" + number});
-  EXPECT_EQ(watched, std::set<std::string>{"vertex_cost" + number});
-  for (const std::string& each : conditions) EXPECT_EQ(language_error(*session_, each, false), "");
-  for (const std::string& each : watched) EXPECT_EQ(language_error(*session_, each, true), "");
   const auto birth = birth_of(run().log_view(), vertex);
   ASSERT_TRUE(birth.has_value());
+  std::set<std::string> conditions, watched;
   bool leads_to_birth = false;
-  for (const Seek& each : sweep<Seek>(130, 6)) leads_to_birth |= each.position == birth->event + 1;
+  for (const float x : {60.0f, 130.0f, 240.0f})
+    for (float y = 20; y < 760; y += 9) {
+      commands_.clear();
+      click(x, y);
+      for (const Command& command : commands_) {
+        if (const auto* stop = std::get_if<AddBreakpoint>(&command)) conditions.insert(stop->condition);
+        if (const auto* watch = std::get_if<AddWatch>(&command)) watched.insert(watch->expression);
+        const auto* seek = std::get_if<Seek>(&command);
+        leads_to_birth |= seek != nullptr && seek->position == birth->event + 1;
+      }
+    }
+  EXPECT_EQ(conditions, std::set<std::string>{"rewired" + number});
+  EXPECT_EQ(watched, std::set<std::string>{"vertex_cost" + number});
+  EXPECT_EQ(language_error(*session_, "rewired" + number, false), "");
+  EXPECT_EQ(language_error(*session_, "vertex_cost" + number, true), "");
   EXPECT_TRUE(leads_to_birth);
 }
 

@@ -87,7 +87,8 @@ TEST(Kept, WhatIsCutOffIsToldAsItWas) {
   const auto run = finished("rrt-star");
   const auto [begin, end] = first_replan(*run);
   const SearchState before = run->timeline().state_at(begin);
-  for (const Lost& lost : kept_of(*run).lost_before(end)) {
+  const KeptInReplan kept = kept_of(*run);
+  for (const Lost& lost : kept.lost_before(end)) {
     EXPECT_EQ(lost.hung_on, vertex_parent(before, lost.number));
     EXPECT_EQ(lost.cost, vertex_cost(before, lost.number));
     if (lost.hung_on == kNoNode) continue;

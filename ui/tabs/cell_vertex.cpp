@@ -41,16 +41,18 @@ struct VertexView {
   [[nodiscard]] std::uint32_t parent() const { return vertex_parent(cell.state, number); }
 };
 
-std::string place_text(const VertexView& vertex) {
+std::string place_text(const Frame& frame, const VertexView& vertex) {
   const Point at = point_of(vertex.place());
+  if (const auto metres = shown_frame(frame.view, frame.session.scenario().map))
+    return metres_text(metres->to_metres(at), vertex.cell.run.lattice().solid());
   std::string words = "(" + decimal_text(at.x, 2) + ", " + decimal_text(at.y, 2);
   if (vertex.cell.run.lattice().solid()) words += ", " + decimal_text(at.z, 2);
   return words + ")";
 }
 
-void vertex_values(const Look& look, const VertexView& vertex) {
+void vertex_values(const Frame& frame, const VertexView& vertex) {
   const std::uint32_t parent = vertex.parent();
-  const std::string number = grouped(std::int64_t{vertex.number}), at = place_text(vertex),
+  const std::string number = grouped(std::int64_t{vertex.number}), at = place_text(frame, vertex),
                     cost = vertex.lengths.text(vertex.cost()),
                     hangs = parent == kNoNode ? "nothing: a root" : grouped(std::int64_t{parent}),
                     edge = parent == kNoNode
@@ -58,7 +60,7 @@ void vertex_values(const Look& look, const VertexView& vertex) {
                                : vertex.lengths.text(length_between(vertex.place(), vertex.place_of(parent)));
   std::vector<KeyValue> pairs = {{"vertex", number}, {"at", at}, {"cost", cost}, {"hangs on", hangs}};
   if (parent != kNoNode) pairs.push_back({"edge", edge});
-  key_values(look, pairs, 1);
+  key_values(frame.look, pairs, 1);
 }
 
 /// To stop where it is rewired, and to follow its cost.
@@ -254,7 +256,7 @@ void draw_vertex(Frame& frame, const CellView& view, CellPast& past) {
   if (number == kNoNode) return no_vertex(look);
   section_title(look, "The vertex nearest to it");
   const VertexView vertex{view, number, shown_lengths(frame.view, frame.session.scenario().map)};
-  vertex_values(look, vertex);
+  vertex_values(frame, vertex);
   vertex_buttons(frame, number);
   section_rule(look);
   why_it_hangs(frame, vertex);
