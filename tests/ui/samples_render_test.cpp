@@ -33,6 +33,16 @@ PlannerChoice planner(const char* id, const char* setting, double value) {
   return choice;
 }
 
+/// A population between two walls, each with a gap.
+RenderRequest window_of_population(const std::string& theme) {
+  RenderRequest request = window_of({planner("improved-ga", "generations", 20)}, theme);
+  for (int y = 0; y < 30; ++y) {
+    request.scenario.map.set({12, y}, y < 20 || y > 24);
+    request.scenario.map.set({26, y}, y < 5 || y > 9);
+  }
+  return request;
+}
+
 class SamplesRenderGolden : public testing::TestWithParam<const char*> {};
 
 TEST_P(SamplesRenderGolden, WhyAVertexHangsWhereItDoes) {
@@ -57,15 +67,15 @@ TEST_P(SamplesRenderGolden, GainsOfTwoPlanners) {
 }
 
 TEST_P(SamplesRenderGolden, TheChildInHandAndPathsOverACell) {
-  RenderRequest request = window_of({planner("improved-ga", "generations", 20)}, GetParam());
-  request.pinned = Cell{20, 15};
+  RenderRequest request = window_of_population(GetParam());
+  request.pinned = Cell{13, 20};
   request.at = std::size_t{20'000};
   request.actions = {"show_cell"};
   compare_with_golden(request, std::string("population_cell_") + GetParam());
 }
 
 TEST_P(SamplesRenderGolden, CostOverGenerations) {
-  RenderRequest request = window_of({planner("improved-ga", "generations", 20)}, GetParam());
+  RenderRequest request = window_of_population(GetParam());
   request.at = "replan:1";
   request.actions = {"show_figures"};
   compare_with_golden(request, std::string("population_fitness_") + GetParam());
