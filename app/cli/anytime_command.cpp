@@ -33,6 +33,16 @@ Result<double> most_milliseconds(const AnytimeArguments& arguments) {
   return Error{"--time cannot be '" + arguments.seconds + "': give seconds, more than 0"};
 }
 
+/// What would change nothing is refused rather than ignored.
+Result<void> check_options(const WorldArguments& world) {
+  if (!world.planners.stages.empty())
+    return Error{
+        "--stage changes nothing here, where paths are measured as the planner finds them: leave it out"};
+  if (!world.unreachable_goal.empty())
+    return Error{"--unreachable-goal changes nothing here, where no robot drives: leave it out"};
+  return {};
+}
+
 /// What has nothing to better has no curve.
 Result<void> check_planners(std::span<const PlannerChoice> planners) {
   for (const PlannerChoice& choice : planners) {
@@ -154,6 +164,7 @@ std::string table_of(std::span<const AnytimeRun> runs, std::span<const std::opti
 }
 
 Result<int> anytime(const AnytimeArguments& arguments) {
+  if (const auto good = check_options(arguments.world); !good) return Error{good.error()};
   const auto world = arguments.world.load();
   if (!world) return Error{world.error()};
   if (const auto good = check_nobody_drives(arguments.world); !good) return Error{good.error()};

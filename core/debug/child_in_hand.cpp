@@ -50,6 +50,19 @@ void read_event(const Event& event, ChildInHand& hand) {
   }
 }
 
+/// While a child is bred the population stays as it is: a path that leaves it for the child is there still, as the room of
+/// the next one.
+void rank_parents(const SearchState& state, ChildInHand& hand) {
+  const std::vector<std::uint32_t> ranks = paths_by_fitness(state, hand.number);
+  const auto rank_of = [&ranks](std::uint32_t path) {
+    return static_cast<std::size_t>(std::find(ranks.begin(), ranks.end(), path) - ranks.begin()) + 1;
+  };
+  for (ChildInHand::Parent* parent : {&hand.mother, &hand.father}) {
+    for (ChildInHand::Drawn& drawn : parent->drawn) drawn.rank = rank_of(drawn.path);
+    if (parent->chosen != kNoNode) parent->rank = rank_of(parent->chosen);
+  }
+}
+
 /// What the events from a `pop` on tell, up to `end`; `state` is that at `end`.
 ChildInHand read_child(const Timeline& log, std::size_t pop, std::size_t end, const SearchState& state) {
   ChildInHand hand;
@@ -64,6 +77,7 @@ ChildInHand read_child(const Timeline& log, std::size_t pop, std::size_t end, co
     hand.number = static_cast<std::uint32_t>(state.scalar(Scalar::child) ^ event.delta) - 1u;
   }
   read_parents(state, hand);
+  rank_parents(state, hand);
   if (line >= kCrossedLine) {
     read_crossing(state, hand);
     hand.path = bred_path(state, hand.number);

@@ -16,6 +16,7 @@ struct ChildInHand {
   struct Drawn {
     std::uint32_t path = 0;
     Cost cost;
+    std::size_t rank = 0;  ///< among the paths of the population by their fitness; 1: the fittest
   };
   /// A free neighbour that could take the changed cell's place, and the child with it.
   struct Tried {
@@ -27,6 +28,7 @@ struct ChildInHand {
     std::vector<Drawn> drawn;
     std::uint32_t chosen = kNoNode;  ///< kNoNode: not yet
     BredPath path;                   ///< of the chosen one
+    std::size_t rank = 0;            ///< of the chosen one, as above
   };
 
   std::uint32_t number = kNoNode;  ///< among the paths

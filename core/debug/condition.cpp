@@ -107,7 +107,7 @@ std::vector<Term> values_read(const Condition& condition) {
 }
 
 bool is_value(Op op) {
-  return op >= Op::g && op <= Op::vertices;
+  return op >= Op::g && op <= Op::generation;
 }
 
 bool is_of_vertex(Op op) {

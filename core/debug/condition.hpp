@@ -65,6 +65,7 @@ enum class Op : std::uint8_t {
   score,
   best,
   vertices,
+  generation,
   line,
   // About the latest event
   on_line,

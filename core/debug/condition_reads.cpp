@@ -71,6 +71,8 @@ std::optional<Scalar> scalar_of(Op op) {
       return Scalar::best;
     case Op::vertices:
       return Scalar::vertices;
+    case Op::generation:
+      return Scalar::generation;
     default:
       return std::nullopt;
   }

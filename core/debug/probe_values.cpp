@@ -134,6 +134,7 @@ Probe::Number Probe::number(const Term& term) {
     case Op::moves:
     case Op::replans:
     case Op::vertices:
+    case Op::generation:
       return count(raw(EventKind::scalar, static_cast<NodeId>(*scalar_of(term.op))));
     case Op::admissible: {
       const std::uint64_t held = raw(EventKind::scalar, static_cast<NodeId>(Scalar::admissible));

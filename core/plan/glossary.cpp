@@ -297,6 +297,93 @@ constexpr GlossaryTerm kTerms[] = {
      "out of it. A "
      "robot that an obstacle comes too near to drives out, and never nearer to obstacles on the way."},
     {"arrival", "Arrival", "The robot stands on the goal."},
+    // Planners that sample
+    {"sample", "Sample",
+     "A place of the world that is drawn by chance, and that the tree is grown towards. A planner that "
+     "samples is at "
+     "work sample by sample, as a search is expansion by expansion."},
+    {"goal-bias", "Goal bias",
+     "How often the goal itself is taken for the sample, as long as there is no path: with 0.05 one time in "
+     "twenty."},
+    {"tree", "Tree of samples",
+     "Places that were reached, its vertices, each hung on another one by a straight way that is free. From "
+     "every "
+     "vertex one way leads back to the root, where the robot is."},
+    {"tree-vertex", "Vertex of a tree",
+     "A place that the tree has reached. Its cost is the length of its way to the root; the number tells "
+     "when it came."},
+    {"steer", "Steer",
+     "From the vertex nearest to the sample straight towards it, and no farther than a step: there the new "
+     "vertex comes "
+     "to lie."},
+    {"ball", "Ball",
+     "The vertices no farther than so much from the new place: RRT* looks among them for the parent with the "
+     "shortest "
+     "way, and for vertices that it can rewire."},
+    {"candidate", "Candidate",
+     "A vertex that the new one could hang on. Its sum is the way to it and the edge from there; of those "
+     "whose edge is "
+     "free the least sum wins."},
+    {"rewired", "Rewired",
+     "Hung on another vertex, over which the way to the root is shorter. All that hangs on it becomes nearer "
+     "by as "
+     "much."},
+    {"ellipse", "Ellipse, the informed set",
+     "The places over which a path shorter than the best one could lead: those whose distances to the start "
+     "and to the "
+     "goal together are less than c_best. In space it is an ellipsoid."},
+    {"c_best", "c_best",
+     "The length of the best path so far. Informed planners draw samples from the ellipse that it spans, "
+     "which shrinks "
+     "with it."},
+    {"c_min", "c_min",
+     "The distance from the start to the goal, as the crow flies. No path is shorter; the nearer c_best "
+     "comes to it, the "
+     "narrower the ellipse."},
+    {"cut-off", "Cut off",
+     "No longer in the tree: the edge to it hits an obstacle that the robot has learnt of, or it hung on a "
+     "vertex that "
+     "was cut off."},
+    {"anytime", "Anytime",
+     "Of a planner that has a path early and betters it as long as it is let: it may be stopped at any time "
+     "after the "
+     "first path, and the longer it runs, the better that is."},
+    // Planners that evolve
+    {"population", "Population",
+     "The paths that a genetic algorithm keeps, always the same number of them. Each leads from the start to "
+     "the goal; "
+     "some of them may hit obstacles."},
+    {"chromosome", "Chromosome",
+     "A path as the genetic algorithm sees it: the row of cells at which it turns, start and goal included. "
+     "Each of the "
+     "cells is a gene."},
+    {"child", "Child",
+     "A path that is made of two others by crossover and mutation. If it is fitter than the least fit path, "
+     "and not in "
+     "the population yet, it takes that one's place."},
+    {"generation", "Generation",
+     "As many children as the population has paths. The work of a genetic algorithm is counted by "
+     "generations."},
+    {"fitness", "Fitness",
+     "1 / cost, where the cost of a path is its length and a penalty for each straight way that hits an "
+     "obstacle. A path "
+     "that hits nothing is fitter than any that does."},
+    {"selection", "Selection by tournament",
+     "How parents are chosen: some paths are drawn by chance, and the fittest of them becomes the mother, or "
+     "the "
+     "father."},
+    {"crossover", "Crossover",
+     "What makes a child of two paths: it has the mother's cells up to one, and the father's from there on. "
+     "The one is "
+     "a cell that both have, if there is any."},
+    {"mutation", "Mutation",
+     "A cell of the child is replaced by a free neighbour. The improved one tries all of them and takes that "
+     "with which "
+     "the whole path is fittest; a plain one takes any."},
+    {"elitism", "Elitism",
+     "The fittest path is never lost: a child can only take the place of a path that is less fit than "
+     "itself. So the "
+     "best cost never rises within a plan."},
     // Figures of a path
     {"nodes", "Nodes of a path",
      "The corners of the path's polyline, both ends counted. Fewer nodes, fewer manoeuvres."},
@@ -420,6 +507,12 @@ constexpr Alias kAliases[] = {
     {"first plan", "plan-ms"},
     {"path length", "length"},
     {"vertex", "cell"},
+    {"samples", "sample"},
+    {"sampled", "sample"},
+    {"hung on it", "rewired"},
+    {"informed set", "ellipse"},
+    {"children", "child"},
+    {"generations", "generation"},
 };
 
 /// Whether the text has the words in it, in capitals or not.

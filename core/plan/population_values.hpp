@@ -1,6 +1,7 @@
 // The values of a population of paths (core/planners/population.hpp), read out of a state of its log.
 #pragma once
 
+#include <algorithm>
 #include <compare>
 #include <vector>
 
@@ -56,6 +57,18 @@ inline BredPath bred_path(const SearchState& state, std::uint32_t path) {
     places.push_back(place);
   }
   return places;
+}
+/// All paths but one, the fittest first; of equally fit ones that with the smaller number.
+inline std::vector<std::uint32_t> paths_by_fitness(const SearchState& state, std::uint32_t but) {
+  std::vector<std::uint32_t> paths;
+  std::vector<Unfitness> unfitness;
+  for (std::uint32_t i = 0; i < path_count(state); ++i) {
+    unfitness.push_back({hits_something(bred_path(state, i)), path_cost(state, i)});
+    if (i != but) paths.push_back(i);
+  }
+  std::stable_sort(paths.begin(), paths.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return unfitness[a] < unfitness[b]; });
+  return paths;
 }
 /// The path that a scalar names; kNoNode if it names none.
 inline std::uint32_t path_named(const SearchState& state, Scalar which) {

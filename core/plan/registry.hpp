@@ -14,6 +14,7 @@
 #include "core/plan/parameters.hpp"
 #include "core/plan/planner.hpp"
 #include "core/plan/search_values.hpp"
+#include "core/plan/step_words.hpp"
 #include "core/trace/tracer.hpp"
 
 namespace replan {
@@ -27,6 +28,7 @@ struct PlannerInfo {
   std::vector<Parameter> parameters;
   SearchValues values = best_first_values();
   KeyRule key = key_rule<GPlusH>();  ///< of best_first_values()
+  StepWords step = kExpansionWords;  ///< what a round of its main loop is called
   bool exercise = false;             ///< broken on purpose, to learn finding it: not among "all" planners
   bool incremental = false;          ///< repairs its plan instead of starting afresh
   bool keeps_start = false;          ///< repairs only while its start stays, else starts afresh
@@ -36,7 +38,7 @@ struct PlannerInfo {
   bool from_goal = false;            ///< searches from the goal: g is the cost to go
   bool sight = false;                ///< asks for lines of sight
   bool sampling = false;             ///< grows out of random samples: it may find none where there is a path
-  bool evolving = false;  ///< breeds a population of paths: it may find none where there is one
+  bool evolving = false;             ///< breeds a population of paths: it may find none where there is one
   bool informed = false;  ///< draws samples, once it has a path, from where a shorter one could lead
   /// Why it plans for a robot without a size alone, and what to do about it; empty: it does not.
   std::string_view point_only;

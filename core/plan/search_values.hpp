@@ -63,6 +63,10 @@ struct SearchValues {
   [[nodiscard]] bool declares(EventKind kind) const { return find(kind) != nullptr; }
   /// Whether a node has a cost and a lookahead of it, which make it consistent or not.
   [[nodiscard]] bool lookahead() const { return declares(EventKind::rhs); }
+  /// Whether cells wait in an open list.
+  [[nodiscard]] bool lists() const { return declares(EventKind::queue); }
+  /// Whether its values keep laws that can be checked.
+  [[nodiscard]] bool lawful() const { return laws != "none"; }
   /// Whether it grows a tree of vertices: core/plan/tree_values.hpp.
   [[nodiscard]] bool grows() const {
     return std::any_of(vertex_fields.begin(), vertex_fields.end(),

@@ -49,6 +49,7 @@ inline PlannerInfo describe(ImprovedGaSwitches) {
                  .order = best_first_values().order,
                  .cost = {EventKind::scalar, Scalar::best},
                  .laws = "none"};
+  info.step = kChildWords;
   info.any_angle = info.sight = info.evolving = true;
   info.eight_neighbours = true;
   info.incremental = true;

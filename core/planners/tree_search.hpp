@@ -32,6 +32,7 @@ inline SearchValues tree_values() {
 inline PlannerInfo describe_tree() {
   PlannerInfo info;
   info.values = tree_values();
+  info.step = kSampleWords;
   info.any_angle = info.sight = info.sampling = true;
   info.eight_neighbours = true;
   info.incremental = true;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/deadline.hpp"
+#include "core/debug/kept.hpp"
 #include "core/debug/sample_in_hand.hpp"
 #include "core/scene/coverage.hpp"
 #include "core/scene/digest.hpp"
@@ -25,6 +26,11 @@ struct SceneMemory::Parts {
   FirstPath first_path;
   NearestVertex nearest_vertex;
   EdgeBins edges;
+  KeptInReplan kept;
+
+  /// What the latest replan before a position kept of a tree or a population; nullptr if there was no replan, or if the
+  /// planner keeps neither.
+  const KeptInReplan* kept_by_replan(const Run& run, std::size_t position);
 };
 
 /// Words about a cell that are put where they hide least, once all else is drawn.

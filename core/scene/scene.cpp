@@ -77,14 +77,27 @@ std::optional<std::size_t> SceneMemory::searching_since(const Run& run, std::siz
   return plan.begin;
 }
 
+const KeptInReplan* SceneMemory::Parts::kept_by_replan(const Run& run, std::size_t position) {
+  const SearchValues& values = run.info().values;
+  const std::size_t count = digest.plans_before(position);
+  if (count < 2 || (!values.grows() && !values.breeds())) return nullptr;
+  const PlanSpan& plan = digest.plans()[count - 1];
+  kept.follow(run.log_view(), run.log_id(), plan.begin, std::min(plan.end, run.timeline().size()));
+  return &kept;
+}
+
 RepairFigures SceneMemory::repair(const Run& run, std::size_t position) {
-  const RunDigest& digest = of(run).digest;
+  Parts& parts = of(run);
+  const RunDigest& digest = parts.digest;
   const std::size_t count = digest.plans_before(position);
   if (count < 2) return {};
   RepairFigures figures;
   figures.number = static_cast<std::int64_t>(count) - 1;
   const PlanSpan& plan = digest.plans()[count - 1];
   figures.touched = static_cast<std::int64_t>(digest.touches_before(plan, position).size());
+  if (const KeptInReplan* kept = parts.kept_by_replan(run, position))
+    figures.kept = kept->counts_before(position);
+  figures.steps = digest.expansions(run, std::min(position, plan.end)) - digest.expansions(run, plan.begin);
   figures.cause = plan.cause;
   const Decision *before = run.decision_at(plan.begin), *after = run.decision_at(position);
   if (before != nullptr) figures.clock = before->clock;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/point.hpp"
+#include "core/debug/kept.hpp"
 #include "core/scene/digest.hpp"
 #include "core/scene/palette.hpp"
 #include "core/scene/view.hpp"
@@ -155,8 +156,10 @@ struct RepairFigures {
   std::int64_t number = 0;   ///< 0: there was none
   std::int64_t touched = 0;  ///< vertices whose g or rhs changed or that were expanded
   ReplanCause cause;
-  std::int64_t clock = 0;    ///< the robot's step at which it happened
-  std::optional<double> ms;  ///< taking in the change and the search; nothing while it goes on
+  std::int64_t clock = 0;          ///< the robot's step at which it happened
+  std::optional<double> ms;        ///< taking in the change and the search; nothing while it goes on
+  std::optional<KeptCounts> kept;  ///< of a tree or a population, where the planner keeps one
+  std::int64_t steps = 0;          ///< of the planner's main loop, since it began
 };
 
 /// What was read out of a run's log before and can be used again. A scene does not depend on it, only its

@@ -9,6 +9,7 @@
 
 #include "core/base/cell.hpp"
 #include "core/base/result.hpp"
+#include "core/debug/length_unit.hpp"
 #include "core/drive/motion.hpp"
 #include "core/lattice/seen_box.hpp"
 #include "core/scene/pixel_box.hpp"
@@ -102,6 +103,7 @@ struct View {
   std::optional<std::size_t> selected_surprise;
   std::optional<PixelBox> taken;  ///< by something that stands over the view: words keep clear of it
   double scale = 1;               ///< device pixels per design pixel
+  LengthUnit lengths;             ///< in which costs of trees and populations are told
 };
 
 }  // namespace replan

@@ -32,7 +32,8 @@ constexpr FigureInfo kFigures[] = {
     {"mean_edge_clearance", first_plan, "mean clearance of the edge", "cells", higher, 3, false,
      "The mean of that over the whole path."},
     {"last_expansions", latest_plan, "expansions", "", lower, 0, false,
-     "Cells that the latest plan or replan took from the open list and settled or raised."},
+     "Cells that the latest plan or replan took from the open list and settled or raised; samples that it "
+     "drew, or children that it bred, where the planner does so."},
     {"last_queue_operations", latest_plan, "queue operations", "", lower, 0, false,
      "Inserts, removals, changes of key and pops."},
     {"last_sight_checks", latest_plan, "sight checks", "", neither, 0, false,

@@ -57,6 +57,12 @@ TEST_F(AnytimeCommand, theClockEndsAPlan) {
   EXPECT_TRUE(outcome.out.ends_with(",time\n")) << outcome.out;
 }
 
+TEST_F(AnytimeCommand, refusesWhatWouldChangeNothing) {
+  expect_complaint({"anytime", scenario_, "--stage", "bspline"}, "--stage changes nothing here");
+  expect_complaint({"anytime", scenario_, "--unreachable-goal", "nearest"},
+                   "--unreachable-goal changes nothing here");
+}
+
 TEST_F(AnytimeCommand, saysWhatIsWrong) {
   expect_complaint({"anytime", scenario_, "--planner", "astar"}, "'astar' has no path before its end");
   expect_complaint({"anytime", scenario_, "--seeds", "0"}, "--seeds cannot be '0'");

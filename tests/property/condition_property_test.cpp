@@ -39,7 +39,7 @@ struct Writer {
     if (random.chance(0.3))
       return pick({"vertex_x", "vertex_cost", "vertex_parent", "vertex_side"}) + vertex();
     return pick({"km", "size(U)", "moves", "replans", "expansions", "admissible", "score(winner)", "best",
-                 "vertices"});
+                 "vertices", "generation"});
   }
   std::string vertex() { return "(" + std::to_string(random.below(6)) + ")"; }
   std::string value_cell() {
@@ -376,6 +376,8 @@ class Plain {
                    : Cost{static_cast<std::int64_t>(state.scalar(Scalar::best))}.to_double();
       case Op::vertices:
         return static_cast<double>(state.scalar(Scalar::vertices));
+      case Op::generation:
+        return static_cast<double>(state.scalar(Scalar::generation));
       case Op::admissible: {
         const std::uint64_t held = state.scalar(Scalar::admissible);
         return held == 0 ? HUGE_VAL : static_cast<double>(held - 1);

@@ -127,6 +127,49 @@ TEST(PopulationDebug, SaysWhyStepByStep) {
   EXPECT_FALSE(child_in_hand(run->log_view()).has_value()) << "the plan stands";
 }
 
+/// A path keeps its rank while the child is bred, also where the child has taken another one's place by then.
+TEST(PopulationDebug, NamesParentsByTheirFitness) {
+  const auto run = finished();
+  Timeline& log = run->timeline();
+  int told = 0;
+  for (std::size_t n = 3; n < 300; n += 7) {
+    const SearchState before = log.state_at(after(*run, EventKind::pop, n));
+    const auto rank_of = [&](std::uint32_t path) {
+      const Unfitness own{hits_something(bred_path(before, path)), path_cost(before, path)};
+      std::size_t rank = 1;
+      for (const std::uint32_t other : members(before)) {
+        const Unfitness its{hits_something(bred_path(before, other)), path_cost(before, other)};
+        if (its < own || (its == own && other < path)) ++rank;
+      }
+      return rank;
+    };
+    log.seek(end_of_child(*run, n));
+    const auto hand = child_in_hand(run->log_view());
+    ASSERT_TRUE(hand.has_value());
+    for (const ChildInHand::Parent* parent : {&hand->mother, &hand->father}) {
+      EXPECT_EQ(parent->rank, rank_of(parent->chosen)) << "child " << n;
+      for (const ChildInHand::Drawn& drawn : parent->drawn) {
+        EXPECT_EQ(drawn.rank, rank_of(drawn.path));
+        EXPECT_GE(drawn.rank, parent->rank) << "the fittest of those that were drawn";
+      }
+    }
+    told += hand->leaves ? 1 : 0;
+  }
+  EXPECT_GT(told, 3);
+}
+
+TEST(PopulationDebug, CostsAreToldInMetresWhereLengthsAre) {
+  const auto run = finished();
+  run->timeline().seek(end_of_child(*run, 5));
+  const auto hand = child_in_hand(run->log_view());
+  ASSERT_TRUE(hand.has_value());
+  const std::string cells = child_words(run->log_view(), *hand)[0],
+                    metres = child_words(run->log_view(), *hand, {0.05})[0];
+  EXPECT_EQ(cells.find(" m"), cells.find(" mother")) << cells;
+  const double cost = hand->mother.drawn.front().cost.to_double();
+  EXPECT_NE(metres.find(decimal_text(cost * 0.05, 2) + " m"), std::string::npos) << metres;
+}
+
 TEST(PopulationDebug, APlainMutationIsSaidToBeByChance) {
   const auto run = finished(1);
   Timeline& log = run->timeline();

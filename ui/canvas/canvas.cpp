@@ -51,6 +51,7 @@ struct Canvas::Parts {
     Viewport viewport;
     ImU32 free = 0;
     FieldColours colours = FieldColours::viridis;
+    LengthUnit lengths;
     friend bool operator==(const SceneKey&, const SceneKey&) = default;
   };
 
@@ -161,7 +162,7 @@ void Canvas::Parts::prepare(const Look& look, const Session& session, const Run&
       session.revision(),  run.log_id(),           view.overlays, view.range,  view.camera,
       view.slice,          view.hovered,           view.pinned,   view.motion, view.pointed_motion,
       view.selected_mover, view.selected_surprise, view.taken,    view.scale,  viewport,
-      look.theme.free,     state.colours};
+      look.theme.free,     state.colours,          view.lengths};
   behind = key != now && may_wait;
   if (key == now || behind) return;
   scene = build_scene(run, view, viewport, scene_palette(look.theme, state.colours), memory);
@@ -407,6 +408,7 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
                           static_cast<int>(above), static_cast<int>(below)};
   if (viewport.width <= 0 || viewport.height <= 0) return;
   state.view.scale = static_cast<double>(look.px.scale);
+  state.view.lengths = shown_lengths(state, session.scenario().map);
   parts.turn_to(run, pane, state);
   parts.viewport = viewport;
   parts.scene.width = viewport.width;

@@ -39,11 +39,10 @@ std::string distinction(const Run& run) {
   return text;
 }
 
-/// How much a planner has done: it expands cells, draws samples, or breeds children.
+/// How much a planner has done, in steps of its own.
 std::string work_text(const Run& run, std::int64_t count) {
-  if (run.info().evolving) return count_text(count, "child", "children");
-  return run.info().sampling ? count_text(count, "sample", "samples")
-                             : count_text(count, "expansion", "expansions");
+  const StepWords& step = run.info().step;
+  return grouped(count) + " " + std::string(count == 1 ? step.one : step.many);
 }
 
 /// What stands beside the planner's name; where there is no room for all panes, how to come to the others.
@@ -207,7 +206,7 @@ ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, const 
   fold.see(repair.number, ImGui::GetTime());
   if (repair.number > 0) {
     const auto fresh = plans.of(run, static_cast<std::size_t>(repair.number), !state.live);
-    const ReplanReport report{repair, fresh, state.live, run.info().incremental};
+    const ReplanReport report{&run.info(), repair, fresh, state.live, run.info().incremental};
     const CardDrawn card = draw_card(look, scene, report, fold, {min, max}, drawn.title, below);
     drawn.card = card.answer;
     if (card.area.min.x > min.x + margin)

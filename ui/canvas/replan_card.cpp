@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ui/canvas/chips.hpp"
+#include "ui/canvas/kept_words.hpp"
 #include "ui/icons.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -36,10 +37,24 @@ struct Row {
   std::string what, repair, scratch;
 };
 
+/// What the repair kept and lost of a tree or a population, and how much it did after that.
+std::vector<Row> rows_of_kept(const ReplanReport& report) {
+  const KeptCounts& kept = *report.repair.kept;
+  const bool paths = report.info->values.breeds();
+  std::vector<Row> rows = {{paths ? "paths kept" : "vertices kept", grouped(kept.kept), ""}};
+  if (paths) rows.push_back({"joined to the robot", grouped(kept.joined), ""});
+  rows.push_back({paths ? "paths lost" : "vertices cut off", grouped(kept.lost), ""});
+  rows.push_back({std::string(report.info->step.many), grouped(report.repair.steps),
+                  report.fresh ? grouped(report.fresh->expansions) : "…"});
+  return rows;
+}
+
 std::vector<Row> rows_of(const ReplanReport& report) {
   const auto fresh = [&](const std::string& value) { return report.fresh ? value : std::string("…"); };
-  std::vector<Row> rows = {{"cells touched", grouped(report.repair.touched),
-                            fresh(report.fresh ? grouped(report.fresh->touched) : "")}};
+  std::vector<Row> rows = report.repair.kept
+                              ? rows_of_kept(report)
+                              : std::vector<Row>{{"cells touched", grouped(report.repair.touched),
+                                                  fresh(report.fresh ? grouped(report.fresh->touched) : "")}};
   // What takes less than a tenth of a millisecond is a matter of chance.
   const double longest = std::max(report.repair.ms.value_or(0), report.fresh ? report.fresh->ms : 0);
   if (report.times && longest >= 0.1)
@@ -50,7 +65,16 @@ std::vector<Row> rows_of(const ReplanReport& report) {
   return rows;
 }
 
+/// Of a tree or a population the forms differ by the replan's number alone.
+std::string brief_of_kept(const ReplanReport& report, CardForm form) {
+  const std::string kept = kept_brief(report.info->values, *report.repair.kept);
+  return form == CardForm::line || form == CardForm::touched
+             ? "replan " + grouped(report.repair.number) + " · " + kept
+             : kept;
+}
+
 std::string brief_text(const ReplanReport& report, CardForm form) {
+  if (report.repair.kept) return brief_of_kept(report, form);
   const std::string touched = grouped(report.repair.touched) + " touched",
                     named = "replan " + grouped(report.repair.number) + " · " + touched;
   if (form == CardForm::least) return touched;

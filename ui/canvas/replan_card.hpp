@@ -10,6 +10,7 @@ namespace replan::ui {
 
 /// What a card tells. `fresh` comes later: it is worked out in the background.
 struct ReplanReport {
+  const PlannerInfo* info;
   RepairFigures repair;
   std::optional<FreshPlan> fresh;
   bool times = true;    ///< off in pictures, which are to be the same each time

@@ -69,5 +69,10 @@ struct ViewState {
 inline std::optional<MapFrame> shown_frame(const ViewState& view, const GridMap& map) {
   return view.metres ? metric_frame(map) : std::nullopt;
 }
+/// The unit in which lengths of the map are told.
+inline LengthUnit shown_lengths(const ViewState& view, const GridMap& map) {
+  const auto frame = shown_frame(view, map);
+  return {frame ? frame->metres_per_cell() : 0};
+}
 
 }  // namespace replan::ui

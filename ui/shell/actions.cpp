@@ -165,6 +165,11 @@ std::string Action::words(const ActionContext& context) const {
   return now.empty() ? label : now;
 }
 
+std::string Action::lesson(const ActionContext& context) const {
+  std::string now = rules.lesson == nullptr ? "" : rules.lesson(context);
+  return now.empty() ? teach : now;
+}
+
 void ActionContext::toggle_play(int direction) {
   if (session.playback().direction != 0) {
     push(Play{0});

@@ -42,6 +42,8 @@ struct ActionContext {
 
   void push(Command command) { commands.push_back(std::move(command)); }
   void step(StepUnit unit, int count) { push(Step{unit, count}); }
+  /// What the leading pane's planner calls its steps.
+  [[nodiscard]] const StepWords& step_words() const { return session.run().info().step; }
   void toggle_play(int direction);
   void resize_brush(int by);
   void let_go();
@@ -96,6 +98,8 @@ struct ActionRules {
   Condition hidden = nullptr;     ///< the menu leaves it out
   /// What the menu calls it now; empty: its label.
   std::string (*words)(const ActionContext& context) = nullptr;
+  /// What it teaches now; empty: what the table has.
+  std::string (*lesson)(const ActionContext& context) = nullptr;
   void (*below)(Frame& frame) = nullptr;  ///< what the menu has below it
   bool unlisted = false;                  ///< the palette leaves it out
   std::vector<Chord> also = {};           ///< further keys
@@ -128,6 +132,8 @@ struct Action {
   }
   /// What a menu calls it now.
   [[nodiscard]] std::string words(const ActionContext& context) const;
+  /// What its tooltip says now.
+  [[nodiscard]] std::string lesson(const ActionContext& context) const;
 };
 
 /// All actions in the order of the table.

@@ -39,10 +39,10 @@ void add_actions(Frame& frame, std::vector<PaletteEntry>& entries) {
                        .label = (overlay ? "Overlay: "
                                  : tab   ? "Tab: "
                                          : "") +
-                                each.label,
+                                each.words(context),
                        .place = place_of(each.menu),
                        .keys = each.keys,
-                       .teach = each.teach,
+                       .teach = each.lesson(context),
                        .icon = each.checked(context) ? icon::check
                                : overlay             ? icon::eye
                                                      : each.icon,

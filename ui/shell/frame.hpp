@@ -10,6 +10,7 @@
 
 #include <imgui.h>
 
+#include "core/debug/kept.hpp"
 #include "core/debug/sample_in_hand.hpp"
 #include "core/debug/touched.hpp"
 #include "core/lesson/lesson.hpp"
@@ -105,6 +106,7 @@ struct PanelState {
   double zoom = 0;        ///< device pixels per cell on the canvas, as fitted or chosen
   TabBox tabs;
   TouchedList touched;           ///< by the last replan
+  KeptInReplan kept;             ///< by it, of a tree or a population
   NearestVertex nearest_vertex;  ///< to the cell that the side is about, of a tree of samples
   bool menu_open = false;        ///< that of ViewState::menu
   float why_height = 0;          ///< what that took in the last frame, in pixels

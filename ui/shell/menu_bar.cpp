@@ -18,7 +18,7 @@ void action_item(Frame& frame, const Action& each) {
   if (menu_item(frame.look, each.words(context).c_str(),
                 {each.icon, each.keys.c_str(), each.checked(context), each.available(context)}))
     perform(frame, each.id);
-  hint(frame.look, {"", "", each.teach.c_str()});
+  hint(frame.look, {"", "", each.lesson(context).c_str()});
 }
 
 /// The entries of a menu, with a line between groups.

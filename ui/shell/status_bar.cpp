@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "core/plan/tree_values.hpp"
 #include "core/scene/spline_marks.hpp"
 #include "ui/canvas/cell_words.hpp"
 #include "ui/icons.hpp"
@@ -33,11 +34,11 @@ Verdict verdict(const Theme& theme, const Run& run) {
   const Decision* decision = run.decision_at(run.timeline().cursor());
   if (decision == nullptr)
     return run.timeline().cursor() == 0 ? Verdict{theme.faint, "not planned yet", "plan"}
-                                        : Verdict{theme.accent, "searching", "expansion"};
+                                        : Verdict{theme.accent, "searching", run.info().step.term.data()};
   if (searching(run, decision)) return {theme.warning, "replanning", "replan"};
   switch (decision->state) {
     case MissionState::planning:
-      return {theme.accent, "searching", "expansion"};
+      return {theme.accent, "searching", run.info().step.term.data()};
     case MissionState::arrived:
       return {theme.good, "arrived", "arrival"};
     case MissionState::collision:
@@ -216,8 +217,9 @@ void checks(Frame& frame, Line& line) {
   for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
     const LawReport law = session.checks().laws(pane);
     const OracleReport asked = session.checks().oracle(pane);
-    laws.on = laws.on || law.on;
-    laws.busy = laws.busy || law.checked < session.runs()[pane]->timeline().size();
+    const bool lawful = session.runs()[pane]->info().values.lawful();
+    laws.on = laws.on || (law.on && lawful);
+    laws.busy = laws.busy || (lawful && law.checked < session.runs()[pane]->timeline().size());
     laws.wrong += static_cast<std::int64_t>(law.breaches);
     oracle.on = oracle.on || asked.on;
     oracle.busy = oracle.busy || asked.busy || asked.asked == 0;
@@ -271,6 +273,24 @@ void zoom_buttons(Frame& frame, Line& line) {
   }
 }
 
+/// What the planner keeps to go on with: an open list, a tree, or a population.
+void held(const Run& run, Line& line) {
+  const SearchState& state = run.timeline().state();
+  const SearchValues& values = run.info().values;
+  if (values.grows())
+    line.pair("tree", grouped(std::int64_t{vertex_count(state)}),
+              {"Vertices of the tree", "",
+               "How many vertices the tree of samples has, those that were cut off among them. This planner "
+               "keeps no open list."});
+  else if (values.breeds())
+    line.pair(
+        "generation", grouped(static_cast<std::int64_t>(state.scalar(Scalar::generation))),
+        {"Generation", "",
+         "How many generations of paths have been bred for this goal. This planner keeps no open list."});
+  else
+    line.pair("|U|", grouped(state.queue_size()), term_hint("open-list"));
+}
+
 }  // namespace
 
 void draw_status_bar(Frame& frame) {
@@ -299,14 +319,12 @@ void draw_status_bar(Frame& frame) {
                    : "Column and row, from (0, 0) at the top left."},
             place({map.width - 1, map.height - 1, map.depth - 1}).size());
   const std::optional<MapFrame> metres = shown_frame(frame.view, map);
+  const LengthUnit lengths = shown_lengths(frame.view, map);
   if (metres && inside) {
     const Point middle = metres->to_metres(centre_of(*cell));
     line.pair("at", fixed(middle.x, 2) + ", " + fixed(middle.y, 2) + " m",
               {"Place", "", "The middle of the cell in the map's own frame: x to the right, y up."}, 16);
   }
-  const auto length = [&metres](double cells) {
-    return metres ? fixed(metres->metres(cells), 2) + " m" : fixed(cells, 1);
-  };
   line.word(inside ? cell_state(frame, *cell) : "", text_width(look.fonts.ui, "obstacle · known"),
             {"What stands there", "",
              "In the true world, and whether the robot knows of it. It plans on what it believes alone."});
@@ -326,11 +344,11 @@ void draw_status_bar(Frame& frame) {
   checks(frame, line);
   const Decision* decision = run.decision_at(run.timeline().cursor());
   if (decision != nullptr && decision->state == MissionState::arrived)
-    line.pair("travelled", length(decision->figures.travelled), term_hint("travelled"));
+    line.pair("travelled", lengths.text(decision->figures.travelled, 1), term_hint("travelled"));
   else if (decision != nullptr && has_path(decision->plan->status))
-    line.pair("to go", length(std::max(decision->plan->length - decision->along_plan, 0.0)),
+    line.pair("to go", lengths.text(std::max(decision->plan->length - decision->along_plan, 0.0), 1),
               term_hint("to-go"));
-  line.pair("|U|", grouped(run.timeline().state().queue_size()), term_hint("open-list"));
+  held(run, line);
   const std::string bias = cost_text(run.timeline().state().km(), 2);
   if (run.info().from_goal && run.info().values.lookahead()) line.pair("km", bias, term_hint("km"));
   if (run.info().values.waves && run.info().values.declares(fields::kFocused.kind))

@@ -14,7 +14,11 @@ constexpr double kSlowest = 1;
 
 void transport_action(Frame& frame, ActionId id, const char* icon, bool primary = false) {
   const Action& each = action(id);
-  if (transport_button(frame.look, each.name, {.icon = icon, .hint = each.hint(), .selected = primary}))
+  const ActionContext context = context_of(frame);
+  const std::string words = each.words(context), lesson = each.lesson(context);
+  if (transport_button(
+          frame.look, each.name,
+          {.icon = icon, .hint = {words.c_str(), each.keys.c_str(), lesson.c_str()}, .selected = primary}))
     perform(frame, id);
   ImGui::SameLine(0, frame.look.px(6));
 }
@@ -56,8 +60,9 @@ void buttons(Frame& frame) {
 
 void step_unit(Frame& frame, bool roomy) {
   const Look& look = frame.look;
-  static constexpr std::array<const char*, 5> kUnits = {"line", "expansion", "robot move", "replan",
-                                                        "to the goal"};
+  const StepWords& step = frame.run().info().step;
+  const std::string one(step.one);
+  const std::array<const char*, 5> units = {"line", one.c_str(), "robot move", "replan", "to the goal"};
   ImGui::SameLine(0, look.px(roomy ? 20 : 8));
   if (roomy) {
     ImGui::AlignTextToFramePadding();
@@ -65,10 +70,11 @@ void step_unit(Frame& frame, bool roomy) {
     ImGui::SameLine(0, look.px(6));
   }
   int unit = static_cast<int>(frame.panels.unit);
-  if (combo(look, "##unit", kUnits, unit, look.px(106))) frame.panels.unit = static_cast<StepUnit>(unit);
+  if (combo(look, "##unit", units, unit, look.px(106))) frame.panels.unit = static_cast<StepUnit>(unit);
   hint(look, {"Step over", "",
-              "What one press of the step buttons goes over: a line of pseudo-code, an expansion, a move of "
-              "the robot, all up to the next plan, or the whole mission up to the goal."});
+              "What one press of the step buttons goes over: a line of pseudo-code, a step of the search (an "
+              "expansion, a sample or a child), a move of the robot, all up to the next plan, or the whole "
+              "mission up to the goal."});
 }
 
 /// What the panes keep step by, while there are several.
@@ -116,9 +122,12 @@ void speed(Frame& frame, bool roomy) {
     now = at > 0.97 ? Session::kFullSpeed : kSlowest * std::exp(range * at);
     frame.commands.push_back(SetSpeed{now});
   }
+  const std::string counts(frame.run().info().step.speed);
   hint(look, {"Playing speed", "",
-              "Expansions per second, on a log scale; at the right end as fast as possible. The robot drives "
-              "at most 15 cells a second."});
+              (counts +
+               ", on a log scale; at the right end as fast as possible. The robot drives at most 15 cells a "
+               "second.")
+                  .c_str()});
   const auto part = static_cast<float>(std::clamp(std::log(now / kSlowest) / range, 0.0, 1.0));
   const float x = origin.x + knob + part * (width - 2 * knob), y = origin.y + height * 0.5f;
   ImDrawList& list = *ImGui::GetWindowDrawList();

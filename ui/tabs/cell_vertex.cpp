@@ -31,6 +31,7 @@ void no_vertex(const Look& look) {
 struct VertexView {
   const CellView& cell;
   std::uint32_t number;
+  LengthUnit lengths;
 
   [[nodiscard]] Place place() const { return place_of(number); }
   [[nodiscard]] Place place_of(std::uint32_t v) const {
@@ -40,24 +41,26 @@ struct VertexView {
   [[nodiscard]] std::uint32_t parent() const { return vertex_parent(cell.state, number); }
 };
 
-std::string place_text(const VertexView& vertex) {
+std::string place_text(const Frame& frame, const VertexView& vertex) {
   const Point at = point_of(vertex.place());
+  if (const auto metres = shown_frame(frame.view, frame.session.scenario().map))
+    return metres_text(metres->to_metres(at), vertex.cell.run.lattice().solid());
   std::string words = "(" + decimal_text(at.x, 2) + ", " + decimal_text(at.y, 2);
   if (vertex.cell.run.lattice().solid()) words += ", " + decimal_text(at.z, 2);
   return words + ")";
 }
 
-void vertex_values(const Look& look, const VertexView& vertex) {
+void vertex_values(const Frame& frame, const VertexView& vertex) {
   const std::uint32_t parent = vertex.parent();
-  const std::string number = grouped(std::int64_t{vertex.number}), at = place_text(vertex),
-                    cost = cost_text(vertex.cost()),
+  const std::string number = grouped(std::int64_t{vertex.number}), at = place_text(frame, vertex),
+                    cost = vertex.lengths.text(vertex.cost()),
                     hangs = parent == kNoNode ? "nothing: a root" : grouped(std::int64_t{parent}),
                     edge = parent == kNoNode
                                ? ""
-                               : cost_text(length_between(vertex.place(), vertex.place_of(parent)));
+                               : vertex.lengths.text(length_between(vertex.place(), vertex.place_of(parent)));
   std::vector<KeyValue> pairs = {{"vertex", number}, {"at", at}, {"cost", cost}, {"hangs on", hangs}};
   if (parent != kNoNode) pairs.push_back({"edge", edge});
-  key_values(look, pairs, 1);
+  key_values(frame.look, pairs, 1);
 }
 
 /// To stop where it is rewired, and to follow its cost.
@@ -85,9 +88,9 @@ void candidate_table(const Look& look, std::vector<SampleInHand::Candidate> all,
   for (std::size_t i = 0; i < std::min(all.size(), kMostListed); ++i) {
     const bool blocked = all[i].cost.is_infinite();
     const Cost length = length_between(vertex.place(), vertex.place_of(all[i].vertex));
-    const std::string number = grouped(std::int64_t{all[i].vertex}), edge = cost_text(length),
-                      sum = blocked ? "blocked" : cost_text(all[i].cost),
-                      way = blocked ? "" : cost_text({all[i].cost.raw - length.raw});
+    const std::string number = grouped(std::int64_t{all[i].vertex}), edge = vertex.lengths.text(length, 2),
+                      sum = blocked ? "blocked" : vertex.lengths.text(all[i].cost, 2),
+                      way = blocked ? "" : vertex.lengths.text(Cost{all[i].cost.raw - length.raw}, 2);
     const std::vector<TableCell> cells = {
         {number}, {way}, {edge}, {sum, blocked ? look.theme.bad : 0, i == 0}};
     table_row(look, static_cast<int>(i), columns, cells, i == 0);
@@ -133,7 +136,7 @@ void rehung_line(Frame& frame, const VertexView& vertex, const std::optional<Ver
               "It has not been rewired itself: it hangs where it was hung when it came.");
     return;
   }
-  const std::string saved = cost_text({static_cast<std::int64_t>(log.event(*rewired).delta)});
+  const std::string saved = vertex.lengths.text(Cost{static_cast<std::int64_t>(log.event(*rewired).delta)});
   paragraph(
       look.fonts.ui, look.theme.good,
       line == kNewRootLine
@@ -159,7 +162,7 @@ void came_words(const Look& look, const std::vector<SampleInHand::Candidate>& ca
   for (const SampleInHand::Candidate& candidate : candidates) least = std::min(least, candidate.cost);
   if (vertex.cost() < least && !least.is_infinite())
     paragraph(look.fonts.ui, look.theme.dim,
-              "Since it came its way has become " + cost_text({least.raw - vertex.cost().raw}) +
+              "Since it came its way has become " + vertex.lengths.text(Cost{least.raw - vertex.cost().raw}) +
                   " shorter, by its own rewiring or that of a vertex before it.");
   paragraph(look.fonts.ui, look.theme.dim,
             "When it came, the way over the first of these was the shortest that is free:");
@@ -176,8 +179,8 @@ void why_it_hangs(Frame& frame, const VertexView& vertex) {
   const Cost edge = length_between(vertex.place(), vertex.place_of(vertex.parent()));
   paragraph(look.fonts.ui, look.theme.text,
             "Its way is that to " + grouped(std::int64_t{vertex.parent()}) + ", " +
-                cost_text({vertex.cost().raw - edge.raw}) + ", and the edge from there, " + cost_text(edge) +
-                ": " + cost_text(vertex.cost()) + ".");
+                vertex.lengths.text(Cost{vertex.cost().raw - edge.raw}) + ", and the edge from there, " +
+                vertex.lengths.text(edge) + ": " + vertex.lengths.text(vertex.cost()) + ".");
   const auto birth = birth_of(vertex.cell.run.log_view(), vertex.number);
   rehung_line(frame, vertex, birth);
   if (birth && !birth->candidates.empty()) {
@@ -190,7 +193,10 @@ void why_it_hangs(Frame& frame, const VertexView& vertex) {
 }
 
 /// What each vertex that was hung on the new one has saved, the most first.
-void rewired_table(const Look& look, const SearchState& state, std::vector<SampleInHand::Rewired> all) {
+void rewired_table(const Frame& frame, std::vector<SampleInHand::Rewired> all) {
+  const Look& look = frame.look;
+  const SearchState& state = frame.run().timeline().state();
+  const LengthUnit lengths = shown_lengths(frame.view, frame.session.scenario().map);
   if (all.empty()) return;
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return b.saves < a.saves; });
   const std::vector<Column> columns = {{"hung on it", 10, Align::left}, {"its way now", 12}, {"saved", 8}};
@@ -200,12 +206,13 @@ void rewired_table(const Look& look, const SearchState& state, std::vector<Sampl
     together = together + all[i].saves;
     if (i >= kMostListed) continue;
     const std::string number = grouped(std::int64_t{all[i].vertex}),
-                      way = cost_text(vertex_cost(state, all[i].vertex)), saved = cost_text(all[i].saves);
+                      way = lengths.text(vertex_cost(state, all[i].vertex), 2),
+                      saved = lengths.text(all[i].saves, 2);
     const std::vector<TableCell> cells = {{number}, {way}, {saved, look.theme.good}};
     table_row(look, static_cast<int>(i), columns, cells, false);
   }
   paragraph(look.fonts.ui, look.theme.dim,
-            "Together they saved " + cost_text(together) +
+            "Together they saved " + lengths.text(together) +
                 "; what hangs on them is nearer to the start by as much.");
 }
 
@@ -232,7 +239,7 @@ void sample_words(Frame& frame, const SampleInHand& hand) {
                   " hung on it.");
   else
     paragraph(look.fonts.ui, look.theme.dim, "It is being dealt with: step on to see what it comes to.");
-  rewired_table(look, frame.run().timeline().state(), hand.rewired);
+  rewired_table(frame, hand.rewired);
 }
 
 }  // namespace
@@ -240,7 +247,7 @@ void sample_words(Frame& frame, const SampleInHand& hand) {
 void draw_vertex_why(Frame& frame, const CellView& view) {
   const std::uint32_t number = vertex_near(frame, view);
   if (number == kNoNode) return no_vertex(frame.look);
-  why_it_hangs(frame, {view, number});
+  why_it_hangs(frame, {view, number, shown_lengths(frame.view, frame.session.scenario().map)});
 }
 
 void draw_vertex(Frame& frame, const CellView& view, CellPast& past) {
@@ -248,8 +255,8 @@ void draw_vertex(Frame& frame, const CellView& view, CellPast& past) {
   const std::uint32_t number = vertex_near(frame, view);
   if (number == kNoNode) return no_vertex(look);
   section_title(look, "The vertex nearest to it");
-  const VertexView vertex{view, number};
-  vertex_values(look, vertex);
+  const VertexView vertex{view, number, shown_lengths(frame.view, frame.session.scenario().map)};
+  vertex_values(frame, vertex);
   vertex_buttons(frame, number);
   section_rule(look);
   why_it_hangs(frame, vertex);

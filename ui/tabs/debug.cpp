@@ -1,11 +1,13 @@
 #include "ui/tabs/debug.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include <imgui_internal.h>
 
+#include "core/plan/tree_values.hpp"
 #include "core/robots/drive_sense.hpp"
 #include "ui/icons.hpp"
 #include "ui/parts.hpp"
@@ -87,6 +89,52 @@ Cell some_cell(const Frame& frame) {
   return frame.cell().value_or(frame.session.scenario().goal);
 }
 
+/// A cost that the best path soon falls below: nine tenths of what it costs now, or of the world's width.
+std::string some_cost(const Frame& frame) {
+  const std::uint64_t best = frame.run().timeline().state().scalar(Scalar::best);
+  const double cost = best != 0 ? Cost{static_cast<std::int64_t>(best)}.to_double()
+                                : static_cast<double>(frame.session.scenario().map.width);
+  return fixed(std::ceil(0.9 * cost), 0);
+}
+
+using Examples = std::vector<std::pair<std::string, const char*>>;
+
+/// Breakpoints that are of use with the leading pane's planner.
+Examples breakpoints_to_take(const Frame& frame) {
+  const SearchValues& values = frame.run().info().values;
+  if (values.grows()) {
+    const std::uint32_t goal = goal_vertex(frame.run().timeline().state());
+    return {
+        {"event(first_path)", "the tree has met the goal"},
+        {"best < " + some_cost(frame), "the path has become that short, in cells"},
+        {"rewired(" + std::to_string(goal == kNoNode ? 1 : goal) + ")", "the vertex is hung on another one"},
+        {"event(replan)", "a replan begins"}};
+  }
+  if (values.breeds())
+    return {{"event(first_path)", "a path hits nothing any more"},
+            {"best < " + some_cost(frame), "the fittest path has become that short, in cells"},
+            {"generation == 10", "ten generations have ended"},
+            {"event(replan)", "a replan begins"}};
+  return {{"event(replan)", "a replan begins"},
+          {when_taken(some_cell(frame), frame.run().lattice()), "the cell is taken from U"},
+          {"km > 5 && size(U) >= 100", "values alone, or together"}};
+}
+
+/// Quantities that are worth following likewise.
+Examples watches_to_take(const Frame& frame) {
+  const SearchValues& values = frame.run().info().values;
+  if (values.grows())
+    return {{"best", "the cost of the best path, in cells"},
+            {"vertices", "how many vertices the tree has"},
+            {"vertex_cost(1)", "what the way to a vertex costs"}};
+  if (values.breeds())
+    return {{"best", "the cost of the fittest path that hits nothing, in cells"},
+            {"generation", "how many generations have ended"}};
+  return {{value_expression(EventKind::g, some_cell(frame), frame.run().lattice()), "the cost of a cell"},
+          {"size(U)", "how many cells wait"},
+          {"km", "how much is added to new keys"}};
+}
+
 void title_with_steps(Frame& frame) {
   const Look& look = frame.look;
   const ImVec2 origin = ImGui::GetCursorScreenPos();
@@ -160,10 +208,7 @@ void breakpoints_section(Frame& frame, std::string& draft) {
               "The playhead stops where a condition comes true. Click beside a line in the Code tab, or take "
               "one of "
               "these:");
-    std::vector<std::pair<std::string, const char*>> list = {
-        {"event(replan)", "a replan begins"},
-        {when_taken(some_cell(frame), frame.run().lattice()), "the cell is taken from U"},
-        {"km > 5 && size(U) >= 100", "values alone, or together"}};
+    std::vector<std::pair<std::string, const char*>> list = breakpoints_to_take(frame);
     if (drives(frame.run().scenario(), frame.run().choice()))
       list.insert(list.end(), {{"score(winner) < 0.5", "the arc that it takes is poor"},
                                {"admissible == 0", "it may take none of its arcs"},
@@ -212,10 +257,7 @@ void watches_section(Frame& frame, std::string& draft) {
     paragraph(look.fonts.ui, look.theme.dim,
               "A watch draws a quantity over the whole run. Right click a value in the Cell tab, or take one "
               "of these:");
-    std::vector<std::pair<std::string, const char*>> suggestions = {
-        {value_expression(EventKind::g, some_cell(frame), frame.run().lattice()), "the cost of a cell"},
-        {"size(U)", "how many cells wait"},
-        {"km", "how much is added to new keys"}};
+    std::vector<std::pair<std::string, const char*>> suggestions = watches_to_take(frame);
     if (drives(frame.run().scenario(), frame.run().choice()))
       suggestions.push_back({"score(winner)", "the score of the arc that it takes"});
     examples(look, suggestions, draft);

@@ -42,6 +42,12 @@ void laws_of(Frame& frame, std::size_t pane) {
   const LawReport report = frame.session.checks().laws(pane);
   const std::size_t size = frame.session.runs()[pane]->timeline().size();
   const std::string name = of_pane(frame.session, pane);
+  if (!frame.session.runs()[pane]->info().values.lawful()) {
+    status(look, look.theme.dim, name + "none are checked");
+    hint(look, {"No laws", "",
+                "What this planner keeps, a tree or a population, has no laws that are checked here."});
+    return;
+  }
   ImGui::PushID(static_cast<int>(pane));
   if (report.first) {
     status(look, look.theme.bad,

@@ -254,7 +254,7 @@ TabKind figures_tab() {
           .icon = icon::bar_chart,
           .chord = fn(6),
           .teach =
-              "What each planner did and how good its first path is, side by side, with ratios. The best is "
+              "What each planner did and how good its first plan is, side by side, with ratios. The best is "
               "marked where the "
               "panes can be compared.",
           .make = make_part<SideTab, FiguresTab>,

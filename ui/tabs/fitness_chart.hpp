@@ -6,6 +6,7 @@
 
 #include "core/debug/fitness_curve.hpp"
 #include "ui/shell/frame.hpp"
+#include "ui/tabs/cost_chart.hpp"
 
 namespace replan::ui {
 
@@ -23,6 +24,8 @@ class FitnessChart {
  private:
   /// A pane's, read on by at most `most` generations.
   const FitnessCurve& curve_of(const Run& run, std::size_t pane, std::size_t most);
+
+  std::vector<CurveKey> draw_curves(const Frame& frame, CostChart& chart) const;
 
   std::vector<FitnessCurve> curves_;
 };

@@ -1,8 +1,6 @@
 #include "ui/tabs/gain_chart.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "core/debug/event_words.hpp"
 #include "core/session/lockstep.hpp"
@@ -14,29 +12,6 @@ namespace replan::ui {
 namespace {
 
 constexpr std::size_t kGainsPerFrame = 512;
-
-/// Where samples and costs stand in the chart.
-struct GainAxes {
-  ImVec2 min, max;
-  double samples = 1;  // at the right
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-
-  [[nodiscard]] bool empty() const { return high < low; }
-  [[nodiscard]] float x(double sample) const {
-    return min.x + static_cast<float>(std::min(1.0, sample / samples)) * (max.x - min.x);
-  }
-  [[nodiscard]] float y(double cost) const {
-    const double range = high > low ? high - low : 1;
-    return max.y - static_cast<float>((cost - low) / range) * (max.y - min.y);
-  }
-  [[nodiscard]] double sample(float at) const {
-    return std::clamp((at - min.x) / std::max(max.x - min.x, 1.0f), 0.0f, 1.0f) * samples;
-  }
-  void take(double cost) {
-    low = std::min(low, cost);
-    high = std::max(high, cost);
-  }
-};
 
 /// The events of the plan that the cursor stands in, or of the last one before it.
 std::pair<std::size_t, std::size_t> plan_at_cursor(const Run& run) {
@@ -59,40 +34,10 @@ std::size_t plan_end(const Run& run, std::size_t begin, std::size_t end) {
   return end;
 }
 
-/// A cost holds until the next one, so the line goes in steps; where there is no path there is none.
-void draw_gains(const GainAxes& axes, ImDrawList& list, std::span<const PathGain> gains, std::int64_t samples,
-                ImU32 colour, float thick) {
-  for (std::size_t i = 0; i < gains.size(); ++i) {
-    if (gains[i].cost.is_infinite()) continue;
-    const bool last = i + 1 == gains.size();
-    const float from = axes.x(static_cast<double>(gains[i].sample)), y = axes.y(gains[i].cost.to_double()),
-                to = axes.x(static_cast<double>(last ? samples : gains[i + 1].sample));
-    list.AddRectFilled({from, y - thick / 2}, {std::max(to, from + thick), y + thick / 2}, colour);
-    if (last || gains[i + 1].cost.is_infinite()) continue;
-    const float next = axes.y(gains[i + 1].cost.to_double());
-    list.AddRectFilled({to - thick / 2, std::min(y, next)}, {to + thick / 2, std::max(y, next)}, colour);
-  }
-}
-
-void draw_gain_axes(const Look& look, const GainAxes& axes, ImDrawList& list, float right) {
-  const ImFont* small = look.fonts.mono_small;
-  list.AddRectFilled({axes.min.x, axes.max.y}, {right, axes.max.y + look.px.hair}, look.theme.line);
-  const auto label = [&](double value, float y) {
-    const std::string words = fixed(value, 2);
-    draw_text(list, small, {right - text_width(small, words), y}, look.theme.faint, words);
-  };
-  label(axes.high, axes.min.y - look.px(4));
-  if (axes.high > axes.low) label(axes.low, axes.max.y - small->FontSize);
-  draw_text(list, small, {axes.min.x, axes.max.y + look.px(3)}, look.theme.faint, "0");
-  const std::string end = grouped(static_cast<std::int64_t>(axes.samples)) + " samples";
-  draw_text(list, small, {axes.max.x - text_width(small, end), axes.max.y + look.px(3)}, look.theme.faint,
-            end);
-}
-
-void draw_optimum(const Look& look, const GainAxes& axes, ImDrawList& list, double optimum) {
-  const float y = axes.y(optimum), dash = look.px(4);
-  for (float x = axes.min.x; x < axes.max.x; x += 2 * dash)
-    list.AddRectFilled({x, y}, {std::min(x + dash, axes.max.x), y + look.px.hair}, look.theme.good);
+std::vector<CostPoint> points_of(std::span<const PathGain> gains) {
+  std::vector<CostPoint> points;
+  for (const PathGain& gain : gains) points.push_back({gain.sample, gain.cost.to_double()});
+  return points;
 }
 
 bool is_first_path(std::span<const PathGain> gains, std::size_t i) {
@@ -149,53 +94,73 @@ void GainChart::begin_optimum(const Run& run, const Curve& curve, std::size_t at
 }
 
 void GainChart::draw(Frame& frame, float height) {
-  const Look& look = frame.look;
   const Session& session = frame.session;
-  const ImVec2 origin = ImGui::GetCursorScreenPos();
-  const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f), foot = look.px(20);
-  ImGui::InvisibleButton("gains", {width, height + foot});
-  const bool pressed = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  GainAxes axes{{origin.x, origin.y + look.px(6)}, {0, origin.y + height - look.px(4)}};
+  const LengthUnit lengths = shown_lengths(frame.view, session.scenario().map);
+  CostChart chart(frame, "gains", height, CostScale::linear);
   for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
     const Curve& curve = curve_of(frame, pane);
-    axes.samples = std::max(axes.samples, static_cast<double>(curve.samples));
+    chart.axes.reach(curve.samples);
     for (const PathGain& gain : curve.gains())
-      if (!gain.cost.is_infinite()) axes.take(gain.cost.to_double());
+      if (!gain.cost.is_infinite()) chart.axes.take(gain.cost.to_double());
   }
   const Curve& lead = curves_[session.lead()];
-  const std::span<const PathGain> gains = lead.gains();
   const auto optimum = optimum_of(frame, lead);
-  if (optimum) axes.take(*optimum);
-  if (axes.empty()) return;
-  axes.max.x = origin.x + width - text_width(look.fonts.mono_small, fixed(axes.high, 2)) - look.px.s;
-  draw_gain_axes(look, axes, list, origin.x + width);
-  if (optimum) draw_optimum(look, axes, list, *optimum);
-  for (std::size_t pane = 0; pane < session.runs().size(); ++pane)
-    if (pane != session.lead())
-      draw_gains(axes, list, curves_[pane].gains(), curves_[pane].samples, look.theme.faint, look.px(1));
-  draw_gains(axes, list, gains, lead.samples, look.theme.accent, look.px(1.5f));
-  for (std::size_t i = 0; i < gains.size(); ++i)
-    if (is_first_path(gains, i))
-      list.AddCircleFilled({axes.x(static_cast<double>(gains[i].sample)), axes.y(gains[i].cost.to_double())},
-                           look.px(3), look.theme.accent);
+  if (optimum) chart.axes.take(*optimum);
+  const std::string end = count_text(static_cast<std::int64_t>(chart.axes.count), "sample", "samples");
+  if (!chart.lay_out(lengths, 2, end)) return;
+  const std::vector<CurveKey> keys = draw_curves(frame, chart, optimum);
   const Run& run = session.run();
-  const float playhead =
-      std::round(axes.x(static_cast<double>(expansions_between(run, lead.begin, run.timeline().cursor()))));
-  list.AddRectFilled({playhead, origin.y}, {playhead + look.px.hair, origin.y + height}, look.theme.text);
-  if (!pressed && !hovered) return;
-  const double sample = axes.sample(ImGui::GetIO().MousePos.x);
-  const auto after = std::partition_point(gains.begin(), gains.end(), [sample](const PathGain& gain) {
-    return static_cast<double>(gain.sample) <= sample;
-  });
+  chart.playhead(expansions_between(run, lead.begin, run.timeline().cursor()));
+  tell_gain(frame, chart, optimum);
+  chart.keys(keys);
+}
+
+/// What the mouse points at in the leading pane's curve, and where a click leads.
+void GainChart::tell_gain(Frame& frame, const CostChart& chart, std::optional<double> optimum) {
+  const auto pointed = chart.pointed();
+  if (!pointed) return;
+  const std::span<const PathGain> gains = curves_[frame.session.lead()].gains();
+  const LengthUnit lengths = shown_lengths(frame.view, frame.session.scenario().map);
+  const auto after = std::partition_point(
+      gains.begin(), gains.end(),
+      [sample = *pointed](const PathGain& gain) { return static_cast<double>(gain.sample) <= sample; });
   if (after == gains.begin()) return;
   const PathGain& gain = *std::prev(after);
-  if (pressed && (ImGui::IsItemActivated() || ImGui::GetIO().MouseDelta.x != 0))
-    frame.commands.push_back(Seek{gain.event + 1});
-  const std::string best = gain.cost.is_infinite() ? "no path" : cost_text(gain.cost, 3);
+  if (chart.asks()) frame.commands.push_back(Seek{gain.event + 1});
+  const std::string best = gain.cost.is_infinite() ? "no path" : lengths.text(gain.cost);
   std::string words = "Since sample " + grouped(gain.sample) + " of this plan. Click to go there.";
-  if (optimum) words += " The shortest of all ways is " + fixed(*optimum, 3) + " cells long.";
-  hint(look, {best.c_str(), "", words.c_str()});
+  if (optimum) words += " The shortest of all ways is " + lengths.in_words(*optimum) + " long.";
+  hint(frame.look, {best.c_str(), "", words.c_str()});
+}
+
+/// Every pane's curve with its key; the leading one's lies on top.
+std::vector<CurveKey> GainChart::draw_curves(const Frame& frame, CostChart& chart,
+                                             std::optional<double> optimum) const {
+  const Session& session = frame.session;
+  const Theme& theme = frame.look.theme;
+  std::vector<CurveKey> keys;
+  if (optimum) chart.level(*optimum, theme.good);
+  const auto draw = [&](std::size_t pane, CurveMark mark) {
+    const std::vector<CostPoint> points = points_of(curves_[pane].gains());
+    chart.steps(points, curves_[pane].samples, curve_colour(frame, pane), mark);
+  };
+  for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
+    if (!session.runs()[pane]->info().sampling) continue;
+    const bool leads = pane == session.lead();
+    const CurveMark mark = leads ? CurveMark::thick : CurveMark::thin;
+    keys.push_back({mark, curve_colour(frame, pane), curve_name(frame, pane)});
+    if (!leads) draw(pane, mark);
+  }
+  draw(session.lead(), CurveMark::thick);
+  const std::span<const PathGain> gains = curves_[session.lead()].gains();
+  for (std::size_t i = 0; i < gains.size(); ++i) {
+    if (!is_first_path(gains, i)) continue;
+    chart.dot({gains[i].sample, gains[i].cost.to_double()}, theme.accent);
+    keys.push_back({CurveMark::dot, theme.accent, "first path"});
+    break;
+  }
+  if (optimum) keys.push_back({CurveMark::dashes, theme.good, "the shortest of all ways"});
+  return keys;
 }
 
 }  // namespace replan::ui

@@ -8,6 +8,7 @@
 #include "core/base/background.hpp"
 #include "core/debug/path_gains.hpp"
 #include "ui/shell/frame.hpp"
+#include "ui/tabs/cost_chart.hpp"
 
 namespace replan::ui {
 
@@ -17,8 +18,8 @@ bool has_gains(const Session& session);
 /// The plan that each pane's cursor stands in.
 class GainChart {
  public:
-  /// Draws every pane's curve, the leading one's strong, its first path and the shortest of all marked, over the width that
-  /// is left. A click goes to the gain.
+  /// Draws every pane's curve with its key, the leading one's strong, its first path and the shortest of all marked, over the
+  /// width that is left. A click goes to the gain.
   void draw(Frame& frame, float height);
 
  private:
@@ -42,6 +43,9 @@ class GainChart {
   };
   const Curve& curve_of(Frame& frame, std::size_t pane);
   std::optional<double> optimum_of(Frame& frame, const Curve& curve);
+  std::vector<CurveKey> draw_curves(const Frame& frame, CostChart& chart,
+                                    std::optional<double> optimum) const;
+  void tell_gain(Frame& frame, const CostChart& chart, std::optional<double> optimum);
   void begin_optimum(const Run& run, const Curve& curve, std::size_t at, bool live);
 
   std::vector<Curve> curves_;

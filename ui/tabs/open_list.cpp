@@ -8,6 +8,7 @@
 
 #include "core/debug/wave.hpp"
 #include "core/lattice/box_words.hpp"
+#include "ui/canvas/kept_words.hpp"
 #include "ui/icons.hpp"
 #include "ui/parts.hpp"
 #include "ui/shell/format.hpp"
@@ -179,6 +180,20 @@ void touched_row(Frame& frame, std::size_t row, const Touched& each, const Touch
   point_at(frame, cell);
 }
 
+/// The words above a list of a replan, and the ways to the others.
+void repair_head(Frame& frame, const std::string& words) {
+  const Look& look = frame.look;
+  ImGui::AlignTextToFramePadding();
+  text(look.fonts.ui, look.theme.dim, words);
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - look.px(52));
+  if (small_button(look, "before", {.icon = icon::caret_left, .hint = action(ActionId::replan_back).hint()}))
+    perform(frame, ActionId::replan_back);
+  ImGui::SameLine(0, look.px.xs);
+  if (small_button(look, "next",
+                   {.icon = icon::caret_right, .hint = action(ActionId::replan_forward).hint()}))
+    perform(frame, ActionId::replan_forward);
+}
+
 std::pair<const char*, ImU32> change_words(const Theme& theme, ChangeKind kind) {
   switch (kind) {
     case ChangeKind::surprise:
@@ -234,6 +249,7 @@ void OpenListTab::follow(const Frame& frame) {
 }
 
 void OpenListTab::draw_open_list(Frame& frame) {
+  if (lists_nothing(frame)) return;
   const Look& look = frame.look;
   follow(frame);
   const Run& run = frame.run();
@@ -264,24 +280,21 @@ void OpenListTab::draw_touched(Frame& frame) {
   const TouchedList* touched = touched_by_last_replan(frame, run);
   if (touched == nullptr) {
     empty_state(look, icon::bolt, "No replan yet",
-                "Paint an obstacle, or drop a surprise in the robot's way: the cells that the repair "
-                "touches are listed here.");
+                run.info().values.lists()
+                    ? "Paint an obstacle, or drop a surprise in the robot's way: the cells that the repair "
+                      "touches are listed here."
+                    : "Paint an obstacle, or drop a surprise in the robot's way: what the repair keeps and "
+                      "what it loses is told here.");
     return;
   }
   const ReplanSpan span = *last_replan(run);
+  if (const KeptInReplan* kept = kept_by_last_replan(frame)) {
+    repair_head(frame, "Replan " + grouped(span.number));
+    return draw_lost(frame, *kept, touched_rows_);
+  }
   const auto count = static_cast<std::int64_t>(touched->list().size());
-  ImGui::AlignTextToFramePadding();
-  text(look.fonts.ui, look.theme.dim,
-       "Replan " + grouped(span.number) + " touched " + count_text(count, "cell", "cells") +
-           (touched->behind() || !span.over ? " so far" : ""));
-  const float right = ImGui::GetContentRegionMax().x;
-  ImGui::SameLine(right - look.px(52));
-  if (small_button(look, "before", {.icon = icon::caret_left, .hint = action(ActionId::replan_back).hint()}))
-    perform(frame, ActionId::replan_back);
-  ImGui::SameLine(0, look.px.xs);
-  if (small_button(look, "next",
-                   {.icon = icon::caret_right, .hint = action(ActionId::replan_forward).hint()}))
-    perform(frame, ActionId::replan_forward);
+  repair_head(frame, "Replan " + grouped(span.number) + " touched " + count_text(count, "cell", "cells") +
+                         (touched->behind() || !span.over ? " so far" : ""));
   if (touched->list().empty()) {
     paragraph(look.fonts.ui, look.theme.dim,
               span.over ? "The change made no difference to any cell: the plan is the same as before."
@@ -315,6 +328,9 @@ void OpenListTab::draw_changed(Frame& frame) {
     changed_ = changes_before(run.log_view(), span->begin, run.scenario().map.blocked, kMostChanged);
   changed_of_ = of;
   paragraph(look.fonts.ui, look.theme.dim, changed_words(span->number, changed_.size()));
+  if (const KeptInReplan* kept = kept_by_last_replan(frame))
+    paragraph(look.fonts.ui, look.theme.text,
+              kept_sentence(run.info().values, kept->counts_before(run.timeline().cursor())));
   if (changed_.empty()) return;
   const float cell = text_width(look.fonts.mono, widest_cell(run)) + look.px(12);
   const std::array<Column, 2> columns = {Column{"cell", cell, Align::left},

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/debug/kept.hpp"
 #include "core/debug/open_order.hpp"
 #include "core/debug/replan_change.hpp"
 #include "ui/shell/frame.hpp"
@@ -38,6 +39,14 @@ class OpenListTab final : public SideTab {
   std::vector<ChangedCell> changed_;
   std::optional<std::pair<std::uint64_t, std::size_t>> changed_of_;
 };
+
+/// Says what a planner goes on with that keeps no open list. False, and nothing is drawn, of one that does.
+bool lists_nothing(Frame& frame);
+/// What the last replan before the cursor kept of a tree or a population; nullptr before the first one, and of other
+/// planners.
+KeptInReplan* kept_by_last_replan(Frame& frame);
+/// What it kept, as a sentence, and a table of what it lost.
+void draw_lost(Frame& frame, const KeptInReplan& kept, RowScroll& scroll);
 
 /// Shows the tab with what the last replan touched.
 void show_touched(ViewState& view, PanelState& panels);

@@ -105,6 +105,18 @@ void draw_mark(const Look& look, ImDrawList& list, float x, float y, const Legen
         list.AddLine({x + dash, y}, {x + dash + look.px(3), y}, entry.colour, stroke);
       }
       break;
+    case LegendShape::cross:
+      list.AddLine({x, y - half}, {x + size, y + half}, entry.colour, stroke * 1.4f);
+      list.AddLine({x, y + half}, {x + size, y - half}, entry.colour, stroke * 1.4f);
+      break;
+    case LegendShape::bent: {
+      const float third = look.px(13) / 3;
+      const std::array<ImVec2, 4> way = {ImVec2(x, y + half), ImVec2(x + third, y - half * 0.5f),
+                                         ImVec2(x + 2 * third, y + half * 0.5f),
+                                         ImVec2(x + 3 * third, y - half)};
+      list.AddPolyline(way.data(), static_cast<int>(way.size()), entry.colour, 0, stroke * 1.6f);
+      break;
+    }
     case LegendShape::arrow:
       draw_arrow(look, list, {x, y}, size, entry.colour, stroke);
       break;
@@ -115,10 +127,10 @@ void draw_mark(const Look& look, ImDrawList& list, float x, float y, const Legen
 }
 
 float shape_room(const Look& look, LegendShape shape) {
-  return look.px(5) +
-         (shape == LegendShape::long_arrow || shape == LegendShape::line || shape == LegendShape::dashed
-              ? look.px(13)
-              : look.px(9));
+  return look.px(5) + (shape == LegendShape::long_arrow || shape == LegendShape::line ||
+                               shape == LegendShape::dashed || shape == LegendShape::bent
+                           ? look.px(13)
+                           : look.px(9));
 }
 
 /// A pen that moves to the right along the middle of a chip; without a list it only measures.

@@ -268,7 +268,9 @@ enum class LegendShape {
   line,
   dashed,
   arrow,
-  long_arrow
+  long_arrow,
+  cross,
+  bent  ///< a line with corners
 };
 struct LegendEntry {
   LegendShape shape;

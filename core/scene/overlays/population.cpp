@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "core/debug/child_in_hand.hpp"
-#include "core/debug/event_words.hpp"
 #include "core/scene/overlay.hpp"
 #include "core/scene/solid_pen.hpp"
 
@@ -101,7 +100,7 @@ class ChildMarks {
       const Cell cell = context_.seen(context_.run.lattice().position(tried.cell));
       if (context_.in_sight(cell))
         context_.notes.push_back({cell,
-                                  {cost_text(tried.unfitness.cost, 1)},
+                                  {context_.view.lengths.text(tried.unfitness.cost, 1)},
                                   taken                  ? palette.accent
                                   : tried.unfitness.hits ? palette.bad
                                                          : palette.dim,

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "core/debug/event_words.hpp"
 #include "core/debug/sample_in_hand.hpp"
 #include "core/scene/overlay.hpp"
 #include "core/scene/solid_pen.hpp"
@@ -88,7 +87,9 @@ void draw_informed(SceneContext& context) {
     };
     const Cost least = length_between(place(Scalar::start), place(Scalar::goal));
     context.notes.push_back(
-        {*cell, {"c_best " + cost_text(best, 1), "c_min " + cost_text(least, 1)}, context.palette.warning});
+        {*cell,
+         {"c_best " + context.view.lengths.text(best, 1), "c_min " + context.view.lengths.text(least, 1)},
+         context.palette.warning});
   }
   context.add(Polyline{std::move(rim), context.palette.warning, context.pixels(1.4), 0, context.pixels(4)});
 }
@@ -120,10 +121,10 @@ void draw_asked_vertex(SceneContext& context) {
   context.add(Ring{at, context.world(6), context.palette.outline, context.pixels(3.5)});
   context.add(Ring{at, context.world(6), context.palette.accent, context.pixels(1.8)});
   if (at.z >= context.slice && at.z < context.slice + 1)
-    context.notes.push_back(
-        {cell_of(at),
-         {"vertex " + std::to_string(vertex), "cost " + cost_text(vertex_cost(context.state, vertex), 1)},
-         context.palette.text});
+    context.notes.push_back({cell_of(at),
+                             {"vertex " + std::to_string(vertex),
+                              "cost " + context.view.lengths.text(vertex_cost(context.state, vertex), 1)},
+                             context.palette.text});
 }
 
 /// Why a sample comes to nothing, in a word or two.
@@ -203,8 +204,9 @@ class SampleMarks {
       context_.add(
           Line{at, seen(*hand_.place), faded(colour, wins ? 1 : 0.4), context_.pixels(wins ? 2.4 : 1)});
       if (few && at.z >= context_.slice && at.z < context_.slice + 1)
-        context_.notes.push_back(
-            {cell_of(at), {cost_text(candidate.cost, 1)}, wins ? colour : context_.palette.dim});
+        context_.notes.push_back({cell_of(at),
+                                  {context_.view.lengths.text(candidate.cost, 1)},
+                                  wins ? colour : context_.palette.dim});
     }
   }
   void add_rewired() {
@@ -214,7 +216,8 @@ class SampleMarks {
       if (hand_.added)
         context_.add(Line{vertex(*hand_.added), at, context_.palette.good, context_.pixels(2.4)});
       if (at.z >= context_.slice && at.z < context_.slice + 1)
-        context_.notes.push_back({cell_of(at), {"−" + cost_text(rewired.saves, 1)}, context_.palette.good});
+        context_.notes.push_back(
+            {cell_of(at), {"−" + context_.view.lengths.text(rewired.saves, 1)}, context_.palette.good});
     }
   }
 
