@@ -38,8 +38,10 @@ Result<void> check_options(const WorldArguments& world) {
   if (!world.planners.stages.empty())
     return Error{
         "--stage changes nothing here, where paths are measured as the planner finds them: leave it out"};
-  if (!world.unreachable_goal.empty())
-    return Error{"--unreachable-goal changes nothing here, where no robot drives: leave it out"};
+  for (const auto& [option, given] : {std::pair{"--unreachable-goal", !world.unreachable_goal.empty()},
+                                      std::pair{"--robot", !world.robot.empty()}})
+    if (given)
+      return Error{std::string(option) + " changes nothing here, where no robot drives: leave it out"};
   return {};
 }
 
@@ -52,17 +54,6 @@ Result<void> check_planners(std::span<const PlannerChoice> planners) {
           "'" + choice.id +
           "' has no path before its end: give planners that draw samples or breed paths, with --planner"};
   }
-  return {};
-}
-
-/// What is for a robot that drives would change nothing.
-Result<void> check_nobody_drives(const WorldArguments& world) {
-  for (const auto& [option, given] : {std::pair{"--stage", !world.planners.stages.empty()},
-                                      std::pair{"--unreachable-goal", !world.unreachable_goal.empty()},
-                                      std::pair{"--robot", !world.robot.empty()}})
-    if (given)
-      return Error{std::string(option) +
-                   " is for a robot that drives, and 'replan anytime' only plans: leave it out"};
   return {};
 }
 
@@ -167,8 +158,6 @@ Result<int> anytime(const AnytimeArguments& arguments) {
   if (const auto good = check_options(arguments.world); !good) return Error{good.error()};
   const auto world = arguments.world.load();
   if (!world) return Error{world.error()};
-  if (const auto good = check_nobody_drives(arguments.world); !good) return Error{good.error()};
-  if (const auto good = check_planners(world->planners); !good) return Error{good.error()};
   const auto seeds = parse_count("--seeds", arguments.seeds, 1);
   if (!seeds) return Error{seeds.error()};
   const auto most_ms = most_milliseconds(arguments);

@@ -61,6 +61,7 @@ TEST_F(AnytimeCommand, refusesWhatWouldChangeNothing) {
   expect_complaint({"anytime", scenario_, "--stage", "bspline"}, "--stage changes nothing here");
   expect_complaint({"anytime", scenario_, "--unreachable-goal", "nearest"},
                    "--unreachable-goal changes nothing here");
+  expect_complaint({"anytime", scenario_, "--robot", "vehicle"}, "--robot changes nothing here");
 }
 
 TEST_F(AnytimeCommand, saysWhatIsWrong) {
@@ -86,14 +87,6 @@ TEST_F(AnytimeCommand, holdsEachPlannerAgainstTheShortestWayOfItsOwnRule) {
   const Outcome outcome = run_program(apart);
   EXPECT_NE(outcome.out.find("The shortest of all ways is 5.099 to "), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("by each planner's own corner rule."), std::string::npos) << outcome.out;
-}
-
-TEST_F(AnytimeCommand, refusesWhatIsForARobotThatDrives) {
-  for (const auto& [option, value] :
-       {std::pair{"--stage", "floyd"}, std::pair{"--unreachable-goal", "nearest"},
-        std::pair{"--robot", "vehicle"}})
-    expect_complaint({"anytime", scenario_, option, value},
-                     std::string(option) + " is for a robot that drives");
 }
 
 TEST_F(AnytimeCommand, planSideBySideWithSeedsOfTheirOwn) {
