@@ -59,8 +59,9 @@ Result<void> check_nothing_else(const BatchArguments& arguments) {
                             : !arguments.planners.stages.empty()   ? "--stage"
                             : !arguments.map.empty()               ? "--map"
                             : !arguments.limit.empty()             ? "--limit"
+                            : arguments.reading.given()            ? "How a map is read"
                                                                    : "";
-  if (given.empty()) return arguments.reading.check_unused_by(arguments.files.front());
+  if (given.empty()) return {};
   return Error{given + " goes with files of problems; the experiment '" + arguments.files.front() +
                "' says that itself"};
 }

@@ -85,7 +85,7 @@ std::string comparison_table(const Comparison& comparison, bool all) {
     table.add({row.planner, row.figure, std::to_string(row.pairs), std::to_string(row.improved),
                std::to_string(row.worsened), short_number(row.before), short_number(row.after),
                row.ratio ? decimals(*row.ratio, 4) : "-",
-               row.ratio ? decimals(row.interval.low, 4) + " .. " + decimals(row.interval.high, 4) : "-",
+               row.interval ? decimals(row.interval->low, 4) + " .. " + decimals(row.interval->high, 4) : "-",
                decimals(row.effect, 2), p_text(row.corrected),
                kTrends[static_cast<std::size_t>(row.verdict)]});
   }

@@ -89,7 +89,6 @@ ComparedFigure success_row(std::span<const Pair> pairs) {
   if (changed > 0)
     row.effect = static_cast<double>(row.improved - row.worsened) / static_cast<double>(changed);
   if (row.before > 0) row.ratio = row.after / row.before;
-  row.interval = {row.ratio.value_or(0), row.ratio.value_or(0)};
   row.before /= std::max(1.0, static_cast<double>(row.pairs));
   row.after /= std::max(1.0, static_cast<double>(row.pairs));
   row.p = sign_test(row.improved, row.worsened);
@@ -189,8 +188,8 @@ std::string comparison_json(const Comparison& comparison) {
                                 {"before", plain_number(row.before)},
                                 {"after", plain_number(row.after)},
                                 {"median_ratio", row.ratio ? plain_number(*row.ratio) : Json()},
-                                {"ratio_low", row.ratio ? plain_number(row.interval.low) : Json()},
-                                {"ratio_high", row.ratio ? plain_number(row.interval.high) : Json()},
+                                {"ratio_low", row.interval ? plain_number(row.interval->low) : Json()},
+                                {"ratio_high", row.interval ? plain_number(row.interval->high) : Json()},
                                 {"effect", plain_number(row.effect)},
                                 {"p", plain_number(row.p)},
                                 {"p_holm", plain_number(row.corrected)},

@@ -29,9 +29,9 @@ struct ComparedFigure {
   std::int64_t pairs = 0;                   ///< runs that are in both and have the figure in both
   std::int64_t improved = 0, worsened = 0;  ///< of these; the others are equal
   double before = 0, after = 0;             ///< medians; of "succeeded" the part of the runs
-  /// The median of after / before over the pairs whose value before is not 0, and where it lies with a confidence of 95 %.
+  /// The median of after / before over the pairs whose value before is not 0; of "succeeded" that of the two parts.
   std::optional<double> ratio;
-  Interval interval;
+  std::optional<Interval> interval;  ///< where that median lies with a confidence of 95 %
   double effect =
       0;         ///< -1 to 1: SignedRanks::effect() of after - before; of "succeeded" of those that changed
   double p = 1;  ///< of the signed-rank test; of "succeeded" of McNemar's exact test

@@ -18,7 +18,8 @@
 
 namespace replan {
 
-/// One file with a world in it: a scenario (.json), problems on a map (.scen, .3dscen), or a map of any other format.
+/// One file with a world in it: a scenario (.json), problems on a map (.scen, .3dscen), or a map of any other format, or
+/// of a generator ("generator:rooms?seed=3").
 struct ExperimentWorld {
   std::string file;         ///< relative to the experiment's folder
   std::string map = {};     ///< of problems: their map, relative to that folder; empty: the one beside them

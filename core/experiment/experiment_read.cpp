@@ -8,6 +8,7 @@
 #include "core/world/choice_json.hpp"
 #include "core/world/choices.hpp"
 #include "core/world/formats/text_lines.hpp"
+#include "core/world/generators/list.hpp"
 #include "core/world/json_reader.hpp"
 #include "core/world/scenario_map.hpp"
 
@@ -23,7 +24,8 @@ constexpr const char* kFormat = "replan experiment";
 
 /// The files that a pattern names, in the order of their names.
 Result<std::vector<std::string>> files_of(const std::string& pattern, const std::string& folder) {
-  if (pattern.find_first_of("*?[") == std::string::npos) return std::vector{pattern};
+  if (is_generator_spec(pattern) || pattern.find_first_of("*?[") == std::string::npos)
+    return std::vector{pattern};
   std::string escaped;  // nothing in the folder's own name is a pattern
   for (const char c : folder) {
     if (std::string_view("*?[\\").find(c) != std::string_view::npos) escaped += '\\';
@@ -197,6 +199,9 @@ class ExperimentReader {
       refuse("start", "goes with a map: this file has its own");
       refuse("goal", "goes with a map: this file has its own");
     }
+    if (is_generator_spec(world.file))
+      for (const char* key : {"threshold", "invert", "unknown", "occupied", "heights"})
+        refuse(key, "goes with a map's file: a generator has settings of its own");
     if (scenario)
       for (const char* key : {"threshold", "invert", "unknown", "occupied", "heights"})
         refuse(key, "goes with a map: the scenario says itself how its map is read");

@@ -3,6 +3,7 @@
 #include "core/base/hash.hpp"
 #include "core/base/words.hpp"
 #include "core/experiment/run_list.hpp"
+#include "core/world/generators/list.hpp"
 #include "core/world/map_file.hpp"
 
 namespace replan {
@@ -23,6 +24,10 @@ void fold_map(const GridMap& map, std::uint64_t& digest) {
   digest = hash_combine(digest, cells);
 }
 
+Cell cell_of_coordinates(const std::vector<int>& coordinates) {
+  return {coordinates[0], coordinates[1], coordinates.size() > 2 ? coordinates[2] : 0};
+}
+
 /// A cell as the experiment gives it, if it is on the map.
 Result<Cell> cell_on(const std::vector<int>& coordinates, const GridMap& map, const std::string& file,
                      std::string_view what) {
@@ -30,7 +35,7 @@ Result<Cell> cell_on(const std::vector<int>& coordinates, const GridMap& map, co
   if (coordinates.size() != (box.solid() ? 3u : 2u))
     return Error{file + ": the " + std::string(what) + " needs " + (box.solid() ? "three" : "two") +
                  " coordinates in this world"};
-  const Cell cell{coordinates[0], coordinates[1], box.solid() ? coordinates[2] : 0};
+  const Cell cell = cell_of_coordinates(coordinates);
   if (box.contains(cell)) return cell;
   return Error{file + ": the " + std::string(what) + " " + cell_text(cell, box.solid()) +
                " is not on the map"};
@@ -54,7 +59,12 @@ Result<LoadedWorld> load_problems(const Experiment& experiment, const Experiment
 }
 
 Result<LoadedWorld> load_map(const Experiment& experiment, const ExperimentWorld& world, LoadedWorld loaded) {
-  auto file = read_map_file(loaded.map_file = path_in(experiment, world.file), world.reading);
+  const bool generated = is_generator_spec(world.file);
+  loaded.map_file = generated ? world.file : path_in(experiment, world.file);
+  std::vector<Cell> ends;  // a generated map leaves them free
+  for (const auto* given : {&world.start, &world.goal})
+    if (generated && *given) ends.push_back(cell_of_coordinates(**given));
+  auto file = open_map(loaded.map_file, world.reading, ends);
   if (!file) return Error{file.error()};
   ScenProblem question;
   for (const auto& [what, given, own, cell] :
@@ -108,7 +118,8 @@ Result<LoadedWorld> load_world(const Experiment& experiment, const ExperimentWor
                                        : load_map(experiment, world, std::move(named));
   if (!loaded) return loaded;
   for (const std::string& path : {path_in(experiment, world.file), loaded->map_file})
-    if (const auto read = fold_file(path, digest); !read) return Error{read.error()};
+    if (const auto read = is_generator_spec(world.file) ? Result<void>() : fold_file(path, digest); !read)
+      return Error{read.error()};
   fold_map(loaded->scenario.map, digest);
   return loaded;
 }

@@ -156,6 +156,24 @@ TEST_F(Experiments, NumberTheirRunsAndMakeNoneTwice) {
   }
 }
 
+TEST(Experiment, OfTheDocumentationCanBeRun) {
+  auto read = read_experiment(std::string(REPLAN_SOURCE_DIR) + "/docs/experiment.json");
+  ASSERT_TRUE(read) << read.error();
+  const auto runs = RunList::load(std::move(read.value()));
+  ASSERT_TRUE(runs) << runs.error();
+  EXPECT_GT(runs->count(), 100);
+}
+
+TEST_F(Experiments, TakeGeneratedMapsWhoseEndsAreFree) {
+  const RunList runs = list(
+      R"("worlds": [{"file": "generator:cells?width=30&height=20&seed=4&fraction=0.3", "start": [3, 3], "goal": [26, 15]}],
+         "planners": [{"id": "astar"}])");
+  ASSERT_EQ(runs.count(), 1);
+  const Scenario made = runs.scenario(runs.parts(0));
+  EXPECT_EQ(made.map.width, 30);
+  EXPECT_FALSE(made.map.at(made.start) || made.map.at(made.goal));
+}
+
 TEST_F(Experiments, DependOnTheBytesOfTheirFilesAndOnEverySetting) {
   const std::string keys = R"("worlds": ["room.map.scen"], "planners": [{"id": "astar"}])";
   const std::string digest = list(keys).digest();

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/session/session.hpp"
 #include "core/experiment/batch_report.hpp"
+#include "core/session/session.hpp"
 #include "core/study/run_report.hpp"
 #include "core/world/choices.hpp"
 

@@ -183,8 +183,8 @@ TEST(CompareResults, TellsBetterFromWorseAndFromTheSame) {
   EXPECT_NEAR(expansions.p, 2 / 2048.0, 1e-12);
   EXPECT_NEAR(expansions.corrected, 2 / 2048.0, 1e-12) << "the less certain of two rows that differ";
   EXPECT_GT(expansions.loss().value_or(0), 0.04);
-  EXPECT_LE(expansions.interval.low, *expansions.ratio);
-  EXPECT_GE(expansions.interval.high, *expansions.ratio);
+  EXPECT_LE(expansions.interval->low, *expansions.ratio);
+  EXPECT_GE(expansions.interval->high, *expansions.ratio);
   const ComparedFigure& length = row_of(comparison, "astar", "length_cells");
   EXPECT_EQ(length.verdict, Trend::better);
   EXPECT_NEAR(length.corrected, 2 * 2 / 4096.0, 1e-12) << "the more certain one, for two";
@@ -201,6 +201,7 @@ TEST(CompareResults, CountsRunsThatSucceedByThemselves) {
   EXPECT_EQ(row.worsened, 10);
   EXPECT_NEAR(row.p, 2 / 1024.0, 1e-12);
   EXPECT_EQ(row.verdict, Trend::worse);
+  EXPECT_FALSE(row.interval) << "there is one ratio alone";
   EXPECT_EQ(row_of(comparison, "astar", "length_cells").pairs, 2) << "only where both succeeded";
 }
 

@@ -1,5 +1,4 @@
 #include "core/experiment/run_result.hpp"
-
 #include "tests/fuzz/target.hpp"
 
 REPLAN_FUZZ_TARGET(result_line) {
