@@ -1,11 +1,13 @@
 #include "core/study/study_runs.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
 #include "core/plan/registry.hpp"
 #include "core/plan/stage.hpp"
 #include "core/world/choices.hpp"
+#include "core/world/library.hpp"
 
 namespace replan {
 namespace {
@@ -113,6 +115,17 @@ Point point_along(const Path& path, double share) {
     left -= step;
   }
   return path.point(path.size() - 1);
+}
+
+Result<Scenario> library_scenario(const char* file) {
+  return read_scenario((std::filesystem::path(library_folder()) / file).string());
+}
+
+Result<std::vector<StudyPicture>> one_picture(const Result<Scenario>& scenario, std::string_view id,
+                                              const char* caption, bool at_end,
+                                              std::vector<std::string> overlays) {
+  if (!scenario) return Error{scenario.error()};
+  return std::vector<StudyPicture>{{id, caption, *scenario, at_end, std::move(overlays)}};
 }
 
 std::vector<double> typical_values(const StudyReport& report, std::size_t figure,

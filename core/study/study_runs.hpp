@@ -58,6 +58,13 @@ StudyRun plan_run(const GridMap& map, Cell start, Cell goal, PlannerChoice choic
 /// Where a path is after that share of its length.
 Point point_along(const Path& path, double share);
 
+/// A scenario of the library (core/world/library.hpp).
+Result<Scenario> library_scenario(const char* file);
+/// One picture, of a scenario of the library.
+Result<std::vector<StudyPicture>> one_picture(const Result<Scenario>& scenario, std::string_view id,
+                                              const char* caption, bool at_end,
+                                              std::vector<std::string> overlays);
+
 /// Of every planner in the order of the report, over the runs of a world, or all worlds, in which each of them has found a
 /// path: see typical(). Empty if there are none.
 std::vector<double> typical_values(const StudyReport& report, std::size_t figure,

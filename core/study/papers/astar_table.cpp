@@ -5,13 +5,11 @@
 //  Henan University of Technology, table 1 and figure 5
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
 #include "core/study/papers/paper_studies.hpp"
 #include "core/study/study_runs.hpp"
 #include "core/study/study_words.hpp"
 #include "core/world/generators/generators.hpp"
-#include "core/world/library.hpp"
 
 namespace replan {
 namespace {
@@ -27,7 +25,7 @@ struct AstarWorld {
 };
 
 Result<Scenario> figure_5() {
-  return read_scenario((std::filesystem::path(library_folder()) / "fusion-maze.json").string());
+  return library_scenario("fusion-maze.json");
 }
 
 /// The library's, and random ones of its kind: corridors of 3 cells with many ways round.
@@ -135,13 +133,9 @@ Result<StudyReport> run_astar_table(const StudyWatch& watch) {
 }
 
 Result<std::vector<StudyPicture>> astar_pictures() {
-  auto scenario = figure_5();
-  if (!scenario) return Error{scenario.error()};
-  return std::vector<StudyPicture>{{"paths",
-                                    "Plain and improved A* in a maze-like grid, as in figure 5 of the paper.",
-                                    std::move(*scenario),
-                                    false,
-                                    {"path", "grid"}}};
+  return one_picture(figure_5(), "paths",
+                     "Plain and improved A* in a maze-like grid, as in figure 5 of the paper.", false,
+                     {"path", "grid"});
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 //  Engineering of China 28(4), 2021 (in Chinese), doi 10.14107/j.cnki.kzgc.20190179
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <limits>
 
 #include "core/sim/mover.hpp"
@@ -12,7 +11,6 @@
 #include "core/study/study_runs.hpp"
 #include "core/study/study_words.hpp"
 #include "core/world/generators/generators.hpp"
-#include "core/world/library.hpp"
 
 namespace replan {
 namespace {
@@ -230,15 +228,10 @@ Result<StudyReport> run_auv(const StudyWatch& watch) {
 }
 
 Result<std::vector<StudyPicture>> auv_pictures() {
-  auto scenario = read_scenario((std::filesystem::path(library_folder()) / "auv.json").string());
-  if (!scenario) return Error{scenario.error()};
-  return std::vector<StudyPicture>{
-      {"ways",
-       "The ways of a vehicle that knows its boxes by sonar alone: with D*, improved D* and "
-       "DLD* Lite. Shown is one layer; what lies in others is faint.",
-       std::move(*scenario),
-       true,
-       {"path", "trail", "unknown", "spline"}}};
+  return one_picture(library_scenario("auv.json"), "ways",
+                     "The ways of a vehicle that knows its boxes by sonar alone: with D*, improved D* and "
+                     "DLD* Lite. Shown is one layer; what lies in others is faint.",
+                     true, {"path", "trail", "unknown", "spline"});
 }
 
 }  // namespace

@@ -43,6 +43,22 @@ Result<std::vector<GridMap>> dld_random_maps(std::uint64_t count) {
   return maps;
 }
 
+Result<DldRuns> plan_on_random_maps(const Result<std::vector<StudyEntry>>& entries, std::uint64_t count,
+                                    const StudyWatch& watch) {
+  if (!entries) return Error{entries.error()};
+  const auto maps = dld_random_maps(count);
+  if (!maps) return Error{maps.error()};
+  DldRuns runs;
+  runs.report.planners = names_of(*entries);
+  for (std::size_t number = 1; number <= maps->size(); ++number)
+    runs.report.worlds.push_back("map " + std::to_string(number));
+  runs.report.figures = plan_figures();
+  runs.whole = run_all(runs.report, watch, [&](std::size_t world, std::size_t planner, std::uint64_t seed) {
+    return plan_run((*maps)[world], kDldStart, kDldGoal, (*entries)[planner].choice, seed);
+  });
+  return runs;
+}
+
 StudyClaim sight_claim(const StudyReport& report, std::size_t plain, std::size_t dld, std::size_t along,
                        std::optional<std::size_t> world) {
   const auto checks = typical_values(report, kSightChecks, world);

@@ -26,6 +26,15 @@ Result<GridMap> dld_random_map(std::uint64_t seed);
 /// The first `count` of them.
 Result<std::vector<GridMap>> dld_random_maps(std::uint64_t count);
 
+/// Plans with every entry on the first `count` maps: a report with planners, worlds, figures and runs, and whether all of
+/// them are done.
+struct DldRuns {
+  StudyReport report;
+  bool whole = false;
+};
+Result<DldRuns> plan_on_random_maps(const Result<std::vector<StudyEntry>>& entries, std::uint64_t count,
+                                    const StudyWatch& watch);
+
 /// What sight checks along the path come to beside those in the search, in a world or in all: the paper closes with the
 /// question how narrow surroundings could take less time. `plain`, `dld` and `along` are places in the report's planners.
 StudyClaim sight_claim(const StudyReport& report, std::size_t plain, std::size_t dld, std::size_t along,

@@ -2,13 +2,11 @@
 // open.
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
 #include "core/study/papers/dld_entries.hpp"
 #include "core/study/papers/paper_studies.hpp"
 #include "core/study/study_words.hpp"
 #include "core/world/generators/generators.hpp"
-#include "core/world/library.hpp"
 
 namespace replan {
 namespace {
@@ -18,7 +16,7 @@ enum MazeWorld : std::size_t { kMazeOpen, kMazeWide, kMazeMedium, kMazeNarrow, k
 constexpr Cell kMazeStart{4, 4, 0}, kMazeGoal{490, 490, 0};
 
 Result<Scenario> figure_7() {
-  return read_scenario((std::filesystem::path(library_folder()) / "dld-fig-7.json").string());
+  return library_scenario("dld-fig-7.json");
 }
 
 /// From open to narrow, all of 500 x 500 cells; the second is the library's.
@@ -147,14 +145,10 @@ Result<StudyReport> run_maze(const StudyWatch& watch) {
 
 Result<std::vector<StudyPicture>> maze_pictures() {
   auto scenario = figure_7();
-  if (!scenario) return Error{scenario.error()};
-  std::reverse(scenario->planners.begin(), scenario->planners.end());
-  return std::vector<StudyPicture>{
-      {"paths",
-       "The paths through a maze of 500 x 500 cells, as in figure 7 of the paper.",
-       std::move(*scenario),
-       false,
-       {"path"}}};
+  if (scenario) std::reverse(scenario->planners.begin(), scenario->planners.end());
+  return one_picture(scenario, "paths",
+                     "The paths through a maze of 500 x 500 cells, as in figure 7 of the paper.", false,
+                     {"path"});
 }
 
 }  // namespace

@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 
 #include "core/study/papers/dld_entries.hpp"
 #include "core/study/papers/paper_studies.hpp"
 #include "core/study/study_words.hpp"
-#include "core/world/library.hpp"
 
 namespace replan {
 namespace {
@@ -115,15 +113,9 @@ Result<std::vector<StudyEntry>> random_entries() {
 }
 
 Result<StudyReport> run_random(const StudyWatch& watch) {
-  const auto entries = random_entries();
-  if (!entries) return Error{entries.error()};
-  const auto maps = dld_random_maps(kRandomMaps);
-  if (!maps) return Error{maps.error()};
-  StudyReport report;
-  report.planners = names_of(*entries);
-  for (std::size_t number = 1; number <= maps->size(); ++number)
-    report.worlds.push_back("map " + std::to_string(number));
-  report.figures = plan_figures();
+  auto runs = plan_on_random_maps(random_entries(), kRandomMaps, watch);
+  if (!runs) return Error{runs.error()};
+  StudyReport& report = runs->report;
   report.paper = {{kNodes, kDstarLite, {}, 182.7},  {kNodes, kDld, {}, 31.2},
                   {kNodes, kRrtStar, {}, 15.1},     {kNodes, kGenetic, {}, 13.3},
                   {kPlanTime, kDstarLite, {}, 502}, {kPlanTime, kDld, {}, 727},
@@ -131,25 +123,17 @@ Result<StudyReport> run_random(const StudyWatch& watch) {
   report.charts = {{"nodes", "Nodes of the path", kNodes, StudyChart::Form::lines, true},
                    {"length", "Length of the path", kLength, StudyChart::Form::lines},
                    {"time", "Time of a plan", kPlanTime, StudyChart::Form::lines, true}};
-  const bool whole = run_all(report, watch, [&](std::size_t world, std::size_t planner, std::uint64_t seed) {
-    return plan_run((*maps)[world], kDldStart, kDldGoal, (*entries)[planner].choice, seed);
-  });
-  if (whole)
+  if (runs->whole)
     report.claims = {claim_of(report, kNodes, nodes_claim), claim_of(report, kLength, length_claim_of),
                      claim_of(report, kPlanTime, time_claim_of)};
-  return report;
+  return std::move(report);
 }
 
 /// The first of the maps, as figure 6 has one of the paper's.
 Result<std::vector<StudyPicture>> random_pictures() {
-  auto scenario = read_scenario((std::filesystem::path(library_folder()) / "dld-fig-5.json").string());
-  if (!scenario) return Error{scenario.error()};
-  return std::vector<StudyPicture>{
-      {"paths",
-       "What the four planners come to on the first map, as in figure 6 of the paper.",
-       std::move(*scenario),
-       false,
-       {"path"}}};
+  return one_picture(library_scenario("dld-fig-5.json"), "paths",
+                     "What the four planners come to on the first map, as in figure 6 of the paper.", false,
+                     {"path"});
 }
 
 }  // namespace

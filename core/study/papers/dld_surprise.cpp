@@ -1,11 +1,9 @@
 // Figure 4 of the DLD* Lite paper: an obstacle appears on the way while the robot drives.
 #include <algorithm>
-#include <filesystem>
 
 #include "core/study/papers/dld_entries.hpp"
 #include "core/study/papers/paper_studies.hpp"
 #include "core/study/study_words.hpp"
-#include "core/world/library.hpp"
 
 namespace replan {
 namespace {
@@ -185,15 +183,11 @@ Result<StudyReport> run_surprise(const StudyWatch& watch) {
 }
 
 Result<std::vector<StudyPicture>> surprise_pictures() {
-  auto scenario = read_scenario((std::filesystem::path(library_folder()) / "dld-fig-4.json").string());
-  if (!scenario) return Error{scenario.error()};
-  std::reverse(scenario->planners.begin(), scenario->planners.end());
-  return std::vector<StudyPicture>{
-      {"ways",
-       "The ways of two robots that an obstacle has surprised, as in figure 4 of the paper.",
-       std::move(*scenario),
-       true,
-       {"path", "trail"}}};
+  auto scenario = library_scenario("dld-fig-4.json");
+  if (scenario) std::reverse(scenario->planners.begin(), scenario->planners.end());
+  return one_picture(scenario, "ways",
+                     "The ways of two robots that an obstacle has surprised, as in figure 4 of the paper.",
+                     true, {"path", "trail"});
 }
 
 }  // namespace

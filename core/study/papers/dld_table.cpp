@@ -1,10 +1,8 @@
 // Table 1 and figure 3 of the DLD* Lite paper: what sight lines and clearance each do to D* Lite's path.
 #include <algorithm>
-#include <filesystem>
 
 #include "core/study/papers/dld_entries.hpp"
 #include "core/study/papers/paper_studies.hpp"
-#include "core/world/library.hpp"
 
 namespace replan {
 namespace {
@@ -126,16 +124,11 @@ StudyClaim time_of_table(const StudyReport& report) {
 }
 
 Result<StudyReport> run_table(const StudyWatch& watch) {
-  const auto entries =
-      study_entries({dstar_lite_entry(), los_entry(), dist_entry(), dld_entry(), dld_along_path_entry()});
-  if (!entries) return Error{entries.error()};
-  const auto maps = dld_random_maps(kTableMaps);
-  if (!maps) return Error{maps.error()};
-  StudyReport report;
-  report.planners = names_of(*entries);
-  for (std::size_t number = 1; number <= maps->size(); ++number)
-    report.worlds.push_back("map " + std::to_string(number));
-  report.figures = plan_figures();
+  auto runs = plan_on_random_maps(
+      study_entries({dstar_lite_entry(), los_entry(), dist_entry(), dld_entry(), dld_along_path_entry()}),
+      kTableMaps, watch);
+  if (!runs) return Error{runs.error()};
+  StudyReport& report = runs->report;
   report.paper = {{kNodes, kTablePlain, {}, 192},      {kNodes, kTableLos, {}, 39},
                   {kNodes, kTableDist, {}, 196},       {kNodes, kTableDld, {}, 44},
                   {kLength, kTablePlain, {}, 236.149}, {kLength, kTableLos, {}, 225.496},
@@ -147,25 +140,17 @@ Result<StudyReport> run_table(const StudyWatch& watch) {
                    {"clearance", "Least clearance of the path", kLeastClearance},
                    {"time", "Time of a plan", kPlanTime},
                    {"checks", "Sight checks of a plan", kSightChecks}};
-  const bool whole = run_all(report, watch, [&](std::size_t world, std::size_t planner, std::uint64_t seed) {
-    return plan_run((*maps)[world], kDldStart, kDldGoal, (*entries)[planner].choice, seed);
-  });
-  if (whole)
+  if (runs->whole)
     report.claims = {nodes_of_table(report), length_of_table(report), clearance_of_table(report),
                      time_of_table(report), sight_claim(report, kTablePlain, kTableDld, kTableAlong)};
-  return report;
+  return std::move(report);
 }
 
 Result<std::vector<StudyPicture>> table_pictures() {
-  auto scenario = read_scenario((std::filesystem::path(library_folder()) / "dld-table-1.json").string());
-  if (!scenario) return Error{scenario.error()};
-  return std::vector<StudyPicture>{
-      {"paths",
-       "The paths of the four planners, as in figure 3 of the paper: D* Lite, with sight "
-       "lines, with clearance, and with both.",
-       std::move(*scenario),
-       false,
-       {"path"}}};
+  return one_picture(library_scenario("dld-table-1.json"), "paths",
+                     "The paths of the four planners, as in figure 3 of the paper: D* Lite, with sight "
+                     "lines, with clearance, and with both.",
+                     false, {"path"});
 }
 
 }  // namespace

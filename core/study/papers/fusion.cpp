@@ -3,14 +3,12 @@
 //  Liu J., Xue L., Zhang H. & Liu Z., "Robot dynamic path planning based on improved A* and DWA algorithm" (in Chinese),
 //  Henan University of Technology, figure 6
 #include <algorithm>
-#include <filesystem>
 
 #include "core/base/random.hpp"
 #include "core/study/barn.hpp"
 #include "core/study/papers/paper_studies.hpp"
 #include "core/study/study_runs.hpp"
 #include "core/study/study_words.hpp"
-#include "core/world/library.hpp"
 
 namespace replan {
 namespace {
@@ -29,7 +27,7 @@ enum FusionFigure : std::size_t {
 constexpr int kBoxes = 4;
 
 Result<Scenario> figure_6() {
-  return read_scenario((std::filesystem::path(library_folder()) / "fusion-boxes.json").string());
+  return library_scenario("fusion-boxes.json");
 }
 
 /// The world of figure 6 without what the robot does not know of.
@@ -226,14 +224,11 @@ Result<StudyReport> run_fusion(const StudyWatch& watch) {
 
 Result<std::vector<StudyPicture>> fusion_pictures() {
   auto scenario = figure_6();
-  if (!scenario) return Error{scenario.error()};
-  scenario->planners.resize(1);
-  return std::vector<StudyPicture>{{"way",
-                                    "The way of a robot round four boxes that are on no map, and past "
-                                    "something that moves, as in figure 6 of the paper.",
-                                    std::move(*scenario),
-                                    true,
-                                    {"path", "trail", "grid"}}};
+  if (scenario) scenario->planners.resize(1);
+  return one_picture(scenario, "way",
+                     "The way of a robot round four boxes that are on no map, and past "
+                     "something that moves, as in figure 6 of the paper.",
+                     true, {"path", "trail", "grid"});
 }
 
 }  // namespace

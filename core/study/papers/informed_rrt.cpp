@@ -4,13 +4,11 @@
 //  tables 1 and 2
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
 #include "core/study/anytime.hpp"
 #include "core/study/papers/paper_studies.hpp"
 #include "core/study/study_runs.hpp"
 #include "core/study/study_words.hpp"
-#include "core/world/library.hpp"
 #include "core/world/scenario.hpp"
 
 namespace replan {
@@ -34,7 +32,7 @@ struct World {
 Result<std::vector<World>> read_worlds() {
   std::vector<World> worlds;
   for (const char* name : {"informed-rrt-1.json", "informed-rrt-2.json", "informed-rrt-3.json"}) {
-    auto read = read_scenario((std::filesystem::path(library_folder()) / name).string());
+    auto read = library_scenario(name);
     if (!read) return Error{read.error()};
     worlds.push_back({std::move(*read)});
     for (const Entry entry : {kOriginal, kImproved})
