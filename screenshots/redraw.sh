@@ -64,6 +64,13 @@ world=gap-for-samples draw why-edge.png --theme light --at-plan --panes 1 --pin 
 "$program" anytime maps/gap-for-samples.json --planner rrt-connect,rrt-star,informed-rrt-star,greedy-informed-rrt-star --seeds 20 \
   --svg screenshots/anytime.svg > /dev/null
 
+# What a study leaves: its planners side by side, and a diagram that gnuplot draws.
+report=$(mktemp -d)
+"$program" study dld-table1 --quick --out "$report" >/dev/null
+cp "$report/dld-table1-paths.png" screenshots/study-paths.png
+cp "$report/dld-table1-nodes.svg" screenshots/study-nodes.svg
+rm -r "$report"
+
 # Paths that are bred: the child in hand, what each neighbour of the changed cell would make of it, and why.
 draw improved-ga.png --planner improved-ga --overlay population,path,grid --theme dark --at 28193 --pin 16,36 --camera 15,33,30 \
   --action show_cell --size 1440x900
