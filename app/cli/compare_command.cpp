@@ -18,6 +18,7 @@ struct CompareArguments {
   std::string before, after;
   std::string alpha, tolerate;
   bool times = false;
+  bool any_settings = false;
   bool all = false;
   bool json = false;
   bool fail_on_loss = false;
@@ -103,14 +104,19 @@ Result<int> compare(const CompareArguments& arguments) {
   for (const auto* number : {&alpha, &tolerated})
     if (!*number) return Error{number->error()};
   settings.alpha = *alpha;
-  const auto before = results_in(arguments.before, arguments.times),
-             after = results_in(arguments.after, arguments.times);
-  for (const auto* results : {&before, &after})
+  auto before = results_in(arguments.before, arguments.times),
+       after = results_in(arguments.after, arguments.times);
+  for (auto* results : {&before, &after}) {
     if (!*results) return Error{results->error()};
+    if (!arguments.any_settings) continue;
+    if (const auto named = forget_settings(**results); !named) return Error{named.error()};
+  }
   const Comparison comparison = compare_results(*before, *after, settings);
   if (comparison.pairs == 0)
-    return Error{"no run of '" + arguments.before + "' is in '" + arguments.after +
-                 "': give results of the same worlds, planners, robots, surprises and seeds"};
+    return Error{
+        "no run of '" + arguments.before + "' is in '" + arguments.after +
+        "': give results of the same worlds, planners, robots, surprises and seeds; of planners with other "
+        "settings with --any-settings"};
   if (arguments.json)
     print(comparison_json(comparison));
   else
@@ -153,6 +159,9 @@ Command add_compare(CLI::App& program) {
   app->add_option("BEFORE", arguments->before, "A folder of results, or its results.json")->required();
   app->add_option("AFTER", arguments->after, "The results to hold against them")->required();
   app->add_flag("--times", arguments->times, "Compare the times of planning too; needs folders");
+  app->add_flag(
+      "--any-settings", arguments->any_settings,
+      "Pair runs of a planner whatever its settings and stages: to hold two settings against each other");
   app->add_option("--alpha", arguments->alpha, "How likely one false alarm may be, all rows together (0.05)")
       ->type_name("P");
   app->add_flag("--fail-on-loss", arguments->fail_on_loss, "Exit code 1 if a row is worse");

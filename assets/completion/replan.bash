@@ -37,7 +37,7 @@ _replan_options() {
     run) echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --json --csv --markdown --latex --cells --check --trace --trace-map --break" ;;
     batch) echo "-h --help --map --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --limit --out --jobs --shard --scenario -o --output --json" ;;
     merge) echo "-h --help -o --output" ;;
-    compare) echo "-h --help --times --alpha --fail-on-loss --tolerate --all --json" ;;
+    compare) echo "-h --help --times --any-settings --alpha --fail-on-loss --tolerate --all --json" ;;
     anytime) echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --seeds --time --csv --svg" ;;
     barn) echo "-h --help --global --set --world --csv" ;;
     study) echo "-h --help --out --seeds --barn --quick --json" ;;

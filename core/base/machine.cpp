@@ -25,14 +25,13 @@ std::string processor_name() {
 
 std::string machine_sentence() {
   const unsigned count = std::max(1u, std::thread::hardware_concurrency());
-  std::string text = "Times are of " + processor_name() + ", " + std::to_string(count) +
+  std::string text = "They were taken on " + processor_name() + ", " + std::to_string(count) +
                      (count == 1 ? " processor." : " processors.");
   std::array<double, 1> load{};
   if (::getloadavg(load.data(), 1) != 1 || load[0] < 0.5 * count) return text;
   std::array<char, 16> number{};
   std::snprintf(number.data(), number.size(), "%.1f", load[0]);
-  return text + " Other work kept it busy (a load of " + number.data() +
-         " as the study began), so that times are larger than they need be, and ratios the safer reading.";
+  return text + " Other work kept it busy (a load of " + number.data() + " as the study began).";
 }
 
 }  // namespace replan

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "core/world/json_reader.hpp"
 
@@ -161,6 +162,20 @@ std::optional<double> ComparedFigure::loss() const {
   if (!ratio) return std::nullopt;
   const double part = better == Better::lower ? *ratio - 1 : 1 - *ratio;
   return part > 0 ? std::optional(part) : std::nullopt;
+}
+
+Result<void> forget_settings(std::vector<RunResult>& results) {
+  std::set<RunName> names;
+  for (RunResult& run : results) {
+    run.name.settings.clear();
+    run.name.stages.clear();
+    if (!names.insert(run.name).second)
+      return Error{
+          "'" + run.name.planner +
+          "' is there with several settings, which cannot be told apart without them: give results that have "
+          "each planner once"};
+  }
+  return {};
 }
 
 Comparison compare_results(std::span<const RunResult> before, std::span<const RunResult> after,

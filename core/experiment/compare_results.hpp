@@ -53,6 +53,10 @@ struct Comparison {
 Comparison compare_results(std::span<const RunResult> before, std::span<const RunResult> after,
                            const CompareSettings& settings = {});
 
+/// Names runs by their planner's id alone, whatever its settings and stages, so that two settings of a planner can be held
+/// against each other. An Error if two of the results then have the same name.
+Result<void> forget_settings(std::vector<RunResult>& results);
+
 /// `{"pairs", "only_before", "only_after", "rows": [...]}`.
 std::string comparison_json(const Comparison& comparison);
 

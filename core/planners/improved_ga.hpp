@@ -256,18 +256,21 @@ class ImprovedGa final : public Planner<L> {
     breeding_.take_nobody();
     take_leader();
   }
-  /// From the start straight to the cell of the path over which it becomes fittest, and on as it was.
+  /// From the start straight to the cell of the path over which it becomes fittest, and on as it was. A cell that is seen
+  /// from the start comes before any that is not: where an obstacle has cut off all paths, the straight way to the goal hits
+  /// it but once, and would be the fittest of each of them, so that no cell of theirs were left.
   BredPath joined_to_start(const BredPath& path) {
     if (path.front().cell == start()) return path;
     BredPath fittest;
-    Unfitness least;
+    std::pair<bool, Unfitness> least{true, Unfitness{}};
     for (auto from = path.begin() + 1; from != path.end(); ++from) {
       BredPath joined(1, {start(), ways_.hit_between(start(), from->cell)});
+      const bool unseen = joined.front().hit != kNoNode;
       joined.insert(joined.end(), from, path.end());
       delete_loops(joined);
-      const Unfitness unfitness = ways_.unfitness_of(joined);
-      if (!(unfitness < least)) continue;
-      least = unfitness;
+      const std::pair<bool, Unfitness> rank{unseen, ways_.unfitness_of(joined)};
+      if (!fittest.empty() && !(rank < least)) continue;
+      least = rank;
       fittest = std::move(joined);
     }
     return fittest;

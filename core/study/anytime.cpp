@@ -32,13 +32,18 @@ double length_at(const AnytimeRun& run, AnytimeAxis axis, double at) {
 
 }  // namespace
 
+double wall_ms() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
 AnytimeRun plan_anytime(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice, double radius,
-                        double most_ms, const std::stop_token& stop) {
+                        double most_ms, const std::stop_token& stop, double (*clock)()) {
   const auto navigator = make_navigator(choice, map.box(), map.blocked, radius);
   AnytimeRun run;
   run.planner = choice.id;
   run.seed = static_cast<std::int64_t>(choice.settings.get(parameters::kSeed));
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = clock();
   navigator->begin(centre_of(start), centre_of(goal));
   Cost best = Cost::infinity();
   const bool limited = std::isfinite(most_ms);
@@ -46,7 +51,7 @@ AnytimeRun plan_anytime(const GridMap& map, Cell start, Cell goal, const Planner
     stands = navigator->advance(1);
     const Cost now = navigator->best_so_far();
     // A look at the clock can take as long as a sample: only where somebody wants to know.
-    if (limited || stands || now != best) run.ms = milliseconds_since(begin);
+    if (limited || stands || now != best) run.ms = clock() - begin;
     if (now != best) {
       best = now;
       run.gains.push_back({navigator->counters().expansions, run.ms, now.to_double()});

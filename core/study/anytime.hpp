@@ -41,11 +41,15 @@ struct AnytimeRun {
   [[nodiscard]] bool found() const { return !gains.empty(); }
 };
 
+/// Milliseconds of wall time, from any moment on.
+double wall_ms();
+
 /// Plans once with a planner that betters its path as it goes (PlannerInfo::can_miss). `most_ms` ends it with the best path
 /// by then: such a plan is another one each time, while samples repeat.
+/// `clock` tells milliseconds: those of wall time, or of the thread (core/base/cpu_time.hpp).
 AnytimeRun plan_anytime(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice, double radius,
                         double most_ms = std::numeric_limits<double>::infinity(),
-                        const std::stop_token& stop = {});
+                        const std::stop_token& stop = {}, double (*clock)() = wall_ms);
 
 /// How long the shortest of all ways is by the planner's corner rule; nothing where that is not known: in space, for a robot
 /// with a size, without a way, or if it was asked to stop or took longer than `most_ms`.

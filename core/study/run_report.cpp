@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/cpu_time.hpp"
 #include "core/base/words.hpp"
 #include "core/debug/event_words.hpp"
 #include "core/plan/navigator.hpp"
@@ -82,6 +83,7 @@ constexpr std::int64_t kSlice = std::int64_t{1} << 14, kTimedSlice = 16;
 /// How the plan stands in the end; nothing if it was stopped.
 std::optional<PlanStatus> finish_within(Navigator& navigator, const RunLimit& limit) {
   const auto begin = std::chrono::steady_clock::now();
+  const double cpu_begin = thread_cpu_ms();
   while (!navigator.advance(limit.seconds ? kTimedSlice : kSlice)) {
     if (limit.stop.stop_requested()) return std::nullopt;
     const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - begin;
@@ -117,6 +119,7 @@ std::optional<RunReport> plan_once(Navigator& navigator, const GridMap& map, Cel
   }
   report.plan_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  report.plan_cpu_ms = thread_cpu_ms() - cpu_begin;
   report_plan(report, navigator, choice, navigator.path(), status, robot.radius);
   report.frame = metric_frame(map);
   report.counters = in_vain + navigator.counters();

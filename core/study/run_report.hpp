@@ -44,12 +44,13 @@ struct RunReport {
   std::string_view status =
       "no-path";  ///< status_name(), or "loop" or "collision" for a plan that cannot be driven
   Path path;
-  bool blind = false;    ///< the path may lead through anything: nothing to hold other plans against
-  bool solid = false;    ///< in space: its places have a z
-  PathFigures figures;   ///< clearances are those of the robot's centre
-  double radius = 0;     ///< of the robot
-  double plan_ms = 0;    ///< wall time of the first plan
-  double replan_ms = 0;  ///< of all replans together
+  bool blind = false;      ///< the path may lead through anything: nothing to hold other plans against
+  bool solid = false;      ///< in space: its places have a z
+  PathFigures figures;     ///< clearances are those of the robot's centre
+  double radius = 0;       ///< of the robot
+  double plan_ms = 0;      ///< wall time of the first plan
+  double plan_cpu_ms = 0;  ///< and the processor's, of plan_once() alone
+  double replan_ms = 0;    ///< of all replans together
   std::int64_t replans = 0;
   Counters counters;
   std::int64_t memory_bytes = 0;  ///< held by the planner at most, the map not counted

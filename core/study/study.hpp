@@ -82,6 +82,7 @@ struct StudyReport {
   std::vector<StudyRun> runs;
   std::vector<StudyClaim> claims;
   std::vector<StudyChart> charts;
+  std::uint64_t seeds = 0;    ///< with so many it was run
   std::string machine;        ///< a sentence about what the times were taken on; may be empty
   std::string supplement;     ///< tables of another kind, as Markdown; may be empty
   bool worlds_apart = false;  ///< each world has a table of its own; else they are taken together

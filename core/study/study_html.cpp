@@ -33,7 +33,11 @@ figure { margin: 24px 0; } figcaption { color: var(--quiet); font-size: 14px; ma
 .row { display: flex; flex-wrap: wrap; gap: 16px; } .row div { flex: 1 1 240px; min-width: 0; }
 .row.one div { flex: 0 1 640px; } .row img { width: 100%; background: #fff; border: 1px solid var(--line); }
 .row span { display: block; font-size: 14px; font-weight: 600; margin-bottom: 4px; }
-.charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(440px, 1fr)); gap: 8px 24px; }
+.charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(440px, 100%), 1fr)); gap: 8px 24px; }
+@media (max-width: 720px) { body { padding: 20px 16px 64px; }
+  table.claims, .claims tbody, .claims tr, .claims td { display: block; max-width: none; } .claims th { display: none; }
+  .claims tr { border-bottom: 1px solid var(--line); padding: 8px 0; } .claims td { border: 0; padding: 4px 0; }
+  .summary { font-size: 13px; } .summary td, .summary th { padding-right: 8px; } }
 @media print { h2 { break-before: page; } body { max-width: none; padding: 0; } }
 )";
 
@@ -144,8 +148,7 @@ std::string html_section(const StudySection& section) {
   const StudyInfo& info = *section.info;
   std::string text = "<section id=\"" + std::string(info.id) + "\">\n" + element("h2", info.title);
   text += "<p class=\"quiet\">" +
-          escaped(filled("After {1}. Command: replan study {2}",
-                         {std::string(info.source), std::string(info.id)})) +
+          escaped(filled("After {1}. {2}", {std::string(info.source), seeds_words(info, section.report)})) +
           "</p>\n";
   text += element("p", info.setting) + html_claims(section.report);
   std::string charts;
@@ -163,7 +166,7 @@ std::string html_section(const StudySection& section) {
 
 std::string html_summary(std::span<const StudySection> sections) {
   constexpr std::array kAll{Verdict::reproduced, Verdict::partly, Verdict::not_reproduced, Verdict::answered};
-  std::string text = "<div class=\"scroll\"><table>\n<tr><th>Study</th>";
+  std::string text = "<div class=\"scroll\"><table class=\"summary\">\n<tr><th>Study</th>";
   for (const Verdict verdict : kAll)
     text += "<th class=\"number\">" + std::string(verdict_name(verdict)) + "</th>";
   text += "</tr>\n";
@@ -191,8 +194,9 @@ std::string study_html(std::span<const StudySection> sections) {
       std::string(kStyle) + "</style>\n</head>\n<body>\n<h1>Studies of path planning and replanning</h1>\n";
   text += element("p",
                   "The experiments of the papers, run anew. Each claim of a paper has a verdict: reproduced; "
-                  "partly, where "
-                  "the direction is the paper's and the size is not; not reproduced; or answered, where the "
+                  "partly, where it "
+                  "holds in some of the worlds alone, or in direction and not in size; not reproduced; or "
+                  "answered, where the "
                   "paper leaves a "
                   "question open. Where something has not come out, the reason stands beside it.");
   text += html_summary(sections);

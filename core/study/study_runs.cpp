@@ -50,6 +50,7 @@ std::vector<std::string> names_of(const std::vector<StudyEntry>& entries) {
 }
 
 bool run_all(StudyReport& report, const StudyWatch& watch, const StudyTask& task) {
+  report.seeds = watch.seeds;
   const std::size_t all = report.worlds.size() * report.planners.size() * watch.seeds;
   for (std::uint64_t seed = 1; seed <= watch.seeds; ++seed)
     for (std::size_t world = 0; world < report.worlds.size(); ++world)
@@ -82,7 +83,7 @@ StudyRun plan_run(const RunReport& report, std::size_t more) {
   run.values.resize(kPlanFigures + more);
   run.values[kExpansions] = static_cast<double>(report.counters.expansions);
   run.values[kSightChecks] = static_cast<double>(report.counters.sight_checks);
-  run.values[kPlanTime] = report.plan_ms;
+  run.values[kPlanTime] = report.plan_cpu_ms;
   if (report.path.empty()) return run;
   run.values[kNodes] = static_cast<double>(report.figures.nodes);
   run.values[kLength] = report.figures.length;
@@ -97,8 +98,8 @@ StudyRun plan_run(const GridMap& map, Cell start, Cell goal, PlannerChoice choic
   if (find_parameter(info_of(choice).parameters, "seed") != nullptr)
     choice.settings.set("seed", static_cast<double>(seed));
   RunReport report = plan_once(map, start, goal, choice);
-  for (int again = 1; again < kPlansTimed && report.plan_ms < kLongPlan; ++again)
-    report.plan_ms = std::min(report.plan_ms, plan_once(map, start, goal, choice).plan_ms);
+  for (int again = 1; again < kPlansTimed && report.plan_cpu_ms < kLongPlan; ++again)
+    report.plan_cpu_ms = std::min(report.plan_cpu_ms, plan_once(map, start, goal, choice).plan_cpu_ms);
   return plan_run(report);
 }
 

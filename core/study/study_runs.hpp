@@ -52,7 +52,7 @@ enum PlanFigure : std::size_t {
 std::vector<StudyFigure> plan_figures();
 /// A run with these values; of one that has found no path only the work is told. Room for `more` values behind them.
 StudyRun plan_run(const RunReport& report, std::size_t more = 0);
-/// Of a plan; a planner that draws is given the seed. Its time is that of the quickest of three like plans.
+/// Of a plan; a planner that draws is given the seed. Its time is the processor's, of the quickest of three like plans.
 StudyRun plan_run(const GridMap& map, Cell start, Cell goal, PlannerChoice choice, std::uint64_t seed);
 
 /// Where a path is after that share of its length.

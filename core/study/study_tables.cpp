@@ -103,11 +103,19 @@ StudyTable claim_table(const StudyReport& report) {
   return table;
 }
 
+std::string seeds_words(const StudyInfo& info, const StudyReport& report) {
+  const std::string id(info.id), seeds = std::to_string(report.seeds);
+  if (report.seeds == info.seeds) return filled("Run with {1} seeds: replan study {2}", {seeds, id});
+  return filled(
+      "Run with {1} seeds in place of the {3} that it is meant to have: replan study {2} --seeds {1}",
+      {seeds, id, std::to_string(info.seeds)});
+}
+
 std::string table_words(const StudyReport& report) {
   std::string words =
       "Means with their standard deviation, over the runs that have the figure; times are medians with their "
       "quartiles, "
-      "first as ratios run by run.";
+      "first as ratios run by run. Times are those that the processor worked.";
   if (!report.machine.empty()) words += " " + report.machine;
   return words;
 }

@@ -20,5 +20,7 @@ std::vector<StudyTable> figure_tables(const StudyReport& report);
 StudyTable claim_table(const StudyReport& report);
 /// What the tables' numbers are.
 std::string table_words(const StudyReport& report);
+/// With how many seeds it was run, of how many that it is meant to have, and the command that does so again.
+std::string seeds_words(const StudyInfo& info, const StudyReport& report);
 
 }  // namespace replan

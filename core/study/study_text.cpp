@@ -63,7 +63,7 @@ Json runs_json(const StudyReport& report) {
 
 std::string study_markdown(const StudyInfo& info, const StudyReport& report) {
   std::string text = "# " + std::string(info.title) + "\n\nAfter " + std::string(info.source) + ".\n\n" +
-                     std::string(info.setting) + "\n\n";
+                     std::string(info.setting) + "\n\n" + seeds_words(info, report) + "\n\n";
   for (const StudyTable& table : figure_tables(report)) text += markdown_table(table);
   text += table_words(report) + "\n";
   if (!report.supplement.empty()) text += "\n" + report.supplement;

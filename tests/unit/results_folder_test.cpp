@@ -216,5 +216,18 @@ TEST(CompareResults, PairsByNamesAndNotByNumbers) {
   for (const ComparedFigure& row : comparison.rows) EXPECT_EQ(row.improved + row.worsened, 0) << row.figure;
 }
 
+TEST(CompareResults, PairsAPlannerWithItsOtherSettings) {
+  auto before = made_up(2, 10, 0), after = before;
+  std::erase_if(before, [](const RunResult& run) { return run.name.planner != "astar"; });
+  after = before;
+  for (RunResult& run : after) run.name.settings = "weight=3";
+  EXPECT_EQ(compare_results(before, after).pairs, 0);
+  ASSERT_TRUE(forget_settings(before).ok());
+  ASSERT_TRUE(forget_settings(after).ok());
+  EXPECT_EQ(compare_results(before, after).pairs, static_cast<std::int64_t>(before.size()));
+  before.push_back(before.front());
+  EXPECT_NE(forget_settings(before).error().find("with several settings"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace replan::results_folder_test

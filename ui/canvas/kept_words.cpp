@@ -18,7 +18,7 @@ std::string population_sentence(const KeptCounts& counts) {
   if (counts.anew) return "The population of " + all + " was given up: another one is bred from the start.";
   return "Of " + all + " " + grouped(counts.kept) + " stayed as they were, " + grouped(counts.joined) +
          " were joined to where the robot is, and " + grouped(counts.lost) +
-         " were lost to new ones, since they hit something.";
+         " hit something and were lost to new ones that are fitter.";
 }
 
 }  // namespace
