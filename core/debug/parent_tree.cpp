@@ -66,19 +66,21 @@ std::shared_ptr<const ParentTable> ParentTableReader::read(const Deadline& deadl
 
 ParentTree::ParentTree(std::shared_ptr<const ParentTable> table, const std::stop_token& stop)
     : table_(std::move(table)) {
-  link();
+  link(stop);
   if (!stop.stop_requested()) count(stop);
 }
 
-void ParentTree::link() {
+void ParentTree::link(const std::stop_token& stop) {
   const std::vector<NodeId>& parents = table_->parents;
   begins_.assign(parents.size() + 2, 0);
   for (const NodeId parent : parents)
     if (parent != kNoNode) ++begins_[parent + 2];
   for (std::size_t i = 2; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
   children_.resize(begins_.back());
-  for (std::size_t i = 0; i < parents.size(); ++i)
+  for (std::size_t i = 0; i < parents.size(); ++i) {
+    if (i % kParentSlice == 0 && stop.stop_requested()) return;
     if (parents[i] != kNoNode) children_[begins_[parents[i] + 1]++] = static_cast<NodeId>(i);
+  }
 }
 
 /// From the leaves up: a point is counted for its parent when all of its own children are. What is never counted is a

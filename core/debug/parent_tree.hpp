@@ -63,7 +63,7 @@ class ParentTree {
   [[nodiscard]] std::size_t members() const { return members_; }
 
  private:
-  void link();
+  void link(const std::stop_token& stop);
   void count(const std::stop_token& stop);
 
   std::shared_ptr<const ParentTable> table_;

@@ -67,12 +67,21 @@ struct ColumnReader::Job {
   /// Whether all of the points are read.
   bool read(std::span<const FirstTouch> touches, const Deadline& deadline) {
     count = touches.size();
+    if (next == 0) make_room();
     while (next < count) {
       const std::size_t end = std::min(count, next + kColumnSlice);
       for (; next < end; ++next) take(touches[next]);
       if (deadline.passed()) break;
     }
     return next == count;
+  }
+  /// What grew by doubling would be copied within a frame.
+  void make_room() {
+    columns.points.reserve(count);
+    if (view.info.values.grows()) columns.cells.reserve(count);
+    columns.x.reserve(count);
+    columns.y.reserve(count);
+    columns.states.reserve(count);
   }
   void take(const FirstTouch& touch) {
     const auto at_x = x_reader.read(touch), at_y = y_reader.read(touch);

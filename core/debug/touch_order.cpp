@@ -34,8 +34,10 @@ void TouchOrder::start(const LogView& view, std::size_t begin) {
   shown_ = 0;
   expanded_ = 0;
   kinds_ = kinds_of_points(view.info.values);
+  const std::size_t points = view.info.values.grows() ? kMostVertices : view.lattice.node_count();
   list_.clear();
-  seen_.assign(view.info.values.grows() ? kMostVertices : view.lattice.node_count(), false);
+  list_.reserve(points);  // what grew by doubling would be copied within a frame
+  seen_.assign(points, false);
 }
 
 void TouchOrder::follow(const LogView& view, std::uint64_t log_id, std::size_t end,
