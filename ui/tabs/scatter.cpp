@@ -76,6 +76,7 @@ void ScatterView::axis_row(const Look& look, const char* name, const char* id, A
   }
   hint(look, {shown.label.c_str(), "", shown.help.c_str()});
   ImGui::SameLine(0, look.px.m);
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + look.px.xs);
   toggle(look, "log", axis.logarithmic);
   ImGui::PopID();
 }
@@ -198,7 +199,9 @@ void ScatterView::tell(const Frame& frame, const PlotPicture& picture) const {
     return count_text(static_cast<std::int64_t>(count), one, more);
   };
   std::string words = number(columns.points.size()) + " at event " + grouped(columns.position) + ".";
-  if (columns.without > 0) words += " " + number(columns.without) + " more without one of the numbers.";
+  if (columns.without > 0)
+    words +=
+        " " + number(columns.without) + (columns.without == 1 ? " lacks" : " lack") + " one of the numbers.";
   if (picture.shown < columns.points.size())
     words += " " + number(columns.points.size() - picture.shown) +
              " at 0 or below, which a logarithmic axis has no place for.";

@@ -148,11 +148,9 @@ void draw_plot_axes(const Look& look, ImDrawList& list, const PlotPlace& place, 
             {min.x + text_width(small, left) + look.px.s + (room - text_width(words, name)) / 2, below},
             look.theme.dim, name);
   const float above = min.y - small->FontSize - look.px(4);
-  draw_text(list, small, {min.x, above}, look.theme.faint, high);
-  draw_text(list, words, {min.x + text_width(small, high) + look.px.s, above}, look.theme.dim,
-            elide(words, y.label, max.x - min.x - text_width(small, high) - look.px.l));
-  // Inside, where no column of numbers narrows the plot.
-  draw_text(list, small, {min.x + look.px.xs, max.y - small->FontSize - look.px(2)}, look.theme.faint, low);
+  const std::string range = low + " … " + high, upwards = elide(words, y.label, (max.x - min.x) / 2);
+  draw_text(list, words, {min.x, above}, look.theme.dim, upwards);
+  draw_text(list, small, {max.x - text_width(small, range), above}, look.theme.faint, range);
 }
 
 }  // namespace replan::ui
