@@ -198,7 +198,7 @@ class AnalysisGolden : public testing::TestWithParam<const char*> {
     request.window = true;
     request.theme = GetParam();
     request.panes = 1;
-    request.pinned = Cell{17, 24};
+    request.pinned = Cell{15, 33};
     request.actions = {action};
     return request;
   }

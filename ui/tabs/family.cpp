@@ -15,8 +15,9 @@ namespace {
 constexpr double kFamilyMs = 3;
 /// Of the children of one cell so many are listed, and no more rows than that in all.
 constexpr std::size_t kMostChildren = 500, kMostFamilyRows = 20'000;
-/// Rows are indented by so many levels at most: the numbers keep their room.
-constexpr std::size_t kMostIndent = 10;
+/// The way to the root is indented by so many levels at most, and what is unfolded beside it by so many more: names keep
+/// their room.
+constexpr std::size_t kWayLevels = 3, kMostLevels = 7;
 
 Cost cost_of_point(const Run& run, NodeId point) {
   const SearchState& state = run.timeline().state();
@@ -118,19 +119,19 @@ void FamilyView::show_on_canvas(Frame& frame) {
 }
 
 /// Those that hang on a point, each with its own below it where they are unfolded.
-void FamilyView::list_children(NodeId parent, std::size_t depth, NodeId without) {
+void FamilyView::list_children(NodeId parent, std::size_t depth, std::size_t level, NodeId without) {
   std::size_t listed = 0;
   const auto children = tree_->children(parent);
   for (const NodeId child : children) {
     if (child == without || std::find(up_.points.begin(), up_.points.end(), child) != up_.points.end())
       continue;
     if (listed++ == kMostChildren || rows_.size() >= kMostFamilyRows) {
-      rows_.push_back({FamilyRow::Kind::more, parent, depth, children.size() - listed + 1, false});
+      rows_.push_back({FamilyRow::Kind::more, parent, depth, level, children.size() - listed + 1, false});
       return;
     }
     const bool open = unfolded_.contains(child);
-    rows_.push_back({FamilyRow::Kind::relative, child, depth, tree_->children(child).size(), open});
-    if (open) list_children(child, depth + 1, kNoNode);
+    rows_.push_back({FamilyRow::Kind::relative, child, depth, level, tree_->children(child).size(), open});
+    if (open) list_children(child, depth + 1, std::min(level + 1, kMostLevels), kNoNode);
   }
 }
 
@@ -142,23 +143,25 @@ void FamilyView::make_rows(const Frame& frame) {
   if (key.point != rows_key_.point) reveal_ = true;
   rows_key_ = key;
   rows_.clear();
+  using Kind = FamilyRow::Kind;
   const std::vector<NodeId>& up = up_.points;
   for (std::size_t i = up.size(); i-- > 0;) {
-    const std::size_t depth = up.size() - 1 - i;
+    const std::size_t depth = up.size() - 1 - i, level = std::min(depth, kWayLevels);
     const bool known = tree_ && up[i] < tree_->point_count();
     const std::size_t count = known ? tree_->children(up[i]).size() : 0;
-    rows_.push_back({i == 0 ? FamilyRow::Kind::self : FamilyRow::Kind::ancestor, up[i], depth, count, true});
+    rows_.push_back({i == 0 ? Kind::self : Kind::ancestor, up[i], depth, level, count, true});
     if (!known || rows_.size() >= kMostFamilyRows) continue;
     if (i == 0) {
-      list_children(up[i], depth + 1, kNoNode);
+      list_children(up[i], depth + 1, level + 1, kNoNode);
       continue;
     }
     const bool holds = tree_->parent(up[i - 1]) == up[i];
     const std::size_t siblings = count - (holds ? 1 : 0);
     if (siblings == 0) continue;
     const bool open = unfolded_.contains(up[i]);
-    rows_.push_back({FamilyRow::Kind::siblings, up[i], depth + 1, siblings, open});
-    if (open) list_children(up[i], depth + 1, up[i - 1]);
+    const std::size_t beside = std::min(depth + 1, kWayLevels);
+    rows_.push_back({Kind::siblings, up[i], depth + 1, beside, siblings, open});
+    if (open) list_children(up[i], depth + 1, beside + 1, up[i - 1]);
   }
 }
 
@@ -215,7 +218,7 @@ void FamilyView::draw_heading(Frame& frame) {
                     children = grouped(tree_->children(point_).size()),
                     below = tree_->in_circle(point_) ? "a circle" : grouped(tree_->below(point_));
   const std::vector<KeyValue> values = {{"depth", depth}, {"children", children}, {"below it", below}};
-  key_values(look, values, 3);
+  key_values(look, values, 2);
   if (tree_->table().position != run.timeline().cursor())
     paragraph(look.fonts.small, look.theme.faint,
               "Children and counts are those of event " + grouped(tree_->table().position) + ".");
@@ -227,15 +230,14 @@ void FamilyView::draw_row(Frame& frame, std::size_t number, std::span<const Colu
   const FamilyRow row = rows_[number];
   const bool fold = row.kind == FamilyRow::Kind::siblings, more = row.kind == FamilyRow::Kind::more;
   const bool folds = fold || (row.kind == FamilyRow::Kind::relative && row.count > 0);
-  const float indent = look.px(8) * static_cast<float>(std::min(row.depth, kMostIndent));
-  std::string name = std::string(folds ? (row.open ? "▾ " : "▸ ") : "  ");
-  std::string g, edge, below;
+  const float indent = look.px(6) * static_cast<float>(row.level), mark = look.px(14);
+  std::string name, g, edge, below;
   if (fold) {
-    name += count_text(static_cast<std::int64_t>(row.count), "sibling", "siblings");
+    name = count_text(static_cast<std::int64_t>(row.count), "sibling", "siblings");
   } else if (more) {
-    name += "and " + grouped(row.count) + " more";
+    name = "and " + grouped(row.count) + " more";
   } else {
-    name += point_name(run, row.point);
+    name = point_name(run, row.point);
     g = cost_text(cost_of_point(run, row.point), 2);
     edge = edge_text(run, row.point);
     if (tree_ && row.point < tree_->point_count() && !tree_->in_circle(row.point))
@@ -250,15 +252,21 @@ void FamilyView::draw_row(Frame& frame, std::size_t number, std::span<const Colu
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const bool clicked =
       table_row(look, static_cast<int>(number), columns, cells, row.kind == FamilyRow::Kind::self);
+  const bool hovered = ImGui::IsItemHovered();
   tab_stop(look);
+  const int turn = folds ? arrow_steps(look) : 0;
   const float left = origin.x + columns[0].weight + indent;
-  draw_text(*ImGui::GetWindowDrawList(), look.fonts.mono,
-            {left, origin.y + (look.px.row - look.fonts.mono->FontSize) / 2}, colour,
-            elide(look.fonts.mono, name, columns[1].weight - indent));
-  const bool on_mark = folds && ImGui::GetIO().MousePos.x < left + look.px(14);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (folds)
+    draw_icon(list, look.fonts.ui, {left + look.px(5), origin.y + look.px.row / 2}, look.theme.dim,
+              row.open ? icon::caret_down : icon::caret_right);
+  draw_text(list, look.fonts.mono, {left + mark, origin.y + (look.px.row - look.fonts.mono->FontSize) / 2},
+            colour, elide(look.fonts.mono, name, columns[1].weight - indent - mark));
+  const bool on_mark = folds && hovered && ImGui::GetIO().MousePos.x < left + mark;
   if (!fold && !more) point_at(frame, cell_of_point(run.log_view(), run.timeline().state(), row.point));
-  if (!clicked || more) return;
-  if (!fold && !on_mark) return go_to(frame, row.point);
+  const bool folding = turn != 0 ? (turn > 0) != row.open : clicked && (fold || on_mark);
+  if (clicked && !folding && !more) return go_to(frame, row.point);
+  if (!folding) return;
   if (!unfolded_.erase(row.point)) unfolded_.insert(row.point);
   ++unfolding_;
 }
@@ -272,7 +280,7 @@ void FamilyView::draw_rows(Frame& frame) {
   };
   const std::size_t most = tree_ ? tree_->members() : 0;
   const float depth = chars(std::max<std::size_t>(grouped(up_.points.size()).size(), 3)), g = chars(7),
-              edge = chars(6), below = chars(std::max<std::size_t>(grouped(most).size(), 5));
+              edge = chars(6), below = chars(std::max<std::size_t>(grouped(most).size(), 6));
   const std::string g_label(run.info().values.grows() ? "cost" : run.info().values.field(EventKind::g).label);
   const std::array<Column, 5> columns = {
       {{"", depth},
@@ -285,7 +293,8 @@ void FamilyView::draw_rows(Frame& frame) {
   hint(look, {"The tree of parents", "",
               "From the root down to the cell, then what hangs on it. edge: what it costs more than its "
               "parent. below: how "
-              "many hang on it, and on those. A click on a row pins its cell, one on a mark unfolds it."});
+              "many hang on it, and on those. A click on a row pins its cell; one on a mark, or Right with "
+              "the keyboard on it, unfolds it."});
   if (reveal_) {
     const auto own = std::find_if(rows_.begin(), rows_.end(),
                                   [](const FamilyRow& row) { return row.kind == FamilyRow::Kind::self; });

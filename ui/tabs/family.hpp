@@ -21,6 +21,7 @@ struct FamilyRow {
   Kind kind{};
   NodeId point = kNoNode;  ///< Kind::siblings and more: the parent of those
   std::size_t depth = 0;   ///< from the root
+  std::size_t level = 0;   ///< by how much it is indented
   std::size_t count = 0;   ///< of those that are folded away, or of its children
   bool open = false;       ///< they are listed below it
 };
@@ -51,7 +52,7 @@ class FamilyView {
   void follow_below(Frame& frame);
   [[nodiscard]] NodeId point_of_cell(Frame& frame, Cell cell);
   void make_rows(const Frame& frame);
-  void list_children(NodeId parent, std::size_t depth, NodeId without);
+  void list_children(NodeId parent, std::size_t depth, std::size_t level, NodeId without);
   void show_on_canvas(Frame& frame);
   void draw_heading(Frame& frame);
   void draw_steps(Frame& frame);
