@@ -36,11 +36,11 @@ class FamilyMarks final : public CellMark {
   }
   void finish() override {
     if (family_.way.size() < 2) return;
-    context_.scene.show(Sign::ancestors);
+    context_.scene.show(Sign::ancestors);  // wider than the path, under which it may lie
     std::vector<Point> way;
     for (const Point& point : family_.way) way.push_back(context_.seen(point));
     add_through_layers(
-        context_, {std::move(way), context_.palette.accent, context_.pixels(3.5), context_.palette.outline});
+        context_, {std::move(way), context_.palette.accent, context_.pixels(6), context_.palette.outline});
   }
 
  private:
