@@ -312,7 +312,7 @@ void ScatterView::draw(Frame& frame) {
   choose_axes(frame);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, head = look.px(20), foot = look.px(20);
-  const float height = std::clamp(ImGui::GetContentRegionAvail().y * 0.5f, look.px(150), look.px(300));
+  const float height = std::clamp(ImGui::GetContentRegionAvail().y * 0.42f, look.px(150), look.px(300));
   plot_ = {{origin.x + look.px.hair, origin.y + head},
            {origin.x + std::max(width, look.px(60)), origin.y + height}};
   follow(frame);
