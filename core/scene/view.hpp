@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +16,9 @@
 #include "core/scene/pixel_box.hpp"
 
 namespace replan {
+
+class CellSet;
+struct ShownFamily;
 
 /// What can be laid over the world (overlays.def). Fields colour whole cells, one at a time; marks are drawn on
 /// top, any number.
@@ -71,6 +75,9 @@ Result<OverlaySet> parse_overlays(std::span<const std::string> ids);
 OverlaySet default_overlays();
 /// Switches on what marks the cells that the last repair touched.
 void show_last_repair(OverlaySet& overlays);
+/// Switches on what marks the cells of points that are chosen in a plot, and those that a cell hangs together with.
+void show_brushed(OverlaySet& overlays);
+void show_family(OverlaySet& overlays);
 
 /// Which part of the world a view shows. Zero zoom: fit the whole world.
 struct Camera {
@@ -98,6 +105,9 @@ struct View {
   // it, and the one that is pointed at.
   std::optional<Twist> motion;
   std::optional<Twist> pointed_motion;
+  // Of the run that they name: cells of points that were chosen in a plot, and what a cell hangs on and what on it.
+  std::shared_ptr<const CellSet> brushed;
+  std::shared_ptr<const ShownFamily> family;
   // By their numbers in the scenario.
   std::optional<std::size_t> selected_mover;
   std::optional<std::size_t> selected_surprise;

@@ -45,6 +45,8 @@ struct Canvas::Parts {
     Slice slice;
     std::optional<Cell> hovered, pinned;
     std::optional<Twist> motion, pointed_motion;
+    std::shared_ptr<const CellSet> brushed;
+    std::shared_ptr<const ShownFamily> family;
     std::optional<std::size_t> mover, surprise;
     std::optional<PixelBox> taken;
     double scale = 0;
@@ -158,11 +160,26 @@ void Canvas::Parts::prepare(const Look& look, const Session& session, const Run&
   view.camera = camera;
   view.selected_mover = state.editing.mover;
   view.selected_surprise = state.editing.surprise;
-  const SceneKey now{
-      session.revision(),  run.log_id(),           view.overlays, view.range,  view.camera,
-      view.slice,          view.hovered,           view.pinned,   view.motion, view.pointed_motion,
-      view.selected_mover, view.selected_surprise, view.taken,    view.scale,  viewport,
-      look.theme.free,     state.colours,          view.lengths};
+  const SceneKey now{session.revision(),
+                     run.log_id(),
+                     view.overlays,
+                     view.range,
+                     view.camera,
+                     view.slice,
+                     view.hovered,
+                     view.pinned,
+                     view.motion,
+                     view.pointed_motion,
+                     view.brushed,
+                     view.family,
+                     view.selected_mover,
+                     view.selected_surprise,
+                     view.taken,
+                     view.scale,
+                     viewport,
+                     look.theme.free,
+                     state.colours,
+                     view.lengths};
   behind = key != now && may_wait;
   if (key == now || behind) return;
   scene = build_scene(run, view, viewport, scene_palette(look.theme, state.colours), memory);

@@ -7,6 +7,7 @@
 #include "ui/shell/format.hpp"
 #include "ui/shell/lesson_card.hpp"
 #include "ui/shell/panels.hpp"
+#include "ui/tabs/analysis.hpp"
 #include "ui/tabs/code.hpp"
 #include "ui/tabs/log.hpp"
 #include "ui/tabs/open_list.hpp"

@@ -61,6 +61,10 @@ void cell_menu_items(Frame& frame, Cell cell) {
     else
       frame.view.view.pinned = cell;
   }
+  if (menu_item(look, "What hangs on it", {icon::sitemap})) {
+    frame.view.view.pinned = cell;
+    perform(frame, ActionId::parent_tree);
+  }
   ImGui::Separator();
   change_items(frame, lookahead ? "rhs" : "g", lookahead ? EventKind::rhs : EventKind::g, node);
   ImGui::Separator();

@@ -64,6 +64,8 @@ void draw_side(Frame& frame) {
   if (pointed && frame.view.view.hovered == pointed) frame.view.view.hovered.reset();
   pointed.reset();
   frame.view.view.pointed_motion.reset();
+  frame.view.view.brushed.reset();
+  frame.view.view.family.reset();
   const std::size_t tab = choose_tab(frame);
   edge(look, Edge::left);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.l, look.px.m));
