@@ -35,7 +35,8 @@ std::vector<RunResult> many(std::size_t count) {
                                           : "rrt",
                              i % 5 == 4 ? std::nullopt : std::optional<double>(random.below(50))));
   // As several jobs bring them: not in the order of their numbers.
-  for (std::size_t i = count; i > 1; --i) std::swap(results[i - 1], results[random.below(i)]);
+  for (std::size_t i = count; i > 1; --i)
+    std::swap(results[i - 1], results[random.below(static_cast<std::uint32_t>(i))]);
   return results;
 }
 

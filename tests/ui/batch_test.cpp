@@ -46,7 +46,7 @@ RunList list_in(const std::string& folder) {
 class BatchTest : public ShellTest {
  protected:
   void open_hall(const WorkPlace& work = {}) {
-    open("hall.json", kHall, 1440, 900);
+    open("hall.json", kHall, 1280, 800);
     shell_->documents().settle_in(*session_, {"", folder_.file("library"), work});
     frames(2);
   }
@@ -156,6 +156,89 @@ TEST_F(BatchTest, AClickOpensARunOnceUnsavedWorkIsDealtWith) {
   EXPECT_TRUE(session_->modified());
 }
 
+/// Sixty runs with blocks that drop ahead of the robot, in a file.
+constexpr const char* kSixty =
+    R"({"format": "replan experiment", "version": 1, "name": "Sixty", "drive": true,
+  "planners": [{"id": "dstar-lite"}, {"id": "astar"}, {"id": "weighted-astar"}], "worlds": ["hall.json"],
+  "surprises": [{"blocks": 2, "side": 2, "ahead": 5}], "seeds": {"from": 1, "count": 20}})";
+
+// Where things are in a window of 1280 x 800.
+constexpr ImVec2 kOpenExperiment{370, 182}, kPauseOrGoOn{82, 88}, kStop{176, 88}, kLengthHead{797, 364},
+    kFirstRow{400, 387};
+
+class BatchOfAFile : public BatchTest {
+ protected:
+  void open_sixty(const WorkPlace& work = {}) {
+    open_hall(work);
+    sixty_ = folder_.with("sixty.json", kSixty);
+    show();
+    click(kOpenExperiment);
+    type(sixty_);
+    ASSERT_TRUE(wait_until([this] { return shell_->batch().open(); }));
+    press(key::kEnter);
+    frames(4);
+    press(key::kEnter);
+    ASSERT_EQ(shell_->batch().error(), "");
+  }
+  [[nodiscard]] std::string out() const { return folder_.file("sixty-results"); }
+  [[nodiscard]] RunList engine() const { return *RunList::load(*read_experiment(sixty_)); }
+
+  std::string sixty_;
+};
+
+TEST_F(BatchOfAFile, IsRunAsTheEngineRunsIt) {
+  open_sixty();
+  EXPECT_EQ(shell_->batch().table().count(), 60u);
+  EXPECT_EQ(shell_->batch().table().summaries().size(), 3u);
+  EXPECT_EQ(text_of(out() + "/results.csv"), results_csv(test::results_of(engine())));
+}
+
+TEST_F(BatchOfAFile, StopsAndGoesOn) {
+  open_sixty({.in_step = false, .wake = {}});
+  ASSERT_TRUE(wait_until([this] { return shell_->batch().table().count() > 0; }));
+  click(kPauseOrGoOn);
+  frames(4);
+  click(kStop);
+  ASSERT_TRUE(wait_until([this] { return !shell_->batch().at_work(); }));
+  EXPECT_EQ(shell_->batch().error(), "");
+  const std::size_t kept = shell_->batch().table().count();
+  ASSERT_LT(kept, 60u) << "it was done before it could be stopped";
+  EXPECT_FALSE(fs::exists(out() + "/results.csv"));
+  click(kPauseOrGoOn);
+  ASSERT_TRUE(wait_until([this] { return fs::exists(out() + "/results.csv"); }));
+  ASSERT_TRUE(wait_until([this] { return !shell_->batch().at_work(); }));
+  EXPECT_EQ(shell_->batch().table().count(), 60u);
+  EXPECT_EQ(text_of(out() + "/results.csv"), results_csv(test::results_of(engine())));
+}
+
+TEST_F(BatchOfAFile, AClickOnAColumnSortsAndOneOnARowOpensItsRun) {
+  open_sixty();
+  click(kLengthHead);
+  EXPECT_EQ(shell_->batch().table().order(), BatchColumn::length);
+  EXPECT_FALSE(shell_->batch().table().descending());
+  click(kLengthHead);
+  EXPECT_TRUE(shell_->batch().table().descending());
+  const RunResult first = shell_->batch().table().row(0);
+  for (std::size_t i = 1; i < 60; ++i)
+    EXPECT_GE(first.length().value_or(0), shell_->batch().table().row(i).length().value_or(0));
+  click(kFirstRow);
+  EXPECT_FALSE(shell_->batch().open());
+  const RunList list = engine();
+  const Scenario expected = list.scenario(list.parts(first.run));
+  ASSERT_FALSE(expected.surprises.empty());
+  EXPECT_EQ(session_->scenario().surprises, expected.surprises);
+  EXPECT_EQ(session_->scenario().planners, expected.planners);
+  EXPECT_EQ(session_->scenario().map, expected.map);
+  EXPECT_EQ(session_->scenario().seed, expected.seed);
+  // Driven to its end in the window it comes to the same figures.
+  ASSERT_TRUE(session_->apply(Step{StepUnit::mission, 1}));
+  session_->settle();
+  const Decision* last = session_->run().decision_at(session_->run().timeline().cursor());
+  ASSERT_NE(last, nullptr);
+  EXPECT_EQ(last->state, MissionState::arrived);
+  EXPECT_DOUBLE_EQ(last->figures.travelled, first.length().value_or(0));
+}
+
 TEST_F(BatchTest, RefusesAFolderThatAnotherProcessIsAtWorkIn) {
   open_hall();
   fs::create_directories(results());
@@ -176,7 +259,7 @@ TEST_F(BatchTest, RefusesAFolderWithResultsOfAWorldThatHasChanged) {
   fs::remove(results() + "/results.csv");  // so that the folder is offered again
   const std::string journal = text_of(results() + "/runs.jsonl");
   close();
-  open("hall.json", std::string(kHall).replace(std::string(kHall).find("[14, 4]"), 7, "[13, 4]"), 1440, 900);
+  open("hall.json", std::string(kHall).replace(std::string(kHall).find("[14, 4]"), 7, "[13, 4]"), 1280, 800);
   show();
   press(key::kEnter);
   EXPECT_NE(shell_->batch().error().find("another world"), std::string::npos) << shell_->batch().error();

@@ -9,7 +9,6 @@
 #include "core/base/file.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/dialogs/parts.hpp"
-#include "ui/shell/dialogs/world_views.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -17,7 +16,8 @@ namespace replan::ui {
 namespace {
 
 constexpr const char* kBatchPopup = "batch dialog";
-constexpr float kFormWidth = 760, kFormHeight = 300, kResultsWidth = 1400, kResultsHeight = 760;
+constexpr float kFormWidth = 760, kFormHeight = 300, kFormRest = 310, kResultsWidth = 1400,
+                kResultsHeight = 760;
 
 /// "40 s", "3 min", "2 h 5 min".
 std::string duration_text(double seconds) {
@@ -26,6 +26,11 @@ std::string duration_text(double seconds) {
   const std::int64_t minutes = (whole + 30) / 60;
   if (minutes < 60) return std::to_string(minutes) + " min";
   return grouped(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
+}
+
+/// Of what there is to choose: in a low window it scrolls, and the buttons stay in sight.
+float form_height(const Look& look) {
+  return std::clamp(ImGui::GetIO().DisplaySize.y - look.px(kFormRest), look.px(80), look.px(kFormHeight));
 }
 
 std::string runs_text(std::size_t count) {
@@ -43,6 +48,7 @@ void BatchDialog::show(const Session& session, std::string folder, const WorkPla
     opening_ = std::make_unique<Background<Scenario>>(place);
   }
   form_->take_world(session, std::move(folder));
+  if (page_ == Page::form) error_.clear();
   if (!job_->busy() && table().count() == 0) page_ = Page::form;
 }
 
@@ -180,12 +186,12 @@ void BatchDialog::draw_prospect(const Look& look) const {
   if (const auto runs = form_->runs())
     paragraph(look.fonts.ui, look.theme.dim,
               "That makes " + runs_text(static_cast<std::size_t>(*runs)) +
-                  ". How long they take is told after the first of them.");
+                  (*runs > 1 ? ". How long that takes is told after the first of them." : "."));
 }
 
 void BatchDialog::draw_form(const Look& look) {
   heading(look, "Batch");
-  const BatchFormWish asked = form_->draw(look, fitting_height(look, kFormHeight));
+  const BatchFormWish asked = form_->draw(look, form_height(look));
   if (asked != BatchFormWish::none) {
     note_.clear();
     error_.clear();
@@ -257,7 +263,7 @@ void BatchDialog::draw_results(const Look& look) {
             ImGui::GetContentRegionAvail().x);
   ImGui::Dummy({0, look.px.xs});
   const float whole = std::min(ImGui::GetIO().DisplaySize.y - look.px(72), look.px(kResultsHeight));
-  const float foot = look.px.control + look.px.l;
+  const float foot = look.px.control + look.px(32);
   if (const auto run = view_.draw(look, whole - (ImGui::GetCursorPosY() - top) - foot)) open_run(*run);
   ImGui::Dummy({0, look.px.xs});
   align_right(button_width(look, "Close"));

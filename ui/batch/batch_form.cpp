@@ -11,6 +11,7 @@
 #include "core/world/choices.hpp"
 #include "ui/documents/files.hpp"
 #include "ui/icons.hpp"
+#include "ui/keys.hpp"
 #include "ui/shell/dialogs/parts.hpp"
 #include "ui/shell/format.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -241,6 +242,8 @@ void BatchForm::draw_folder(const Look& look) {
   ImGui::PushFont(look.fonts.mono);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(10), field_height));
   ImGui::InputTextWithHint("##folder", "a folder", &folder_);
+  // Escape takes the typing back, and is not for the dialog then.
+  if (ImGui::IsItemActive() || ImGui::IsItemDeactivated()) key::take(ImGui::GetIO(), key::kEscape);
   ImGui::PopStyleVar();
   ImGui::PopFont();
   hint(

@@ -12,22 +12,23 @@ namespace {
 
 constexpr std::array<BatchColumnInfo, kBatchColumns> kInfos = {
     {{"run", "Run", "Its number. The same experiment gives the same run the same number everywhere.", 60,
-      false},
-     {"world", "World", "The file of its world, and the line of its problem where that has several.", 150,
-      true},
-     {"planner", "Planner", "Who planned, with settings that are not the usual ones.", 220, true},
-     {"surprises", "Surprises", "What happens while the robot drives.", 150, true},
-     {"seed", "Seed", "What chance was drawn from.", 56, false},
-     {"status", "Status", "How the run ended.", 100, true},
-     {"length", "Length", "Cells: of the way that was driven, or of the path.", 92, false, 3},
-     {"turns", "Turns", "How often the first plan's path changes its direction.", 66, false},
+      false, true},
+     {"world", "World", "The file of its world, and the line of its problem where that has several.", 110,
+      true, false},
+     {"planner", "Planner", "Who planned, with settings that are not the usual ones.", 220, true, true},
+     {"surprises", "Surprises", "What happens while the robot drives.", 190, true, false},
+     {"seed", "Seed", "What chance was drawn from.", 56, false, false},
+     {"status", "Status", "How the run ended.", 100, true, true},
+     {"length", "Length", "Cells: of the way that was driven, or of the path.", 92, false, true, 3},
+     {"turns", "Turns", "How often the first plan's path changes its direction.", 66, false, false},
      {"clearance", "Clearance", "Cells to the nearest obstacle, where the way, or the path, comes closest.",
-      96, false, 2},
-     {"expansions", "Expansions", "Cells that were expanded, in all plans of the run together.", 104, false},
-     {"replans", "Replans", "How often the robot had to plan again.", 76, false},
+      96, false, false, 2},
+     {"expansions", "Expansions", "Cells that were expanded, in all plans of the run together.", 104, false,
+      true},
+     {"replans", "Replans", "How often the robot had to plan again.", 76, false, false},
      {"ms", "Time",
       "Milliseconds of planning and replanning; of repeats the median. Jobs disturb each other's.", 84, false,
-      2}}};
+      true, 2}}};
 
 std::optional<double> number_of(const RunResult& run, BatchColumn column) {
   switch (column) {
@@ -92,17 +93,16 @@ bool BatchTable::shows(const RunResult& run) const {
          (planner_.empty() || planner_label(run.name) == planner_);
 }
 
+BatchTable::Key BatchTable::key_of(const RunResult& run, BatchColumn column) {
+  return info_of(column).words ? Key{words_of(run, column), std::nullopt} : Key{"", number_of(run, column)};
+}
+
 bool BatchTable::before(std::size_t a, std::size_t b) const {
-  const RunResult &one = results_[a], &other = results_[b];
-  if (info_of(order_).words) {
-    const std::string x = words_of(one, order_), y = words_of(other, order_);
-    if (x != y) return descending_ ? natural_less(y, x) : natural_less(x, y);
-  } else {
-    const auto x = number_of(one, order_), y = number_of(other, order_);
-    if (x.has_value() != y.has_value()) return x.has_value();
-    if (x != y) return descending_ ? *y < *x : *x < *y;
-  }
-  return one.run < other.run;
+  const Key &one = keys_[a], &other = keys_[b];
+  if (one.number.has_value() != other.number.has_value()) return one.number.has_value();
+  if (one.number != other.number) return (*one.number < *other.number) != descending_;
+  if (one.words != other.words) return natural_less(one.words, other.words) != descending_;
+  return results_[a].run < results_[b].run;
 }
 
 void BatchTable::add(std::vector<RunResult> results) {
@@ -111,6 +111,7 @@ void BatchTable::add(std::vector<RunResult> results) {
     summaries_.add(result);
     if (std::find(statuses_.begin(), statuses_.end(), result.status) == statuses_.end())
       statuses_.push_back(result.status);
+    keys_.push_back(key_of(result, order_));
     results_.push_back(std::move(result));
     if (shows(results_.back())) shown_.push_back(results_.size() - 1);
   }
@@ -129,6 +130,7 @@ void BatchTable::rebuild() {
 void BatchTable::sort_by(BatchColumn column) {
   descending_ = column == order_ && !descending_;
   order_ = column;
+  for (std::size_t i = 0; i < results_.size(); ++i) keys_[i] = key_of(results_[i], order_);
   rebuild();
 }
 

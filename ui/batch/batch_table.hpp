@@ -34,6 +34,7 @@ struct BatchColumnInfo {
   const char* help;
   float width;  ///< its share
   bool words;   ///< it holds words, which stand at the left; else numbers
+  bool main;    ///< where there is room for few, it is one of them
   int decimals = 0;
 };
 const BatchColumnInfo& info_of(BatchColumn column);
@@ -67,11 +68,18 @@ class BatchTable {
   [[nodiscard]] std::span<const PlannerSummary> summaries() const { return summaries_.all(); }
 
  private:
+  /// What a run is sorted by.
+  struct Key {
+    std::string words;
+    std::optional<double> number;
+  };
+  [[nodiscard]] static Key key_of(const RunResult& run, BatchColumn column);
   [[nodiscard]] bool shows(const RunResult& run) const;
   [[nodiscard]] bool before(std::size_t a, std::size_t b) const;
   void rebuild();
 
   std::vector<RunResult> results_;
+  std::vector<Key> keys_;           // of results_, for the order that there is
   std::vector<std::size_t> shown_;  // places in results_, in order
   std::vector<std::string> statuses_;
   PlannerSummaries summaries_;

@@ -18,11 +18,13 @@ struct SummaryColumn {
   SummaryFigure figure;
   const char* name;
   int decimals;
+  bool main;
 };
-constexpr std::array kSummaryColumns = {
-    SummaryColumn{SummaryFigure::length, "length", 3}, SummaryColumn{SummaryFigure::turns, "turns", 1},
-    SummaryColumn{SummaryFigure::clearance, "clearance", 2},
-    SummaryColumn{SummaryFigure::expansions, "expansions", 0}, SummaryColumn{SummaryFigure::time, "ms", 2}};
+constexpr std::array kSummaryColumns = {SummaryColumn{SummaryFigure::length, "length", 3, true},
+                                        SummaryColumn{SummaryFigure::turns, "turns", 1, false},
+                                        SummaryColumn{SummaryFigure::clearance, "clearance", 2, false},
+                                        SummaryColumn{SummaryFigure::expansions, "expansions", 0, true},
+                                        SummaryColumn{SummaryFigure::time, "ms", 2, true}};
 
 /// The median, and behind it its ratio to the first planner's.
 std::string summary_text(const PlannerSummary& planner, const PlannerSummary& first,
@@ -35,19 +37,38 @@ std::string summary_text(const PlannerSummary& planner, const PlannerSummary& fi
   return &planner == &first || !ratio ? value : value + "  " + ratio_text(*ratio);
 }
 
-std::vector<Column> summary_columns() {
-  std::vector<Column> columns = {{"planner", 300, Align::left}, {"found", 130}};
-  for (const SummaryColumn& each : kSummaryColumns) columns.push_back({each.name, 160});
+/// Whether there is room for the main columns alone.
+bool is_narrow(const Look& look) {
+  return ImGui::GetContentRegionAvail().x < look.px(900);
+}
+
+/// Those that there is room for.
+std::vector<SummaryColumn> summary_columns(const Look& look) {
+  std::vector<SummaryColumn> columns;
+  for (const SummaryColumn& each : kSummaryColumns)
+    if (each.main || !is_narrow(look)) columns.push_back(each);
+  return columns;
+}
+std::vector<BatchColumn> batch_columns(const Look& look) {
+  std::vector<BatchColumn> columns;
+  for (std::size_t i = 0; i < kBatchColumns; ++i)
+    if (const auto column = static_cast<BatchColumn>(i); info_of(column).main || !is_narrow(look))
+      columns.push_back(column);
   return columns;
 }
 
-std::vector<Column> batch_columns() {
-  std::vector<Column> columns;
-  for (std::size_t i = 0; i < kBatchColumns; ++i) {
-    const BatchColumnInfo& info = info_of(static_cast<BatchColumn>(i));
-    columns.push_back({info.name, info.width, info.words ? Align::left : Align::right});
+std::vector<Column> layout_of(std::span<const BatchColumn> columns) {
+  std::vector<Column> layout;
+  for (const BatchColumn column : columns) {
+    const BatchColumnInfo& info = info_of(column);
+    layout.push_back({info.name, info.width, info.words ? Align::left : Align::right});
   }
-  return columns;
+  return layout;
+}
+
+ImU32 colour_of(const Theme& theme, const RunResult& run, BatchColumn column) {
+  if (column == BatchColumn::status && !run.succeeded) return theme.warning;
+  return info_of(column).words || column == BatchColumn::run ? theme.dim : theme.text;
 }
 
 /// One of some texts, or none of them in particular; whether another was chosen.
@@ -71,7 +92,9 @@ void BatchView::clear() {
 }
 
 void BatchView::draw_summaries(const Look& look) {
-  const std::vector<Column> columns = summary_columns();
+  const std::vector<SummaryColumn> figures = summary_columns(look);
+  std::vector<Column> columns = {{"planner", 300, Align::left}, {"found", 130}};
+  for (const SummaryColumn& each : figures) columns.push_back({each.name, 160});
   const std::span<const PlannerSummary> all = table_.summaries();
   table_header(look, columns);
   hint(
@@ -84,8 +107,9 @@ void BatchView::draw_summaries(const Look& look) {
   for (std::size_t i = first; i < last; ++i) {
     std::vector<std::string> texts = {all[i].label(),
                                       grouped(all[i].found()) + " of " + grouped(all[i].runs())};
-    for (const SummaryColumn& each : kSummaryColumns) texts.push_back(summary_text(all[i], all[0], each));
-    const std::vector<TableCell> cells(texts.begin(), texts.end());
+    for (const SummaryColumn& each : figures) texts.push_back(summary_text(all[i], all[0], each));
+    std::vector<TableCell> cells;
+    for (const std::string& each : texts) cells.push_back({each});
     const bool on = table_.planner() == all[i].label();
     if (table_row(look, static_cast<int>(i), columns, cells, on))
       table_.show_planner(on ? "" : all[i].label());
@@ -112,13 +136,14 @@ void BatchView::draw_filters(const Look& look) {
 
 /// A click on a column's name sorts by it; the column in force has an arrow.
 void BatchView::draw_header(const Look& look) {
-  std::vector<Column> columns = batch_columns();
-  const auto order = static_cast<std::size_t>(table_.order());
-  const std::string marked = std::string(columns[order].name) + (table_.descending() ? " ↓" : " ↑");
-  columns[order].name = marked.c_str();
-  const int at = table_header(look, columns);
+  const std::vector<BatchColumn> columns = batch_columns(look);
+  std::vector<Column> layout = layout_of(columns);
+  const std::string marked = std::string(info_of(table_.order()).name) + (table_.descending() ? " ↓" : " ↑");
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (columns[i] == table_.order()) layout[i].name = marked.c_str();
+  const int at = table_header(look, layout);
   if (at < 0) return;
-  const auto column = static_cast<BatchColumn>(at);
+  const BatchColumn column = columns[static_cast<std::size_t>(at)];
   ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   const std::string teach =
       std::string(info_of(column).help) + " Click to sort; once more, the other way round.";
@@ -142,27 +167,23 @@ std::optional<std::int64_t> BatchView::take_keys(const Look& look, float height)
 
 std::optional<std::int64_t> BatchView::draw_rows(const Look& look, float height) {
   std::optional<std::int64_t> chosen = take_keys(look, height);
-  const std::vector<Column> columns = batch_columns();
+  const std::vector<BatchColumn> columns = batch_columns(look);
+  const std::vector<Column> layout = layout_of(columns);
   const auto [first, last] = begin_rows(look, "runs", table_.shown(), height, scroll_);
   for (std::size_t i = first; i < last; ++i) {
     const RunResult& run = table_.row(i);
-    std::array<std::string, kBatchColumns> texts;
-    std::array<TableCell, kBatchColumns> cells;
-    for (std::size_t c = 0; c < kBatchColumns; ++c) {
-      const auto column = static_cast<BatchColumn>(c);
-      texts[c] = batch_text(run, column);
-      cells[c] = {texts[c], column == BatchColumn::status && !run.succeeded ? look.theme.warning
-                            : info_of(column).words || c == 0               ? look.theme.dim
-                                                                            : look.theme.text};
-    }
-    if (table_row(look, static_cast<int>(i), columns, cells, selected_ == run.run)) {
+    std::vector<std::string> texts;
+    for (const BatchColumn column : columns) texts.push_back(batch_text(run, column));
+    std::vector<TableCell> cells;
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      cells.push_back({texts[c], colour_of(look.theme, run, columns[c])});
+    if (table_row(look, static_cast<int>(i), layout, cells, selected_ == run.run)) {
       selected_ = run.run;
       chosen = run.run;
     }
     if (!ImGui::IsItemHovered()) continue;
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    hint(look, {texts[static_cast<std::size_t>(BatchColumn::planner)].c_str(), "Enter",
-                "Click to open this run in the debugger."});
+    hint(look, {"Open the run", "Enter", "Click to open this run in the debugger."});
   }
   end_rows();
   return chosen;
