@@ -43,6 +43,10 @@ RunList list_in(const std::string& folder) {
   return std::move(list.value());
 }
 
+// Where things are in a window of 1280 x 800.
+const ImVec2 kOpenExperiment{370, 182}, kSaveExperiment{574, 182}, kFirstButton{82, 93},
+    kSecondButton{176, 93}, kLengthHead{805, 369}, kFirstRow{400, 392};
+
 class BatchTest : public ShellTest {
  protected:
   void open_hall(const WorkPlace& work = {}) {
@@ -59,11 +63,18 @@ class BatchTest : public ShellTest {
     frames(3);
     ASSERT_TRUE(shell_->batch().open());
   }
+  /// In the file dialog that a click has just opened.
+  void choose(const std::string& path) {
+    frames(8);
+    type(path);
+    press(key::kEnter);
+    frames(4);
+  }
   [[nodiscard]] std::string results() const { return folder_.file("hall-batch"); }
-  /// Goes on drawing until it is so, or for ten seconds at most.
+  /// Goes on drawing until it is so, or for some seconds at most.
   template <class Condition>
   bool wait_until(Condition condition) {
-    for (int i = 0; i < 2000 && !condition(); ++i) {
+    for (int i = 0; i < 1200 && !condition(); ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
       frames(1);
     }
@@ -162,26 +173,26 @@ constexpr const char* kSixty =
   "planners": [{"id": "dstar-lite"}, {"id": "astar"}, {"id": "weighted-astar"}], "worlds": ["hall.json"],
   "surprises": [{"blocks": 2, "side": 2, "ahead": 5}], "seeds": {"from": 1, "count": 20}})";
 
-// Where things are in a window of 1280 x 800.
-constexpr ImVec2 kOpenExperiment{370, 182}, kPauseOrGoOn{82, 88}, kStop{176, 88}, kLengthHead{797, 364},
-    kFirstRow{400, 387};
-
 class BatchOfAFile : public BatchTest {
  protected:
-  void open_sixty(const WorkPlace& work = {}) {
+  /// Each run is made so many times over.
+  void open_sixty(const WorkPlace& work = {}, int repeat = 1) {
     open_hall(work);
-    sixty_ = folder_.with("sixty.json", kSixty);
+    const std::string times = R"({"repeat": )" + std::to_string(repeat) + ", ";
+    sixty_ = folder_.with("sixty.json", times + std::string(kSixty).substr(1));
     show();
     click(kOpenExperiment);
-    type(sixty_);
-    ASSERT_TRUE(wait_until([this] { return shell_->batch().open(); }));
-    press(key::kEnter);
-    frames(4);
+    choose(sixty_);
     press(key::kEnter);
     ASSERT_EQ(shell_->batch().error(), "");
   }
   [[nodiscard]] std::string out() const { return folder_.file("sixty-results"); }
-  [[nodiscard]] RunList engine() const { return *RunList::load(*read_experiment(sixty_)); }
+  /// Repeats are for times alone.
+  [[nodiscard]] RunList engine() const {
+    Experiment experiment = *read_experiment(sixty_);
+    experiment.repeat = 1;
+    return *RunList::load(std::move(experiment));
+  }
 
   std::string sixty_;
 };
@@ -194,17 +205,18 @@ TEST_F(BatchOfAFile, IsRunAsTheEngineRunsIt) {
 }
 
 TEST_F(BatchOfAFile, StopsAndGoesOn) {
-  open_sixty({.in_step = false, .wake = {}});
+  // Many times over, so that it is not done before the mouse is there.
+  open_sixty({.in_step = false, .wake = {}}, 500);
   ASSERT_TRUE(wait_until([this] { return shell_->batch().table().count() > 0; }));
-  click(kPauseOrGoOn);
+  click(kFirstButton);
   frames(4);
-  click(kStop);
+  click(kSecondButton);
   ASSERT_TRUE(wait_until([this] { return !shell_->batch().at_work(); }));
   EXPECT_EQ(shell_->batch().error(), "");
   const std::size_t kept = shell_->batch().table().count();
   ASSERT_LT(kept, 60u) << "it was done before it could be stopped";
   EXPECT_FALSE(fs::exists(out() + "/results.csv"));
-  click(kPauseOrGoOn);
+  click(kFirstButton);
   ASSERT_TRUE(wait_until([this] { return fs::exists(out() + "/results.csv"); }));
   ASSERT_TRUE(wait_until([this] { return !shell_->batch().at_work(); }));
   EXPECT_EQ(shell_->batch().table().count(), 60u);
@@ -237,6 +249,43 @@ TEST_F(BatchOfAFile, AClickOnAColumnSortsAndOneOnARowOpensItsRun) {
   ASSERT_NE(last, nullptr);
   EXPECT_EQ(last->state, MissionState::arrived);
   EXPECT_DOUBLE_EQ(last->figures.travelled, first.length().value_or(0));
+}
+
+TEST_F(BatchTest, SavesAnExperimentThatMakesTheSameRunsElsewhere) {
+  open_hall();
+  show();
+  click(kSaveExperiment);
+  choose(folder_.file("saved.json"));
+  const auto saved = read_experiment(folder_.file("saved.json"));
+  ASSERT_TRUE(saved) << saved.error();
+  const auto list = RunList::load(*saved);
+  ASSERT_TRUE(list) << list.error();
+  press(key::kEnter);  // starts the batch
+  EXPECT_EQ(shell_->batch().error(), "");
+  EXPECT_EQ(text_of(results() + "/results.csv"), results_csv(test::results_of(*list)));
+  EXPECT_EQ(list->digest(), list_in(results()).digest());
+}
+
+TEST_F(BatchTest, CopiesTheCommandThatMakesTheSameRuns) {
+  open_hall();
+  show();
+  press(key::kEnter);
+  click(kFirstButton);
+  EXPECT_EQ(std::string(ImGui::GetClipboardText()),
+            batch_command_line(results() + "/experiment.json", results(), 1));
+}
+
+TEST_F(BatchTest, OfAnExperimentThatCannotBeReadNothingIsStarted) {
+  open_hall();
+  const std::string wrong = folder_.with("wrong.json", R"({"format": "replan experiment", "version": 1,
+    "planners": [{"id": "astra"}], "worlds": ["hall.json"]})");
+  show();
+  click(kOpenExperiment);
+  choose(wrong);
+  press(key::kEnter);
+  EXPECT_TRUE(shell_->batch().open());
+  EXPECT_EQ(shell_->batch().table().count(), 0u);
+  EXPECT_FALSE(fs::exists(folder_.file("wrong-results")));
 }
 
 TEST_F(BatchTest, RefusesAFolderThatAnotherProcessIsAtWorkIn) {

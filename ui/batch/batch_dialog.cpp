@@ -115,11 +115,14 @@ void BatchDialog::keep() {
 }
 
 std::optional<BatchProgress> BatchDialog::at_work() const {
-  return job_ && job_->busy() ? std::optional(job_->progress()) : std::nullopt;
+  return job_ && job_->busy() ? std::optional(progress()) : std::nullopt;
 }
 
 BatchProgress BatchDialog::progress() const {
-  return exhibited_ ? *exhibited_ : job_->progress();
+  if (exhibited_) return *exhibited_;
+  BatchProgress now = job_->progress();
+  now.done = table().count();  // what is told is what is seen
+  return now;
 }
 
 bool BatchDialog::complete() const {

@@ -130,7 +130,7 @@ std::string Documents::batch_folder(const Session& session) const {
   std::string folder = first;
   for (int next = 2; std::filesystem::exists(folder + "/results.csv"); ++next)
     folder = first + "-" + std::to_string(next);
-  return folder;
+  return std::filesystem::absolute(folder).lexically_normal().string();
 }
 
 void Documents::choose_open(const Session& session, const std::string& path) {
