@@ -93,7 +93,7 @@ TEST_P(DialogRenderGoldenInSpace, LightAndTwiceTheSize) {
   compare_with_golden(request, "dialog_" + GetParam() + "_space_light_2x");
 }
 
-INSTANTIATE_TEST_SUITE_P(Worlds, DialogRenderGoldenInSpace, testing::Values("resize", "generate", "batch"),
+INSTANTIATE_TEST_SUITE_P(Worlds, DialogRenderGoldenInSpace, testing::Values("resize", "generate"),
                          [](const auto& name) { return name.param; });
 
 TEST(DialogRender, AWrongNameShowsThoseThereAre) {
