@@ -293,7 +293,8 @@ void Program::follow() {
     window_->stage().set_theme(dark_ ? ui::dark() : ui::light());
   }
   window_->stage().set_size(shell_->view().size());
-  if (std::string words = ui::uncommon_words(session_, shell_->documents().names_on_show());
+  if (std::string words =
+          ui::uncommon_words(session_, shell_->documents().names_on_show() + shell_->batch().words());
       words != words_) {
     words_ = std::move(words);
     window_->stage().set_language(words_, false);

@@ -62,7 +62,8 @@ TEST_P(DialogRenderGoldenToo, AtTwiceTheSize) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Some, DialogRenderGoldenToo,
-                         testing::Values("film_window", "open", "keys", "unsaved", "menu_view"),
+                         testing::Values("film_window", "open", "keys", "unsaved", "menu_view", "batch",
+                                         "batch_results"),
                          [](const auto& name) { return name.param; });
 
 /// Of a world of several layers, of which these dialogs show more.

@@ -4,11 +4,13 @@
 #include <filesystem>
 
 #include "core/base/file.hpp"
+#include "core/experiment/world_experiment.hpp"
 #include "core/world/map_file.hpp"
 #include "ui/documents/documents.hpp"
 #include "ui/documents/files.hpp"
 #include "ui/icons.hpp"
 #include "ui/tabs/figures.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace replan::ui {
 namespace {
@@ -59,6 +61,22 @@ FileDialogSpec spec_to_save(std::shared_ptr<const Scenario> scenario) {
           }};
 }
 
+FileDialogSpec spec_for_experiment(bool saving) {
+  return {.saving = saving,
+          .title = saving ? "Save as an experiment" : "Open an experiment",
+          .action = saving ? "Save" : "Open",
+          .filters = {{"Experiments (.json)", {".json"}}},
+          .path = {},
+          .places = {},
+          .losses = {},
+          .aside = [](const Look& look, const std::string&) {
+            paragraph(
+                look.fonts.ui, look.theme.dim,
+                "An experiment says which planners run in which worlds, with which seeds and surprises. "
+                "\"replan batch\" runs it on the command line too.");
+          }};
+}
+
 FileDialogSpec spec_to_save_figures() {
   std::vector<FileFilter> filters;
   for (const FiguresFormatInfo& format : figures_formats())
@@ -101,6 +119,18 @@ FileDialogSpec Documents::place_for(const std::string& name, const std::string& 
           .path = (folder.empty() ? last_folder() : folder) + "/" + name,
           .places = places(),
           .losses = {}};
+}
+
+std::string Documents::batch_folder(const Session& session) const {
+  const bool own = !session.file().empty() && !session.other_world();
+  const std::string& state = surroundings_.state_folder;
+  const std::string first = own ? file_folder(session.file()) + "/" + file_stem(session.file()) + "-batch"
+                                : (state.empty() ? last_folder() : state + "/batches") + "/" +
+                                      file_stem(kept_world_file(session.scenario().name));
+  std::string folder = first;
+  for (int next = 2; std::filesystem::exists(folder + "/results.csv"); ++next)
+    folder = first + "-" + std::to_string(next);
+  return std::filesystem::absolute(folder).lexically_normal().string();
 }
 
 void Documents::choose_open(const Session& session, const std::string& path) {

@@ -11,6 +11,8 @@ namespace replan::ui {
 FileDialogSpec spec_to_open();
 /// Of that document: what a kind of file cannot hold of it is said beforehand.
 FileDialogSpec spec_to_save(std::shared_ptr<const Scenario> scenario);
+/// An experiment, for a batch.
+FileDialogSpec spec_for_experiment(bool saving);
 /// Of the Figures tab.
 FileDialogSpec spec_to_save_figures();
 

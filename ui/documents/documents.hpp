@@ -74,6 +74,9 @@ class Documents {
 
   /// Where something else that is written goes at first: of that name, in the folder, or in the last one.
   [[nodiscard]] FileDialogSpec place_for(const std::string& name, const std::string& folder = {}) const;
+  /// Where the results of a batch in this world go at first: beside its file, else among what the program keeps. One that was
+  /// stopped is gone on with; one that is done is left alone.
+  [[nodiscard]] std::string batch_folder(const Session& session) const;
   [[nodiscard]] const WorkPlace& work() const { return surroundings_.work; }
 
   /// nullptr before it has settled in.

@@ -37,6 +37,8 @@ struct DialogDecision {
     new_world,
     capture,
     export_trace,
+    open_experiment,
+    save_experiment,
     save_first,
     discard,
     overwrite,
@@ -46,7 +48,7 @@ struct DialogDecision {
     forget,
     cancel
   } kind = Kind::none;
-  std::string path = {};    ///< for open, open_world, save, capture and export_trace
+  std::string path = {};    ///< for whatever is opened or written
   MapReading reading = {};  ///< for open
   int width = 0;            ///< for new_world
   int height = 0;

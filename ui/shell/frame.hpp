@@ -13,6 +13,7 @@
 #include "core/debug/kept.hpp"
 #include "core/debug/sample_in_hand.hpp"
 #include "core/debug/touched.hpp"
+#include "core/experiment/batch_job.hpp"
 #include "core/lesson/lesson.hpp"
 #include "core/plan/pages.hpp"
 #include "core/session/session.hpp"
@@ -48,6 +49,7 @@ enum class Wish : std::uint8_t {
   go_to_pasted,  ///< PanelState::pasted
   generate,
   resize,
+  batch,
   palette,
   open_world,  ///< of the library: PanelState::wished
   save_figures,
@@ -114,6 +116,7 @@ struct PanelState {
   WhyPlace why;
   std::optional<Cell> pointed;  ///< the cell of the row under the mouse, which the canvas shows as hovered
   double exporting = -1;  ///< how much of a trace has been written, 0 to 1; below 0: none is being written
+  std::optional<BatchProgress> batch;  ///< of the one that is at work
   ClipboardWork clipboard;
   std::shared_ptr<const CaseMoment> pasted;  ///< a moment as text, for its wish
   RecordingState recording;                  ///< told by the owner of the pixels

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/world/library.hpp"
 #include "ui/documents/choosing.hpp"
@@ -81,6 +82,42 @@ void menu(const Room& room, Menu which) {
   room.panels.open_menu = which;
 }
 
+/// A batch that is half done, of made up figures.
+void batch_results(const Room& room) {
+  const std::string file = kept_world_file("field");
+  const std::array<RunName, 3> names = {
+      RunName{.world = file, .planner = "dstar-lite"},
+      RunName{.world = file, .planner = "weighted-astar", .settings = "weight=1.5"},
+      RunName{.world = file, .planner = "rrt-star"}};
+  std::vector<RunResult> results;
+  for (std::int64_t run = 0; run < 36; ++run) {
+    RunResult result;
+    result.run = run;
+    result.name = names[static_cast<std::size_t>(run / 12)];
+    result.name.seed = static_cast<std::uint64_t>(run % 12 + 1);
+    result.name.surprises = "3 blocks of 2, 6 ahead";
+    result.succeeded = run % 17 != 13;
+    result.status = result.succeeded ? "arrived" : "no-path";
+    const double part = static_cast<double>(run * 7919 % 101) / 101;
+    for (const ResultColumn& column : result_columns())
+      result.figures.push_back(column.name == "travelled_cells"       ? std::optional(9 + part * 4)
+                               : column.name == "turns"               ? std::optional(std::floor(part * 9))
+                               : column.name == "min_clearance_cells" ? std::optional(0.5 + part)
+                               : column.name == "expansions" ? std::optional(std::floor(40 + part * 900))
+                               : column.name == "replans"    ? std::optional(std::floor(part * 5))
+                                                             : std::nullopt);
+    result.plan_ms = {0.2 + part};
+    result.replan_ms = {part * 2};
+    results.push_back(std::move(result));
+  }
+  BatchRequest request;
+  request.what.experiment.name = "field";
+  request.what.world = room.session.snapshot();
+  request.folder = std::string(kFolder) + "/field-batch";
+  room.batch.show(room.session, request.folder, {});
+  room.batch.exhibit(std::move(request), std::move(results), {36, 60, 95});
+}
+
 struct Exhibit {
   std::string_view name;
   void (*show)(const Room& room);
@@ -113,6 +150,10 @@ constexpr std::array kExhibits = {
     Exhibit{"recover", recover},
     Exhibit{"generate", [](const Room& room) { room.world_dialogs.show_generate(room.session, {}); }},
     Exhibit{"resize", [](const Room& room) { room.world_dialogs.show_resize(room.session, {}); }},
+    Exhibit{
+        "batch",
+        [](const Room& room) { room.batch.show(room.session, std::string(kFolder) + "/field-batch", {}); }},
+    Exhibit{"batch_results", batch_results},
     Exhibit{"edits", [](const Room& room) { show_edits(room.view, room.panels); }},
     Exhibit{"keys", [](const Room& room) { room.dialogs.show(DialogKind::keys); }},
     Exhibit{"about", about},

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ui/batch/batch_dialog.hpp"
 #include "ui/documents/documents.hpp"
 #include "ui/shell/dialogs.hpp"
 #include "ui/shell/dialogs/world_dialogs.hpp"
@@ -19,6 +20,7 @@ struct GalleryRoom {
   Documents& documents;
   ViewState& view;
   PanelState& panels;
+  BatchDialog& batch;
 };
 
 /// The names, in the order of the menus.

@@ -74,7 +74,9 @@ void Shell::draw(const Look& look, Session& session, double) {
     tell(notice.words, notice.bad);
   drawn_ = session.revision();
   documents_.take_loaded(session);
+  const bool batch_behind = dialogs_.open();  // the keys of this frame are the dialog's
   const DialogDecision decision = dialogs_.draw(look);
+  if (!batch_behind) draw_batch(look);
   world_dialogs_.draw(look, session, commands);
   context_of(frame).go_on_copying();
   context_of(frame).go_on_pasting();
@@ -85,6 +87,7 @@ void Shell::draw(const Look& look, Session& session, double) {
   take_decision(session, decision);
   if (const auto outcome = export_.go_on(session)) tell(outcome->words, outcome->bad);
   panels_.exporting = export_.busy() ? export_.share() : -1;
+  go_on_with_batch(session);
   await_moment(session);
   pause_behind_dialogs(session);
   documents_.keep(session);
@@ -114,14 +117,12 @@ void say_why_not(Frame& frame, ActionId id) {
 
 void Shell::take_keys(Frame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool elsewhere =
-      dialogs_.open() || world_dialogs_.open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  const bool elsewhere = covered() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   held_ = !elsewhere && key_is_held(io);
   if (elsewhere) {
     let_go_.reset();
     // ImGui closes popups by Escape only together with its own keyboard navigation, which takes our keys.
-    if (!dialogs_.open() && !world_dialogs_.open() && ImGui::IsKeyPressed(key::kEscape, false))
-      ImGui::ClosePopupToLevel(0, true);
+    if (!covered() && ImGui::IsKeyPressed(key::kEscape, false)) ImGui::ClosePopupToLevel(0, true);
     return;
   }
   for (const ActionId id : pressed_actions(io)) {
@@ -141,13 +142,12 @@ void Shell::take_keys(Frame& frame) {
 
 /// Nothing goes on behind a dialog that is not seen; once it is closed, the same run plays on.
 void Shell::pause_behind_dialogs(Session& session) {
-  const bool covered = dialogs_.open() || world_dialogs_.open();
   const int direction = session.playback().direction;
-  if (covered && direction != 0) {
+  if (covered() && direction != 0) {
     paused_ = Paused{direction, session.run().log_id()};
     static_cast<void>(session.apply(Play{0}));
   }
-  if (covered || !paused_) return;
+  if (covered() || !paused_) return;
   const Paused before = *std::exchange(paused_, std::nullopt);
   if (before.log == session.run().log_id()) static_cast<void>(session.apply(Play{before.direction}));
 }
@@ -235,7 +235,7 @@ void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
   const Look& look = frame.look;
   panels_.canvas = {min, max};
   area("canvas", min, {max.x - min.x, max.y - min.y}, look.theme.background, {0, 0}, [&] {
-    const bool interactive = !dialogs_.open() && !world_dialogs_.open() && !palette_.open();
+    const bool interactive = !covered() && !palette_.open();
     panes_.draw(look, frame.session, panels_.panes, view_, min, max, interactive, frame.commands);
     panels_.zoom = panes_.scene().camera.zoom;
     draw_why_chip(frame, panes_.scene(), panes_.area().min, panes_.area().max);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "ui/batch/batch_dialog.hpp"
 #include "ui/canvas/panes.hpp"
 #include "ui/documents/documents.hpp"
 #include "ui/gl/imgui_renderer.hpp"
@@ -39,6 +40,7 @@ class Shell {
   [[nodiscard]] const PanelState& panels() const { return panels_; }
   [[nodiscard]] Documents& documents() { return documents_; }
   [[nodiscard]] const LessonCard& lesson() const { return lesson_; }
+  [[nodiscard]] const BatchDialog& batch() const { return batch_; }
 
   /// Takes over what a scenario says of its view: overlays, theme, camera. The whole world is shown if it
   /// names none.
@@ -86,12 +88,17 @@ class Shell {
   void ask_for_capture(const Session& session, bool film, bool window);
   void ask_for_trace(const Session& session);
   void export_trace(const Session& session, const DialogDecision& decision);
+  void draw_batch(const Look& look);
+  void choose_experiment(bool saving);
+  void go_on_with_batch(Session& session);
   void go_to_pasted(Session& session);
   void await_moment(Session& session);
   void arrive_at_moment(Session& session);
   void compare_moment();
   void take_decision(Session& session, const DialogDecision& decision);
   void draw_caption(Frame& frame, ImVec2 min, ImVec2 size);
+  /// Whether a dialog has the hands and the eyes.
+  [[nodiscard]] bool covered() const { return dialogs_.open() || world_dialogs_.open() || batch_.open(); }
 
   Panes panes_;
   ViewState view_;
@@ -100,6 +107,7 @@ class Shell {
   Documents documents_;
   Dialogs dialogs_;  // after the library that it shows
   WorldDialogs world_dialogs_;
+  BatchDialog batch_;
   CommandPalette palette_;
   std::optional<ActionId> let_go_;  // to be done once its key is let go
   std::optional<Paused> paused_;

@@ -162,14 +162,14 @@ float right_side(Frame& frame) {
 /// begins, so that nothing else moves when it comes and grows.
 template <class Press>
 void at_work(const Look& look, float& right, const std::string& words, const char* id, const Hint& what,
-             const Press& press) {
+             const Press& press, const char* sign = icon::times) {
   const float y = ImGui::GetCursorScreenPos().y;
   right -= text_width(look.fonts.ui, words) + look.px(28);
   ImGui::SetCursorScreenPos({right, y});
   text(look.fonts.ui, look.theme.accent, words);
   ImGui::SameLine(0, look.px.xs);
   ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y - look.px(5)});
-  if (small_button(look, id, {.icon = icon::times, .hint = what})) press();
+  if (small_button(look, id, {.icon = sign, .hint = what})) press();
   ImGui::SetCursorScreenPos({right, y});
   right -= look.px.l;
 }
@@ -239,6 +239,18 @@ void exporting(Frame& frame, float& right) {
           [&] { frame.wish = Wish::stop_export; });
 }
 
+/// While a batch is at work: how far it is, and the way to its table.
+void batching(Frame& frame, float& right) {
+  const auto& batch = frame.panels.batch;
+  if (!batch) return;
+  const std::string words = batch->all == 0
+                                ? "Batch: reading the worlds…"
+                                : "Batch: " + grouped(batch->done) + " of " + grouped(batch->all) + " runs";
+  at_work(
+      frame.look, right, words, "show batch", {"Show the batch", "", "Its table, and what stops it."},
+      [&] { perform(frame, ActionId::batch); }, icon::table);
+}
+
 /// While the clipboard's text takes longer than a frame.
 void copying(Frame& frame, float& right) {
   ClipboardWork& work = frame.panels.clipboard;
@@ -300,6 +312,7 @@ void draw_status_bar(Frame& frame) {
   float right = right_side(frame) - look.px.l;
   busy(frame, right);
   exporting(frame, right);
+  batching(frame, right);
   copying(frame, right);
   filming(frame, right);
   ImGui::SetCursorScreenPos(origin);

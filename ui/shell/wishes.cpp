@@ -16,6 +16,8 @@ void Shell::take_wish(Session& session, Wish wish) {
       return world_dialogs_.show_generate(session, documents_.work());
     case Wish::resize:
       return world_dialogs_.show_resize(session, documents_.work());
+    case Wish::batch:
+      return batch_.show(session, documents_.batch_folder(session), documents_.work());
     case Wish::lesson:
       return open_lesson(session, panels_.wished);
     case Wish::about:
@@ -44,7 +46,7 @@ void Shell::take_wish(Session& session, Wish wish) {
 }
 
 bool Shell::show_dialog(std::string_view name, const Session& session) {
-  return show_from_gallery(name, {session, dialogs_, world_dialogs_, documents_, view_, panels_});
+  return show_from_gallery(name, {session, dialogs_, world_dialogs_, documents_, view_, panels_, batch_});
 }
 
 void Shell::open_lesson(Session& session, const std::string& id) {
@@ -94,6 +96,10 @@ void Shell::take_decision(Session& session, const DialogDecision& decision) {
       return message_.clear();  // or it would be in the picture
     case DialogDecision::Kind::export_trace:
       return export_trace(session, decision);
+    case DialogDecision::Kind::open_experiment:
+      return batch_.take_experiment(decision.path);
+    case DialogDecision::Kind::save_experiment:
+      return batch_.save_experiment(decision.path);
     default:
       return documents_.take_decision(session, decision);
   }
