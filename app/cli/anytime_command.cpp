@@ -158,6 +158,7 @@ Result<int> anytime(const AnytimeArguments& arguments) {
   if (const auto good = check_options(arguments.world); !good) return Error{good.error()};
   const auto world = arguments.world.load();
   if (!world) return Error{world.error()};
+  if (const auto good = check_planners(world->planners); !good) return Error{good.error()};
   const auto seeds = parse_count("--seeds", arguments.seeds, 1);
   if (!seeds) return Error{seeds.error()};
   const auto most_ms = most_milliseconds(arguments);

@@ -83,7 +83,6 @@ constexpr std::int64_t kSlice = std::int64_t{1} << 14, kTimedSlice = 16;
 /// How the plan stands in the end; nothing if it was stopped.
 std::optional<PlanStatus> finish_within(Navigator& navigator, const RunLimit& limit) {
   const auto begin = std::chrono::steady_clock::now();
-  const double cpu_begin = thread_cpu_ms();
   while (!navigator.advance(limit.seconds ? kTimedSlice : kSlice)) {
     if (limit.stop.stop_requested()) return std::nullopt;
     const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - begin;
@@ -101,6 +100,7 @@ std::optional<RunReport> plan_once(Navigator& navigator, const GridMap& map, Cel
   RunReport report;
   report.planner = choice.id;
   const auto begin = std::chrono::steady_clock::now();
+  const double cpu_begin = thread_cpu_ms();
   navigator.begin(centre_of(start), centre_of(goal));
   const auto first = finish_within(navigator, limit);
   if (!first) return std::nullopt;

@@ -79,6 +79,36 @@ TEST_F(SamplesTest, TheVertexLeadsToWhereItCameAndCanBeStoppedAt) {
   EXPECT_TRUE(leads_to_birth);
 }
 
+/// Not to where it is found, when the vertex still hangs where it did.
+TEST_F(SamplesTest, TheLinkOfARewiringLeadsToWhereItIsDone) {
+  open(scenario_of("rrt-star"), tab("cell"));
+  seek(past(EventKind::plan_end));
+  const Timeline& log = run().timeline();
+  std::size_t found = log.cursor();
+  while (log.event(found - 1).kind != EventKind::rewired) --found;
+  const auto vertex = static_cast<std::uint32_t>(log.event(found - 1).node);
+  const Cost saved{static_cast<std::int64_t>(log.event(found - 1).delta)};
+  view_.view.pinned = cell_of(point_of(vertex_place(log.state(), vertex, false)));
+  ASSERT_EQ(nearest_vertex(log.state(), place_in(*view_.view.pinned), false), vertex);
+  frames(2);
+  std::set<std::size_t> sought;
+  for (const float x : {130.0f, 180.0f, 240.0f})
+    for (float y = 20; y < 760; y += 9) {
+      commands_.clear();
+      click(x, y);
+      for (const Command& command : commands_)
+        if (const auto* each = std::get_if<Seek>(&command); each != nullptr && each->position >= found)
+          sought.insert(each->position);
+    }
+  ASSERT_EQ(sought.size(), 1u);
+  seek(found);
+  const Cost before = vertex_cost(run().timeline().state(), vertex);
+  const NodeId parent_before = vertex_parent(run().timeline().state(), vertex);
+  seek(*sought.begin());
+  EXPECT_EQ(vertex_cost(run().timeline().state(), vertex).raw, before.raw - saved.raw);
+  EXPECT_NE(vertex_parent(run().timeline().state(), vertex), parent_before);
+}
+
 TEST_F(SamplesTest, TheGainChartLeadsToTheGains) {
   open(scenario_of("rrt-star"), tab("figures"));
   seek(past(EventKind::plan_end));

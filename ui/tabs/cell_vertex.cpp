@@ -113,12 +113,23 @@ void event_line(Frame& frame, const char* id, const std::string& words, std::siz
 /// vertex on a new start.
 constexpr int kMetLine = 12, kRootedLine = 16, kNewRootLine = 18;
 
+/// Of a parent that is written: the event by which its cost, right behind it, is written too.
+std::size_t settled_by(const Timeline& log, std::size_t hung) {
+  const std::size_t next = hung + 1;
+  const bool settles = next < log.size() && log.event(next).kind == fields::kVertexCost.kind &&
+                       log.event(next).node == log.event(hung).node;
+  return settles ? next : hung;
+}
+
 /// How it came to hang where it does since it came, and what that saved.
 void rehung_line(Frame& frame, const VertexView& vertex, const std::optional<VertexBirth>& birth) {
   const Look& look = frame.look;
   const Timeline& log = vertex.cell.run.timeline();
   const auto hung = log.last_event(vertex.number, {fields::kVertexParent.kind}, log.cursor());
-  const auto rewired = log.last_event(vertex.number, {EventKind::rewired}, log.cursor());
+  auto rewired = log.last_event(vertex.number, {EventKind::rewired}, log.cursor());
+  // One that is found and not yet done says nothing of what the vertex hangs on.
+  if (rewired && (!hung || *hung < *rewired))
+    rewired = log.last_event(vertex.number, {EventKind::rewired}, *rewired);
   const int line = hung ? int{log.event(*hung).line} : 0;
   if (hung && line >= kRootedLine && line < kNewRootLine) {
     paragraph(look.fonts.ui, look.theme.dim,
@@ -143,7 +154,7 @@ void rehung_line(Frame& frame, const VertexView& vertex, const std::optional<Ver
           ? "The robot has moved on: hung on where it stands now, this vertex saved " + saved + " of its way."
           : "The way over a later vertex is shorter: when it was hung on that, it saved " + saved +
                 " of its way.");
-  event_line(frame, "rewired", "Rewired by event", *rewired);
+  event_line(frame, "rewired", "Rewired by event", settled_by(log, *hung));
 }
 
 /// Why a vertex hangs where it does that had no candidates.
