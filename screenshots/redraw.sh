@@ -64,6 +64,9 @@ world=gap-for-samples draw why-edge.png --theme light --at-plan --panes 1 --pin 
 "$program" anytime maps/gap-for-samples.json --planner rrt-connect,rrt-star,informed-rrt-star,greedy-informed-rrt-star --seeds 20 \
   --svg screenshots/anytime.svg > /dev/null
 
+# A batch that is under way.
+draw batch.png --dialog batch_results --theme dark --size 1280x800
+
 # Paths that are bred: the child in hand, what each neighbour of the changed cell would make of it, and why.
 draw improved-ga.png --planner improved-ga --overlay population,path,grid --theme dark --at 28193 --pin 16,36 --camera 15,33,30 \
   --action show_cell --size 1440x900
