@@ -71,6 +71,9 @@ cp "$report/dld-table1-paths.png" screenshots/study-paths.png
 cp "$report/dld-table1-nodes.svg" screenshots/study-nodes.svg
 rm -r "$report"
 
+# A batch that is under way.
+draw batch.png --dialog batch_results --theme dark --size 1280x800
+
 # Paths that are bred: the child in hand, what each neighbour of the changed cell would make of it, and why.
 draw improved-ga.png --planner improved-ga --overlay population,path,grid --theme dark --at 28193 --pin 16,36 --camera 15,33,30 \
   --action show_cell --size 1440x900
