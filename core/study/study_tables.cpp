@@ -105,9 +105,9 @@ StudyTable claim_table(const StudyReport& report) {
 
 std::string seeds_words(const StudyInfo& info, const StudyReport& report) {
   const std::string id(info.id), seeds = std::to_string(report.seeds);
-  if (report.seeds == info.seeds) return filled("Run with {1} seeds: replan study {2}", {seeds, id});
+  if (report.seeds == info.seeds) return filled("Seeds: {1}. Command: replan study {2}", {seeds, id});
   return filled(
-      "Run with {1} seeds in place of the {3} that it is meant to have: replan study {2} --seeds {1}",
+      "Seeds: {1}, in place of the {3} that it is meant to have. Command: replan study {2} --seeds {1}",
       {seeds, id, std::to_string(info.seeds)});
 }
 
