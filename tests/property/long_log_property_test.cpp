@@ -76,8 +76,8 @@ class LongLogs : public ::testing::TestWithParam<const PlannerInfo*> {
   [[nodiscard]] std::uint64_t planner() const {
     return static_cast<std::uint64_t>(GetParam() - planners().data());
   }
-  /// Of planners that sample fewer: the log of a tree is long.
-  [[nodiscard]] std::uint64_t worlds() const { return GetParam()->sampling ? 25 : 100; }
+  /// Of planners that sample or breed fewer: the log of a tree or a population is long.
+  [[nodiscard]] std::uint64_t worlds() const { return GetParam()->can_miss() ? 25 : 100; }
 };
 
 TEST_P(LongLogs, DroppedEventsComeBackAsTheyWere) {
