@@ -11,6 +11,7 @@
 #include "app/cli/output.hpp"
 #include "app/study_files.hpp"
 #include "core/base/file.hpp"
+#include "core/base/folders.hpp"
 #include "core/base/machine.hpp"
 #include "core/study/study.hpp"
 
@@ -63,13 +64,6 @@ Result<StudyReport> run_study(const StudyInfo& info, const StudyArguments& argum
   auto report = info.run(watch);
   if (report) report->machine = machine;
   return report;
-}
-
-Result<void> make_folder(const std::string& folder) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) return Error{"cannot make the folder '" + folder + "': " + failed.message()};
-  return {};
 }
 
 /// Written anew after each study, so that an interrupted run leaves a page of those that are done.

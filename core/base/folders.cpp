@@ -15,6 +15,13 @@ std::string state_folder() {
   return home == nullptr || home[0] == '\0' ? "" : std::string(home) + "/.local/state/replan";
 }
 
+Result<void> make_folder(const std::string& path) {
+  std::error_code failed;
+  std::filesystem::create_directories(path, failed);
+  if (failed) return Error{"cannot make the folder '" + path + "': " + failed.message()};
+  return {};
+}
+
 Result<void> make_private_folder(const std::string& path) {
   std::error_code failed;
   const bool made = std::filesystem::create_directories(path, failed);

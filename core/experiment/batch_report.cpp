@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/experiment/run_experiment.hpp"
-#include "core/experiment/statistics.hpp"
+#include "core/base/statistics.hpp"
 #include "core/world/json_reader.hpp"
 
 namespace replan {

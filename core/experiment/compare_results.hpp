@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/experiment/run_result.hpp"
-#include "core/experiment/statistics.hpp"
+#include "core/base/statistics.hpp"
 
 namespace replan {
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "core/base/file.hpp"
+#include "core/base/folders.hpp"
 #include "core/experiment/batch_file.hpp"
 
 namespace replan {
@@ -72,9 +73,7 @@ Result<KeptResults> merge_results(std::span<const std::string> folders, const st
   auto all = gathered(folders);
   if (!all) return all;
   if (const auto complete = check_complete(*all); !complete) return Error{complete.error()};
-  std::error_code failed;
-  std::filesystem::create_directories(out, failed);
-  if (failed) return Error{"cannot make the folder '" + out + "': " + failed.message()};
+  if (const auto made = make_folder(out); !made) return Error{made.error()};
   std::string journal;
   for (const RunResult& result : all->results) journal += result_line(result) + "\n";
   if (const auto written = write_file_atomically(batch_path(out, kJournalFile), journal); !written)

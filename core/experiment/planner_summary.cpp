@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/experiment/statistics.hpp"
+#include "core/base/statistics.hpp"
 
 namespace replan {
 

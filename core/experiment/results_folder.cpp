@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "core/base/file.hpp"
+#include "core/base/folders.hpp"
 #include "core/experiment/batch_file.hpp"
 
 namespace replan {
@@ -45,9 +46,7 @@ Result<Journal> read_journal(const std::string& path) {
 }  // namespace
 
 Result<ResultsFolder> ResultsFolder::open(const std::string& path, const RunList& list, const Shard& shard) {
-  std::error_code failed;
-  std::filesystem::create_directories(path, failed);
-  if (failed) return Error{"cannot make the folder '" + path + "': " + failed.message()};
+  if (const auto made = make_folder(path); !made) return Error{made.error()};
   auto lock = LockFile::try_lock(batch_path(path, "lock"));
   if (!lock)
     return Error{"another process is at work in the folder '" + path + "', or it cannot be written to"};

@@ -3,21 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/csv.hpp"
+#include "core/base/statistics.hpp"
 #include "core/experiment/result_json.hpp"
-#include "core/experiment/statistics.hpp"
 
 namespace replan {
 namespace {
 
-/// A value as a field of CSV (RFC 4180).
-std::string csv_field(const Json& value) {
+/// A value as a field of CSV.
+std::string field_of(const Json& value) {
   if (value.is_null()) return {};
-  if (!value.is_string()) return value.dump();
-  const auto& text = value.get_ref<const std::string&>();
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
+  return value.is_string() ? csv_field(value.get_ref<const std::string&>()) : value.dump();
 }
 
 /// To the nanosecond, which is as much as a clock says: digits behind that are of the interpolation.
@@ -50,7 +46,7 @@ std::string results_csv(std::span<const RunResult> results) {
   text += '\n';
   for (const RunResult& result : results) {
     std::string line;
-    for (const Json& value : result_json(result)) line += (line.empty() ? "" : ",") + csv_field(value);
+    for (const Json& value : result_json(result)) line += (line.empty() ? "" : ",") + field_of(value);
     text += line + '\n';
   }
   return text;

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "core/base/statistics.hpp"
 #include "core/plan/named.hpp"
 #include "core/study/papers/paper_studies.hpp"
 
@@ -30,14 +31,10 @@ Result<const StudyInfo*> require_study(std::string_view id) {
 std::optional<Spread> spread_of(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
   std::sort(values.begin(), values.end());
-  const auto quantile = [&](double share) {
-    const double at = share * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(at);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    return values[below] + (at - static_cast<double>(below)) * (values[above] - values[below]);
-  };
-  Spread spread{
-      .count = values.size(), .low = quantile(0.25), .median = quantile(0.5), .high = quantile(0.75)};
+  Spread spread{.count = values.size(),
+                .low = quantile(values, 0.25),
+                .median = quantile(values, 0.5),
+                .high = quantile(values, 0.75)};
   const auto count = static_cast<double>(values.size());
   for (const double value : values) spread.mean += value / count;
   if (values.size() == 1) return spread;

@@ -1,6 +1,7 @@
 // Studies as Markdown, CSV and JSON.
 #include <algorithm>
 
+#include "core/base/csv.hpp"
 #include "core/study/study_tables.hpp"
 #include "core/world/json_reader.hpp"
 
@@ -71,18 +72,6 @@ std::string study_markdown(const StudyInfo& info, const StudyReport& report) {
   return text;
 }
 
-namespace {
-
-/// As RFC 4180 has it.
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string cell = "\"";
-  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return cell + "\"";
-}
-
-}  // namespace
-
 std::string study_csv(const StudyReport& report) {
   std::string text = "world,planner,seed,found";
   for (const StudyFigure& figure : report.figures) {
@@ -91,7 +80,7 @@ std::string study_csv(const StudyReport& report) {
   }
   text += "\n";
   for (const StudyRun& run : report.runs) {
-    text += csv_cell(report.worlds[run.world]) + "," + csv_cell(report.planners[run.planner]) + "," +
+    text += csv_field(report.worlds[run.world]) + "," + csv_field(report.planners[run.planner]) + "," +
             std::to_string(run.seed) + (run.found ? ",1" : ",0");
     for (const auto& value : run.values) text += "," + (value ? plain_number(*value).dump() : "");
     text += "\n";

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.hpp"
-#include "core/experiment/statistics.hpp"
+#include "core/base/statistics.hpp"
 
 namespace replan::ui::batch_table_test {
 namespace {

@@ -1,5 +1,5 @@
 // Tests of pairs, intervals and corrections: published values, and all there are counted out.
-#include "core/experiment/statistics.hpp"
+#include "core/base/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

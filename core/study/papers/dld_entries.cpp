@@ -29,14 +29,11 @@ StudyEntryText dld_along_path_entry() {
           {{"heuristic", "euclidean"}, {"sight", "bresenham"}, {"sight_checks", "path"}}};
 }
 
-Result<GridMap> dld_random_map(std::uint64_t seed) {
-  const std::array keep_free{kDldStart, kDldGoal};
-  return random_rectangles(200, 200, 0.17, 5, 15, seed, keep_free);
-}
 Result<std::vector<GridMap>> dld_random_maps(std::uint64_t count) {
+  const std::array keep_free{kDldStart, kDldGoal};
   std::vector<GridMap> maps;
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
-    auto map = dld_random_map(seed);
+    auto map = random_rectangles(200, 200, 0.17, 5, 15, seed, keep_free);
     if (!map) return Error{map.error()};
     maps.push_back(std::move(*map));
   }

@@ -22,8 +22,6 @@ StudyEntryText dld_along_path_entry();
 
 /// The paper's random maps: 200 x 200 cells, rectangles with sides of 5 to 15 that cover 17 of 100 cells.
 inline constexpr Cell kDldStart{15, 15, 0}, kDldGoal{175, 175, 0};
-Result<GridMap> dld_random_map(std::uint64_t seed);
-/// The first `count` of them.
 Result<std::vector<GridMap>> dld_random_maps(std::uint64_t count);
 
 /// Plans with every entry on the first `count` maps: a report with planners, worlds, figures and runs, and whether all of
