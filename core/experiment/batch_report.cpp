@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/experiment/run_experiment.hpp"
 #include "core/base/statistics.hpp"
+#include "core/experiment/run_experiment.hpp"
 #include "core/world/json_reader.hpp"
 
 namespace replan {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/experiment/run_result.hpp"
 #include "core/base/statistics.hpp"
+#include "core/experiment/run_result.hpp"
 
 namespace replan {
 

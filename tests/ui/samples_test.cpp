@@ -41,6 +41,17 @@ class SamplesTest : public PanelTest {
     ASSERT_TRUE(session_->apply(Seek{position}).ok());
     frames(2);
   }
+  /// Where clicks along the chart that the tab shows lead.
+  std::set<std::size_t> sought_by_the_chart() {
+    std::set<std::size_t> sought;
+    for (float x = 20; x < 320; x += 20) {
+      commands_.clear();
+      click(x, 80);
+      for (const Command& command : commands_)
+        if (const Seek* each = std::get_if<Seek>(&command)) sought.insert(each->position);
+    }
+    return sought;
+  }
   /// Past the n-th milestone of that kind.
   [[nodiscard]] std::size_t past(EventKind kind, int n = 0) const {
     for (const Milestone& each : run().milestones())
@@ -120,13 +131,7 @@ TEST_F(SamplesTest, TheGainChartLeadsToTheGains) {
   std::set<std::size_t> at;
   for (const PathGain& gain : gains.gains()) at.insert(gain.event + 1);
   ASSERT_GT(at.size(), 2u);
-  std::set<std::size_t> sought;
-  for (float x = 20; x < 320; x += 20) {
-    commands_.clear();
-    click(x, 80);
-    for (const Command& command : commands_)
-      if (const Seek* each = std::get_if<Seek>(&command)) sought.insert(each->position);
-  }
+  const std::set<std::size_t> sought = sought_by_the_chart();
   EXPECT_GE(sought.size(), 2u);
   for (const std::size_t position : sought) EXPECT_TRUE(at.contains(position)) << position;
 }
@@ -138,13 +143,7 @@ TEST_F(SamplesTest, TheFitnessChartLeadsToTheEndsOfGenerations) {
   curve.follow(run().log_view(), run().log_id(), SIZE_MAX);
   std::set<std::size_t> at;
   for (const FitnessPoint& point : curve.points()) at.insert(point.event + 1);
-  std::set<std::size_t> sought;
-  for (float x = 20; x < 320; x += 20) {
-    commands_.clear();
-    click(x, 80);
-    for (const Command& command : commands_)
-      if (const Seek* each = std::get_if<Seek>(&command)) sought.insert(each->position);
-  }
+  const std::set<std::size_t> sought = sought_by_the_chart();
   EXPECT_GE(sought.size(), 5u);
   for (const std::size_t position : sought) EXPECT_TRUE(at.contains(position)) << position;
 }
