@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Which Debian packages Replan needs, and how they get installed. Sourced by ./run and ./test; by hand:
-#   scripts/packages.sh [build|test|all]          install what is missing
-#   scripts/packages.sh [build|test|all] --list   print the list
+#   scripts/packages.sh [build|test|web|all]          install what is missing
+#   scripts/packages.sh [build|test|web|all] --list   print the list
 set -euo pipefail
 
 # What builds and runs the program. Why each one is there stands in CONTRIBUTING.md.
@@ -16,6 +16,8 @@ build_packages=(
 )
 # What the tests and benchmarks need on top.
 test_packages=(libgtest-dev libbenchmark-dev xvfb xauth xdotool)
+# What builds the page for browsers (scripts/web.sh); dpkg-dev unpacks the sources of libraries.
+web_packages=(emscripten nodejs dpkg-dev ca-certificates)
 # What only ./test --all and ./test --fuzz need on top.
 long_packages=(clang libclang-rt-dev slurm-wlm munge)
 
@@ -90,8 +92,9 @@ packages_main() {
   case ${1:-build} in
     build) packages=("${build_packages[@]}") ;;
     test) packages=("${build_packages[@]}" "${test_packages[@]}") ;;
+    web) packages=("${build_packages[@]}" "${web_packages[@]}") ;;
     all) packages=("${build_packages[@]}" "${test_packages[@]}" "${long_packages[@]}") ;;
-    *) echo "usage: scripts/packages.sh [build|test|all] [--list]" >&2 && return 2 ;;
+    *) echo "usage: scripts/packages.sh [build|test|web|all] [--list]" >&2 && return 2 ;;
   esac
   if [[ ${2:-} == --list ]]; then
     printf '%s\n' "${packages[@]}"
