@@ -1,4 +1,5 @@
-// The window: GLFW opens it, feeds its input to the stage and sleeps while nothing happens.
+// The window: it feeds its input to the stage and sleeps while nothing happens. GLFW opens it; in a browser it is the
+// page's canvas (app/web/page_window.cpp).
 #pragma once
 
 #include <filesystem>
@@ -7,13 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "app/platform/gl_choice.hpp"
 #include "core/base/result.hpp"
 #include "ui/gl/stage.hpp"
 #include "ui/image.hpp"
-
-struct GLFWcursor;
-struct GLFWwindow;
 
 namespace replan::app {
 
@@ -37,8 +34,8 @@ class Window {
 
   /// Calls `frame` inside each ImGui frame until the window closes. It returns whether it wants the next
   /// frame at once (something moves); otherwise the window sleeps until input, wake(), or a moment has
-  /// passed.
-  void run(const std::function<bool()>& frame);
+  /// passed. In a page it returns at once, and the browser goes on calling; the window must stay.
+  void run(std::function<bool()> frame);
   /// Ends run() after this frame.
   void close();
   /// Asks for a frame; from any thread.
@@ -64,29 +61,29 @@ class Window {
   void capture(std::function<void(ui::Image)> taker) { taker_ = std::move(taker); }
 
  private:
-  struct Callbacks;
+  /// What the platform holds, and what it calls.
+  struct System;
 
-  Window() = default;
+  Window();
   Result<void> start(const WindowSettings& settings);
-  Result<void> create(GlChoice choice, float scale);
-  void draw_frame(const std::function<bool()>& frame);
-  void wait();
+  /// One frame of that many pixels at that time, in seconds; shows nothing yet.
+  void draw_frame(const std::function<bool()>& frame, int width, int height, double now);
+  /// Whether a frame is due.
+  [[nodiscard]] bool busy() const { return settle_frames_ > 0 || stage_->wants_frame() || taker_ != nullptr; }
+  /// A few more frames than are asked for: input may open, close or hover something.
+  void settle() { settle_frames_ = 3; }
   void update_cursor();
   [[nodiscard]] ui::Image picture(int width, int height) const;
-  /// Framebuffer pixels per screen coordinate: 1 on X11, the display's scale on Wayland.
-  [[nodiscard]] float pixel_ratio() const;
 
-  GLFWwindow* window_ = nullptr;
+  std::unique_ptr<System> system_;
   ui::Gl gl_;
   std::unique_ptr<ui::Stage> stage_;
-  std::vector<GLFWcursor*> cursors_;
   std::function<void(std::vector<std::filesystem::path>)> drop_;
   std::function<bool()> may_close_;
   std::function<void(ui::Image)> taker_;
   WindowSettings settings_;
   double last_time_ = 0;
   double pace_ = 0;
-  bool follow_display_scale_ = true;
   int settle_frames_ = 3;  // frames still to draw before sleeping
 };
 

@@ -1,0 +1,73 @@
+// The program behind a window: a session, the shell that shows it, what is remembered, and what is recorded.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/film_maker.hpp"
+#include "app/gui_settings.hpp"
+#include "app/platform/window.hpp"
+#include "app/recording.hpp"
+#include "core/session/session.hpp"
+#include "core/world/scenario.hpp"
+#include "ui/shell/shell.hpp"
+
+namespace replan::app {
+
+/// What a window opens with.
+struct FirstDocument {
+  Scenario scenario;
+  std::string file;  ///< empty: nobody's yet
+};
+/// That file, else the demo; where the program was copied without its files, a small world in code.
+Result<FirstDocument> first_document(const std::optional<std::string>& file);
+
+/// Everything of one window.
+class GuiProgram {
+ public:
+  GuiProgram(FirstDocument document, Remembered remembered);
+
+  Result<void> open();
+  /// As Window::run().
+  void run();
+  /// The end: what is remembered is written.
+  Result<void> close();
+  /// Writes what the next start is to know of this window.
+  void remember();
+  /// Facts of the session, for tests: JSON.
+  [[nodiscard]] std::string facts() const;
+
+ private:
+  bool frame();
+  void follow();
+  void capture();
+  void carry_out(const ui::CaptureRequest& request);
+  Result<void> make_film(const ui::CaptureRequest& request);
+  void take_picture(const ui::CaptureRequest& request);
+  [[nodiscard]] ui::PixelArea area(bool window) const;
+  void report_first_frame();
+  void report_slow_frame(double update_ms, double draw_ms);
+
+  using Clock = std::chrono::steady_clock;
+
+  Clock::time_point begun_ = Clock::now();
+  Remembered remembered_;
+  Session session_;  // plans while the window is being opened
+  std::unique_ptr<Window> window_;
+  std::unique_ptr<ui::Shell> shell_;  // goes before the window: it holds textures
+  Clock::time_point last_ = Clock::now();
+  double draw_ms_ = 0;
+  std::string title_;
+  bool dark_ = true;
+  std::string words_;  // that the fonts were baked for, beside the usual characters
+  bool timed_ = false;
+  const bool timing_;  // slow frames are reported
+  Recording recording_;
+  FilmMaker maker_{recording_};
+  std::optional<ui::CaptureRequest> wanted_;  // by the user, and not begun yet
+  int settling_ = 0;                          // frames until the dialog has gone from the pixels
+};
+
+}  // namespace replan::app
