@@ -113,7 +113,7 @@ Result<void> GuiProgram::open() {
   window_->on_drop([this](const std::vector<std::filesystem::path>& paths) {
     std::vector<std::string> names;
     for (const std::filesystem::path& path : paths) names.push_back(path.string());
-    shell_->documents().drop(session_, names);
+    drop(names);
   });
   window_->on_close([this] { return shell_->documents().may_close(session_); });
   shell_->documents().settle_in(session_,

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/film_maker.hpp"
 #include "app/gui_settings.hpp"
@@ -36,6 +37,8 @@ class GuiProgram {
   Result<void> close();
   /// Writes what the next start is to know of this window.
   void remember();
+  /// Takes files as if they were dropped onto the window.
+  void drop(const std::vector<std::string>& paths) { shell_->documents().drop(session_, paths); }
   /// Facts of the session, for tests: JSON.
   [[nodiscard]] std::string facts() const;
 

@@ -1,8 +1,10 @@
-// What a window does on every platform: a frame, and its picture.
+// What a window does on every platform: a frame.
 #include "app/platform/window.hpp"
 
 #include <algorithm>
 #include <utility>
+
+#include "ui/gl/read_picture.hpp"
 
 namespace replan::app {
 
@@ -19,23 +21,7 @@ void Window::draw_frame(const std::function<bool()>& frame, int width, int heigh
     update_cursor();
   });
   if (moving) settle_frames_ = std::max(settle_frames_, 1);
-  if (taker_) std::exchange(taker_, nullptr)(picture(width, height));
-}
-
-ui::Image Window::picture(int width, int height) const {
-  ui::Image image{width, height, {}};
-  const auto row = static_cast<std::size_t>(image.width) * 4;
-  image.rgba.resize(row * static_cast<std::size_t>(image.height));
-  gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
-  gl_.ReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  // OpenGL's first row is the lowest.
-  for (std::size_t top = 0, bottom = static_cast<std::size_t>(image.height); top + 1 < bottom; ++top) {
-    --bottom;
-    std::swap_ranges(image.rgba.begin() + static_cast<std::ptrdiff_t>(top * row),
-                     image.rgba.begin() + static_cast<std::ptrdiff_t>((top + 1) * row),
-                     image.rgba.begin() + static_cast<std::ptrdiff_t>(bottom * row));
-  }
-  return image;
+  if (taker_) std::exchange(taker_, nullptr)(ui::read_picture(gl_, width, height));
 }
 
 }  // namespace replan::app

@@ -60,10 +60,10 @@ class Window {
   /// Hands the pixels of the next frame over, once, as soon as it is drawn.
   void capture(std::function<void(ui::Image)> taker) { taker_ = std::move(taker); }
 
- private:
   /// What the platform holds, and what it calls.
   struct System;
 
+ private:
   Window();
   Result<void> start(const WindowSettings& settings);
   /// One frame of that many pixels at that time, in seconds; shows nothing yet.
@@ -73,7 +73,6 @@ class Window {
   /// A few more frames than are asked for: input may open, close or hover something.
   void settle() { settle_frames_ = 3; }
   void update_cursor();
-  [[nodiscard]] ui::Image picture(int width, int height) const;
 
   std::unique_ptr<System> system_;
   ui::Gl gl_;

@@ -1,0 +1,65 @@
+// Replan in a page. The page's script has brought its home folder back before it calls main().
+#include <memory>
+#include <new>
+#include <string>
+
+#include <emscripten.h>
+
+#include "app/gui_program.hpp"
+#include "app/gui_settings.hpp"
+#include "app/web/page.hpp"
+
+namespace replan::app {
+namespace {
+
+/// Stays for as long as the page does: main() returns before the first frame.
+GuiProgram* program = nullptr;
+
+Result<void> start() {
+  Result<FirstDocument> document = first_document(std::nullopt);
+  if (!document) return Error{document.error()};
+  auto made = std::make_unique<GuiProgram>(std::move(*document), read_settings(settings_path()));
+  if (const Result<void> opened = made->open(); !opened) return opened;
+  program = made.release();
+  program->run();
+  return {};
+}
+
+}  // namespace
+
+extern "C" {
+
+/// A file that the page wrote into its file system: dropped, or chosen by the browser's picker.
+EMSCRIPTEN_KEEPALIVE void replan_open(const char* path) {
+  if (program != nullptr) program->drop({path});
+}
+
+/// Ctrl and that letter, which the browser had kept for an event of its own.
+EMSCRIPTEN_KEEPALIVE void replan_clipboard_key(int letter) {
+  if (program != nullptr) press_in_page(letter);
+}
+
+/// The page may go: what is to be remembered is written.
+EMSCRIPTEN_KEEPALIVE void replan_leave() {
+  if (program != nullptr) program->remember();
+}
+
+/// Facts of the session as JSON, for tests.
+EMSCRIPTEN_KEEPALIVE const char* replan_facts() {
+  static std::string held;
+  held = program == nullptr ? "{}" : program->facts();
+  return held.c_str();
+}
+
+}  // extern "C"
+
+}  // namespace replan::app
+
+int main() {
+  if (const replan::Result<void> started = replan::app::start(); !started) {
+    replan::app::tell_page(started.error());
+    return 1;
+  }
+  replan::app::reveal_page();
+  return 0;
+}

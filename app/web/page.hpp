@@ -1,0 +1,25 @@
+// What the page does for the program: page.js, called from here.
+#pragma once
+
+#include <string>
+
+namespace replan::app {
+
+/// Shows a sentence in the place of the program, which has come to its end.
+void tell_page(const std::string& sentence);
+/// The page is loaded: what it showed until then goes.
+void reveal_page();
+/// The mouse's shape, by ImGui's number; below 0 it is hidden.
+void set_page_cursor(int cursor);
+/// Puts a text on the clipboard.
+void copy_text(const char* text);
+/// What was pasted last; stays valid until the next call.
+const char* pasted_text();
+/// Whether Ctrl and this key make the browser's own copy, cut or paste event.
+bool is_clipboard_key(const char* key);
+/// A press of that key, which the browser had kept from the window, with what else is held down; done when it returns.
+void press_in_page(int key);
+/// Has the browser keep what was written to the page's home folder.
+void keep_files();
+
+}  // namespace replan::app

@@ -1,0 +1,154 @@
+// The page around the program: what shows until it runs, its files, its clipboard. Goes before the script that emscripten
+// makes (--pre-js), so that everything is in place when main() is called.
+
+Module.canvas = document.getElementById('canvas');
+Module.replan = (() => {
+  const cover = document.getElementById('cover');
+  const words = document.getElementById('words');
+  const home = '/home/web_user';
+  let failed = false;
+
+  function tell(sentence) {
+    words.textContent = sentence;
+    cover.hidden = false;
+  }
+
+  // The end of the program, for a reason that its user can do something about.
+  function fail(sentence) {
+    if (failed) return;
+    failed = true;
+    tell(sentence);
+  }
+
+  function reveal() {
+    cover.hidden = true;
+    Module.canvas.focus();
+  }
+
+  // Reading and writing what the browser keeps of the home folder takes its time: one after the other.
+  let keeping = false;
+  let again = false;
+  let kept = false; // whether there is a place to keep anything in
+
+  function keep() {
+    if (!kept) return;
+    if (keeping) {
+      again = true;
+      return;
+    }
+    keeping = true;
+    FS.syncfs(false, () => {
+      keeping = false;
+      if (again) {
+        again = false;
+        keep();
+      }
+    });
+  }
+
+  // Before main(): the home folder as it was left. A browser that keeps nothing (a private window) begins afresh.
+  function bring_back() {
+    addRunDependency('home');
+    try {
+      FS.mkdirTree(home);
+      FS.mount(IDBFS, {}, home);
+    } catch (error) {
+      removeRunDependency('home');
+      return;
+    }
+    FS.syncfs(true, (error) => {
+      kept = !error;
+      removeRunDependency('home');
+    });
+  }
+
+  function leave() {
+    if (failed || !Module.calledRun) return;
+    Module._replan_leave();
+    keep();
+  }
+
+  // Writes files of the user's into the page's file system and opens the first.
+  async function take_files(files) {
+    const paths = [];
+    for (const file of files) {
+      const path = '/files/' + file.name.replaceAll('/', '_');
+      FS.mkdirTree('/files');
+      FS.writeFile(path, new Uint8Array(await file.arrayBuffer()));
+      paths.push(path);
+    }
+    for (const path of paths) {
+      const bytes = stringToNewUTF8(path);
+      Module._replan_open(bytes);
+      Module._free(bytes);
+    }
+  }
+
+  // Hands a file of the page's file system to the browser, which puts it among its downloads.
+  function download(path) {
+    const name = path.slice(path.lastIndexOf('/') + 1);
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(new Blob([FS.readFile(path)]));
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+  }
+
+  let copied = '';
+  const api = { tell, fail, reveal, keep, bring_back, leave, take_files, download, pasted: '' };
+
+  // A text goes to the clipboard within the browser's copy event, where there is one; else by the clipboard's own
+  // interface, or by an event that is made for it where pages do not have that (plain http).
+  let in_event = false;
+  api.copy = (text) => {
+    copied = text;
+    if (in_event) return;
+    if (navigator.clipboard) navigator.clipboard.writeText(text).catch(() => document.execCommand('copy'));
+    else document.execCommand('copy');
+  };
+
+  function on_copy(event, letter) {
+    if (event.isTrusted && letter && !document.activeElement.matches('input, textarea')) {
+      in_event = true;
+      copied = '';
+      Module._replan_clipboard_key(letter.charCodeAt(0));
+      in_event = false;
+    }
+    if (copied === '') return;
+    event.clipboardData.setData('text/plain', copied);
+    event.preventDefault();
+  }
+
+  document.addEventListener('copy', (event) => on_copy(event, 'C'));
+  document.addEventListener('cut', (event) => on_copy(event, 'X'));
+  document.addEventListener('paste', (event) => {
+    if (event.clipboardData.files.length > 0) {
+      take_files([...event.clipboardData.files]);
+    } else {
+      api.pasted = event.clipboardData.getData('text/plain');
+      Module._replan_clipboard_key('V'.charCodeAt(0));
+    }
+    event.preventDefault();
+  });
+
+  document.addEventListener('contextmenu', (event) => event.preventDefault());
+  document.addEventListener('dragover', (event) => event.preventDefault());
+  document.addEventListener('drop', (event) => {
+    event.preventDefault();
+    take_files([...event.dataTransfer.files]);
+  });
+  document.addEventListener('visibilitychange', () => {
+    if (document.visibilityState === 'hidden') leave();
+  });
+  window.addEventListener('pagehide', leave);
+  return api;
+})();
+
+Module.preRun = [Module.replan.bring_back];
+Module.setStatus = () => {};
+Module.onAbort = (what) =>
+  Module.replan.fail(
+    /memory|OOM/i.test(String(what))
+      ? 'The world and its log have filled the memory that a page may have (2 GB). Reload the page and take a smaller world, or use the desktop program for this one.'
+      : 'Replan has stopped: ' + what + '. Reload the page to go on.',
+  );
