@@ -105,6 +105,7 @@ Result<void> FilmMaker::go_on(Session& session, void (*woken)()) {
     if (Result<void> opened = open(session); !opened) return fail(opened.error());
     return {};
   }
+  if (!recording_.ready()) return {};
   if (Result<void> shot = shoot(session); !shot) return fail(shot.error());
   if (next_ < frames_.size()) return {};
   recording_.stop(woken);

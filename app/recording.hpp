@@ -34,6 +34,8 @@ class Recording {
   /// Begins a film of that area's size, which it keeps: if the area shrinks the rest is black, if it grows
   /// the rest is not in the film.
   Result<void> start(const ui::CaptureRequest& request, const ui::PixelArea& area);
+  /// Whether a film that is made for itself may take its next frame now (Film::ready()).
+  [[nodiscard]] bool ready() const { return film_ != nullptr && film_->ready(); }
   /// The next frame, out of the window's pixels. Waits if the writing is behind; no frame is dropped.
   void take(const ui::Image& picture, const ui::PixelArea& area);
   /// Takes no more frames and leaves no film; a folder keeps the pictures that it has.

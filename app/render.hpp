@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/film/film_writer.hpp"
+#include "app/film/film_settings.hpp"
 #include "core/scene/orbit.hpp"
 #include "core/scene/scene.hpp"
 #include "core/scene/view.hpp"

@@ -6,6 +6,9 @@
 #include <system_error>
 #include <thread>
 
+#include "app/film/film_writer.hpp"
+#include "app/film/frame_queue.hpp"
+
 namespace replan::app {
 namespace {
 
@@ -43,12 +46,21 @@ bool is_frame_folder(const std::string& path) {
   return path.ends_with('/') || fs::is_directory(path, failed);
 }
 
+struct Film::Sink {
+  std::size_t frames = 0;              // added
+  std::string folder;                  // for pictures; empty for a film file
+  std::unique_ptr<FilmWriter> writer;  // for a film file
+  std::unique_ptr<FrameQueue> queue;
+};
+
+Film::Film() : sink_(std::make_unique<Sink>()) {}
+
 Result<std::unique_ptr<Film>> Film::open(const FilmSettings& settings) {
   std::unique_ptr<Film> film(new Film);
   if (is_frame_folder(settings.path)) {
-    film->folder_ = settings.path;
+    film->sink_->folder = settings.path;
     if (const Result<void> made = make_folder(settings.path); !made) return Error{made.error()};
-    film->queue_ = std::make_unique<FrameQueue>(
+    film->sink_->queue = std::make_unique<FrameQueue>(
         [folder = settings.path](std::size_t number, const ui::Image& frame) {
           return ui::write_png(frame_path(folder, number), frame);
         },
@@ -57,23 +69,27 @@ Result<std::unique_ptr<Film>> Film::open(const FilmSettings& settings) {
   }
   auto writer = FilmWriter::open(settings);
   if (!writer) return Error{writer.error()};
-  film->writer_ = std::move(*writer);
-  film->queue_ = std::make_unique<FrameQueue>(
-      [to = film->writer_.get()](std::size_t, const ui::Image& frame) { return to->add(frame); }, 1);
+  film->sink_->writer = std::move(*writer);
+  film->sink_->queue = std::make_unique<FrameQueue>(
+      [to = film->sink_->writer.get()](std::size_t, const ui::Image& frame) { return to->add(frame); }, 1);
   return film;
 }
 
 Film::~Film() = default;
 
+bool Film::ready() const {
+  return true;
+}
+
 Result<void> Film::add(ui::Image frame) {
-  ++frames_;
-  return queue_->push(std::move(frame));
+  ++sink_->frames;
+  return sink_->queue->push(std::move(frame));
 }
 
 Result<void> Film::finish() {
-  if (Result<void> written = queue_->finish(); !written) return written;
-  if (writer_) return writer_->finish();
-  remove_from(folder_, frames_);
+  if (Result<void> written = sink_->queue->finish(); !written) return written;
+  if (sink_->writer) return sink_->writer->finish();
+  remove_from(sink_->folder, sink_->frames);
   return {};
 }
 

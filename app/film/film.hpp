@@ -4,8 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "app/film/film_writer.hpp"
-#include "app/film/frame_queue.hpp"
+#include "app/film/film_settings.hpp"
+#include "core/base/result.hpp"
+#include "ui/image.hpp"
 
 namespace replan::app {
 
@@ -13,7 +14,7 @@ namespace replan::app {
 bool is_frame_folder(const std::string& path);
 
 /// Takes frames while others are being written. A film file appears when finish() has succeeded and not
-/// before; in a folder each picture appears whole.
+/// before; in a folder each picture appears whole. In a page its own recorder makes it (app/web/film.cpp).
 class Film {
  public:
   /// `settings.path` may be a folder for frames too; it is made if need be. Numbered pictures that are in it
@@ -24,18 +25,19 @@ class Film {
   /// Without finish() no film is left; a folder keeps the pictures that it has.
   ~Film();
 
+  /// Whether a frame may come now. A page's recorder goes by the clock, so frames must not come faster than they show.
+  [[nodiscard]] bool ready() const;
   /// Waits if the writing is behind. After an Error nothing more is taken.
   Result<void> add(ui::Image frame);
   /// Waits until everything is on the disk.
   Result<void> finish();
 
  private:
-  Film() = default;
+  struct Sink;
 
-  std::size_t frames_ = 0;              // added
-  std::string folder_;                  // for pictures; empty for a film file
-  std::unique_ptr<FilmWriter> writer_;  // for a film file
-  std::unique_ptr<FrameQueue> queue_;
+  Film();
+
+  std::unique_ptr<Sink> sink_;
 };
 
 }  // namespace replan::app

@@ -1,7 +1,7 @@
 // Whether a film file is whole, by its own structure.
 #pragma once
 
-#include "app/film/film_writer.hpp"
+#include "app/film/film_settings.hpp"
 
 namespace replan::app {
 

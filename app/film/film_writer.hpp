@@ -1,11 +1,10 @@
 // Frames into a film file, by FFmpeg's program through a pipe.
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 
+#include "app/film/film_settings.hpp"
 #include "core/base/pending_file.hpp"
 #include "core/base/result.hpp"
 #include "ui/image.hpp"
@@ -13,24 +12,6 @@
 namespace replan::app {
 
 class ChildProcess;
-
-enum class FilmFormat : std::uint8_t { gif, webp, mp4 };
-/// By the extension; nothing if it is none of a film.
-std::optional<FilmFormat> film_format(const std::string& path);
-
-/// Pixels of a picture or a film.
-struct FrameSize {
-  int width = 0, height = 0;
-};
-/// The size of a film file that is made of frames of that size: an .mp4 gets a black edge to even numbers.
-FrameSize film_size(const std::string& path, FrameSize frames);
-
-struct FilmSettings {
-  std::string path;  ///< .gif, .webp or .mp4
-  int width = 0;     ///< pixels of the frames
-  int height = 0;
-  int fps = 30;
-};
 
 /// The file stands under its name only when finish() has succeeded; until then an old one stays whole. The
 /// same frames give the same bytes with the same FFmpeg.

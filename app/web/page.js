@@ -6,6 +6,7 @@ Module.replan = (() => {
   const cover = document.getElementById('cover');
   const words = document.getElementById('words');
   const home = '/home/web_user';
+  const files = home + '/Files'; // of the user's: what is opened comes there, what is saved goes out from there
   let failed = false;
 
   function tell(sentence) {
@@ -49,15 +50,18 @@ Module.replan = (() => {
   // Before main(): the home folder as it was left. A browser that keeps nothing (a private window) begins afresh.
   function bring_back() {
     addRunDependency('home');
-    try {
-      FS.mkdirTree(home);
-      FS.mount(IDBFS, {}, home);
-    } catch (error) {
-      removeRunDependency('home');
-      return;
-    }
+    FS.mkdirTree(home);
+    FS.mount(IDBFS, {}, home);
     FS.syncfs(true, (error) => {
       kept = !error;
+      FS.mkdirTree(files);
+      FS.chdir(files);
+      // A file is written beside its place and then moved there: from then on it is whole.
+      FS.trackingDelegate.onMovePath = (from, to) => {
+        if (!to.startsWith(home)) return;
+        if (to.startsWith(files)) download(to);
+        keep();
+      };
       removeRunDependency('home');
     });
   }
@@ -72,8 +76,7 @@ Module.replan = (() => {
   async function take_files(files) {
     const paths = [];
     for (const file of files) {
-      const path = '/files/' + file.name.replaceAll('/', '_');
-      FS.mkdirTree('/files');
+      const path = files + '/' + file.name.replaceAll('/', '_');
       FS.writeFile(path, new Uint8Array(await file.arrayBuffer()));
       paths.push(path);
     }
@@ -84,18 +87,84 @@ Module.replan = (() => {
     }
   }
 
+  // The browser's own way to choose a file; what is chosen comes as if it were dropped.
+  function pick(extensions) {
+    const input = document.createElement('input');
+    input.type = 'file';
+    input.multiple = true;
+    input.accept = extensions;
+    input.onchange = () => take_files([...input.files]);
+    input.click();
+  }
+
   // Hands a file of the page's file system to the browser, which puts it among its downloads.
   function download(path) {
-    const name = path.slice(path.lastIndexOf('/') + 1);
+    hand_over(path.slice(path.lastIndexOf('/') + 1), new Blob([FS.readFile(path)]));
+  }
+
+  function hand_over(name, blob) {
     const link = document.createElement('a');
-    link.href = URL.createObjectURL(new Blob([FS.readFile(path)]));
+    link.href = URL.createObjectURL(blob);
     link.download = name;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 60000);
   }
 
+  // A film of what is put onto a hidden canvas.
+  const film = (() => {
+    let canvas, recorder, track, parts, file, step, last;
+
+    function begin(name, width, height, fps) {
+      if (!window.MediaRecorder || !HTMLCanvasElement.prototype.captureStream) return false;
+      canvas = document.createElement('canvas');
+      canvas.width = width;
+      canvas.height = height;
+      canvas.getContext('2d');
+      const stream = canvas.captureStream(0);
+      track = stream.getVideoTracks()[0];
+      try {
+        recorder = new MediaRecorder(stream, { mimeType: 'video/webm', videoBitsPerSecond: 8e6 });
+      } catch (error) {
+        return false;
+      }
+      parts = [];
+      recorder.ondataavailable = (event) => parts.push(event.data);
+      file = name;
+      step = 1000 / fps;
+      last = -Infinity;
+      recorder.start(1000);
+      return true;
+    }
+
+    // The recorder goes by the clock: a frame that comes early would make the film run fast.
+    function ready() {
+      return performance.now() - last > step - 2;
+    }
+
+    function add(rgba, width, height) {
+      last = performance.now();
+      const image = new ImageData(new Uint8ClampedArray(rgba), width, height);
+      canvas.getContext('2d').putImageData(image, 0, 0);
+      if (track.requestFrame) track.requestFrame();
+    }
+
+    function end(keep) {
+      if (!recorder) return;
+      const made = parts;
+      const name = file;
+      recorder.onstop = () => {
+        if (keep) hand_over(name, new Blob(made, { type: 'video/webm' }));
+      };
+      recorder.stop();
+      track.stop();
+      recorder = undefined;
+    }
+
+    return { begin, ready, add, end };
+  })();
+
   let copied = '';
-  const api = { tell, fail, reveal, keep, bring_back, leave, take_files, download, pasted: '' };
+  const api = { tell, fail, reveal, keep, bring_back, leave, take_files, pick, film, pasted: '' };
 
   // A text goes to the clipboard within the browser's copy event, where there is one; else by the clipboard's own
   // interface, or by an event that is made for it where pages do not have that (plain http).
