@@ -15,13 +15,12 @@
 #include "app/about.hpp"
 #include "app/film_maker.hpp"
 #include "app/gui_settings.hpp"
+#include "app/platform/surroundings.hpp"
 #include "app/platform/window.hpp"
 #include "app/recording.hpp"
 #include "app/render.hpp"
 #include "core/base/file.hpp"
-#include "core/base/folders.hpp"
 #include "core/plan/pages.hpp"
-#include "core/world/library.hpp"
 #include "ui/documents/files.hpp"
 #include "ui/shell/shell.hpp"
 
@@ -116,8 +115,7 @@ Result<void> GuiProgram::open() {
     drop(names);
   });
   window_->on_close([this] { return shell_->documents().may_close(session_); });
-  shell_->documents().settle_in(session_,
-                                {state_folder(), library_folder(), {false, [] { Window::wake(); }}});
+  shell_->documents().settle_in(session_, surroundings());
   if (remembered_.first_start && session_.file().empty()) shell_->welcome();
   return {};
 }

@@ -47,10 +47,12 @@ FrameSize film_size(const std::string&, FrameSize frames) {
 
 Result<std::unique_ptr<Film>> Film::open(const FilmSettings& settings) {
   if (file_extension(settings.path) != ".webm")
-    return Error{settings.path + ": in a browser a film's name ends in .webm; the desktop program makes others"};
+    return Error{settings.path +
+                 ": in a browser a film's name ends in .webm; the desktop program makes others"};
   if (js_film_begin(file_name(settings.path).c_str(), settings.width, settings.height, settings.fps) == 0)
     return Error{
-        "This browser does not record films. Take another browser, or the desktop program; pictures work here too."};
+        "This browser does not record films. Take another browser, or the desktop program; pictures work "
+        "here too."};
   std::unique_ptr<Film> film(new Film);
   film->sink_->settings = settings;
   return film;

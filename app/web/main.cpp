@@ -1,7 +1,8 @@
 // Replan in a page. The page's script has brought its home folder back before it calls main().
 #include <memory>
-#include <new>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <emscripten.h>
 
@@ -29,9 +30,13 @@ Result<void> start() {
 
 extern "C" {
 
-/// A file that the page wrote into its file system: dropped, or chosen by the browser's picker.
-EMSCRIPTEN_KEEPALIVE void replan_open(const char* path) {
-  if (program != nullptr) program->drop({path});
+/// Files that the page wrote into its file system, a line each: dropped, or chosen by the browser's picker.
+EMSCRIPTEN_KEEPALIVE void replan_drop(const char* paths) {
+  if (program == nullptr) return;
+  std::vector<std::string> all;
+  std::istringstream lines(paths);
+  for (std::string line; std::getline(lines, line);) all.push_back(line);
+  program->drop(all);
 }
 
 /// Ctrl and that letter, which the browser had kept for an event of its own.

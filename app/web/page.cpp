@@ -1,6 +1,6 @@
 #include "app/web/page.hpp"
 
-#include <array>
+#include <cstdlib>
 #include <string_view>
 
 #include <emscripten.h>
@@ -15,6 +15,7 @@ EM_JS(void, js_reveal, (void), { Module.replan.reveal(); });
 EM_JS(void, js_cursor, (const char* name), { Module.canvas.style.cursor = UTF8ToString(name); });
 EM_JS(void, js_copy, (const char* text), { Module.replan.copy(UTF8ToString(text)); });
 EM_JS(char*, js_pasted, (void), { return stringToNewUTF8(Module.replan.pasted); });
+EM_JS(void, js_pick, (const char* extensions), { Module.replan.pick(UTF8ToString(extensions)); });
 EM_JS(void, js_keep, (void), { Module.replan.keep(); });
 // clang-format on
 
@@ -53,6 +54,10 @@ void reveal_page() {
 
 void set_page_cursor(int cursor) {
   js_cursor(css_cursor(cursor));
+}
+
+void pick_file(const std::string& extensions) {
+  js_pick(extensions.c_str());
 }
 
 void copy_text(const char* text) {

@@ -11,6 +11,8 @@ void tell_page(const std::string& sentence);
 void reveal_page();
 /// The mouse's shape, by ImGui's number; below 0 it is hidden.
 void set_page_cursor(int cursor);
+/// Opens the browser's picker; what is chosen comes as if it were dropped. `extensions` as in HTML: ".json,.map".
+void pick_file(const std::string& extensions);
 /// Puts a text on the clipboard.
 void copy_text(const char* text);
 /// What was pasted last; stays valid until the next call.

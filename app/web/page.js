@@ -80,11 +80,9 @@ Module.replan = (() => {
       FS.writeFile(path, new Uint8Array(await file.arrayBuffer()));
       paths.push(path);
     }
-    for (const path of paths) {
-      const bytes = stringToNewUTF8(path);
-      Module._replan_open(bytes);
-      Module._free(bytes);
-    }
+    const text = stringToNewUTF8(paths.join('\n'));
+    Module._replan_drop(text);
+    Module._free(text);
   }
 
   // The browser's own way to choose a file; what is chosen comes as if it were dropped.

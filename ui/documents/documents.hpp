@@ -24,6 +24,7 @@ struct Surroundings {
   std::string state_folder;   ///< for recent files and autosaves; empty: nothing is kept
   std::string worlds_folder;  ///< the library
   WorkPlace work;             ///< how long work is done
+  SystemFiles files = {};     ///< what the system does with files itself
 };
 
 class Documents {

@@ -36,6 +36,7 @@ std::string map_file_of(const std::string& path, const Scenario& scenario) {
 void Documents::settle_in(const Session& session, Surroundings surroundings) {
   surroundings_ = std::move(surroundings);
   const WorkPlace& work = surroundings_.work;
+  window_.dialogs.set_system(surroundings_.files);
   loader_ = std::make_unique<Background<Loaded>>(work);
   library_ = std::make_unique<WorldLibrary>(surroundings_.worlds_folder, work);
   watch_.watch({stamped(session.file()), stamped(map_file_of(session.file(), session.scenario()))});

@@ -54,6 +54,7 @@ void Dialogs::ask(Question question) {
 
 void Dialogs::choose_file(FileDialogSpec spec, const WorkPlace& place, DialogDecision::Kind decision) {
   close();
+  if (system_.pick && !spec.saving) return system_.pick(spec.filters);
   file_decision_ = decision;
   file_ = std::make_unique<FileDialog>(renderer_, place, std::move(spec));
   begin(DialogKind::file);

@@ -76,9 +76,24 @@ struct Question {
   std::optional<Choice> danger = {};  ///< what loses something; apart from the others
 };
 
+/// What the system that the program runs on does with files, where that is not as on a desktop.
+struct SystemFiles {
+  /// Its own way to choose a file to be opened, which then comes as if it were dropped; empty: the program's dialog.
+  std::function<void(const std::vector<FileFilter>& filters)> pick;
+  /// What films are written as.
+  std::vector<FileFilter> films = {{"Film (.gif)", {".gif"}},
+                                   {"Film (.webp)", {".webp"}},
+                                   {"Film (.mp4)", {".mp4"}},
+                                   {"Numbered pictures in a folder", {"/"}}};
+};
+
 class Dialogs {
  public:
   explicit Dialogs(ImGuiRenderer& renderer) : renderer_(renderer) {}
+
+  void set_system(SystemFiles system) { system_ = std::move(system); }
+  /// The extension of a film whose user has not chosen another.
+  [[nodiscard]] const std::string& film_extension() const { return system_.films.front().extensions.front(); }
 
   // Each is shown at the next draw.
   void show(DialogKind kind);
@@ -129,6 +144,7 @@ class Dialogs {
   DialogDecision about_dialog(const Look& look);
 
   ImGuiRenderer& renderer_;
+  SystemFiles system_;
   DialogKind kind_ = DialogKind::none;
   int lists_ = 0;                                   // that were open over the dialog in the last frame
   int unsettled_ = 0;                               // frames that a list needs to show, without any input

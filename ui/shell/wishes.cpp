@@ -79,7 +79,7 @@ void Shell::ask_for_capture(const Session& session, bool film, bool window) {
     capture_ = {CaptureRequest::Kind::stop, window, {}, {}};
     return;
   }
-  FileDialogSpec spec = documents_.place_for(capture_name(film ? ".gif" : ".png"));
+  FileDialogSpec spec = documents_.place_for(capture_name(film ? dialogs_.film_extension().c_str() : ".png"));
   if (film)
     dialogs_.ask_film(session, window, window ? whole_window() : panels_.canvas, std::move(spec),
                       documents_.work());

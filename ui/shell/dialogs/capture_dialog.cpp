@@ -8,10 +8,7 @@ void Dialogs::ask_film(const Session& session, bool window, const PixelArea& are
   film_.begin(session, window, area);
   spec.title = window ? "Record a film of the window" : "Record a film of the canvas";
   spec.action = "Record";
-  spec.filters = {{"Film (.gif)", {".gif"}},
-                  {"Film (.webp)", {".webp"}},
-                  {"Film (.mp4)", {".mp4"}},
-                  {"Numbered pictures in a folder", {"/"}}};
+  spec.filters = system_.films;
   spec.options_height = FilmForm::kHeight;
   spec.options = [this](const Look& look, const std::string&) { film_.draw(look); };
   spec.aside = [this](const Look& look, const std::string& name) { film_.draw_facts(look, name); };
