@@ -1,10 +1,10 @@
 #include "core/debug/event_words.hpp"
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/bit_cast.hpp"
 #include "core/base/words.hpp"
 
 namespace replan {
@@ -239,7 +239,7 @@ std::string scalar_text(const Box& lattice, Scalar scalar, std::uint64_t raw) {
     case ScalarType::path:
       return raw == 0 ? "none" : std::to_string(raw - 1);
     case ScalarType::real:
-      return decimal_text(std::bit_cast<double>(raw), 3);
+      return decimal_text(bit_cast<double>(raw), 3);
     case ScalarType::score:
       return raw == 0 ? "none" : decimal_text(score_of(raw), 3);
     case ScalarType::node:
