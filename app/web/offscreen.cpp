@@ -9,7 +9,7 @@
 namespace replan::app {
 namespace {
 
-constexpr const char* kCanvas = "#replan-offscreen";
+constexpr const char* kOffscreenCanvas = "#replan-offscreen";
 
 // clang-format off
 EM_JS(void, make_offscreen_canvas, (int width, int height), {
@@ -58,7 +58,7 @@ struct Offscreen::Context {
 Result<std::unique_ptr<Offscreen>> Offscreen::create(const OffscreenSettings& settings) {
   std::unique_ptr<Offscreen> offscreen(new Offscreen(settings));
   const CurrentWebgl current(emscripten_webgl_get_current_context());  // opening makes another one current
-  const auto context = open_webgl(kCanvas, offscreen->gl_);
+  const auto context = open_webgl(kOffscreenCanvas, offscreen->gl_);
   if (!context) return Error{context.error()};
   offscreen->context_->handle = *context;
   Result<std::unique_ptr<ui::Stage>> stage = ui::Stage::create(offscreen->gl_, settings.scale);

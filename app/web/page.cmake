@@ -1,7 +1,7 @@
 # The page for browsers (scripts/web.sh): the same program on a canvas. What opens windows, draws without one and writes
 # films for the desktop has its counterpart in this folder.
 file(GLOB WEB_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/*.cpp)
-file(GLOB APP_SOURCES CONFIGURE_DEPENDS *.cpp film/film.cpp platform/window.cpp)
+file(GLOB APP_SOURCES CONFIGURE_DEPENDS *.cpp platform/window.cpp)
 list(FILTER APP_SOURCES EXCLUDE REGEX "/(main|gui)\\.cpp$")
 add_executable(replan_page ${APP_SOURCES} ${WEB_SOURCES})
 replan_target(replan_page)

@@ -211,7 +211,8 @@ Module.replan = (() => {
   return api;
 })();
 
-Module.preRun = [Module.replan.bring_back];
+// After the files that come with the program have been put into place.
+Module.preRun = [].concat(Module.preRun || [], Module.replan.bring_back);
 Module.setStatus = () => {};
 Module.onAbort = (what) =>
   Module.replan.fail(

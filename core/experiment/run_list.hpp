@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/experiment/experiment.hpp"
@@ -52,7 +53,13 @@ struct RunName {
   std::string robot = {};
   std::string surprises = {};
   std::uint64_t seed = 0;
-  friend auto operator<=>(const RunName&, const RunName&) = default;
+
+  // No <=>: strings have none yet in the library of the compiler for browsers.
+  [[nodiscard]] auto in_order() const {
+    return std::tie(world, line, start, goal, planner, settings, stages, robot, surprises, seed);
+  }
+  friend bool operator==(const RunName& a, const RunName& b) { return a.in_order() == b.in_order(); }
+  friend bool operator<(const RunName& a, const RunName& b) { return a.in_order() < b.in_order(); }
 };
 
 /// The planner with its settings and stages: "weighted-astar weight=2 | bspline".
