@@ -12,11 +12,12 @@
 #include "tests/support/each_planner.hpp"
 #include "tests/support/law_oracle.hpp"
 #include "tests/support/missions.hpp"
+#include "tests/support/trials.hpp"
 
 namespace replan::test::laws_property_test {
 namespace {
 
-constexpr int kMissions = 3000;  // of each planner
+const int kMissions = trials(3000);  // of each planner
 constexpr std::size_t kMostEvents = 12000;
 
 /// A mission's log and what an instrument reads of it.
@@ -87,7 +88,7 @@ class Laws : public ::testing::TestWithParam<const PlannerInfo*> {};
 TEST_P(Laws, holdOnRandomMissionsAsBruteForceSays) {
   if (GetParam()->values.laws == "none") GTEST_SKIP() << "its values keep no laws";
   std::size_t events = 0, broken = 0;
-  for (std::uint64_t seed = 0; seed < kMissions; ++seed) {
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(kMissions); ++seed) {
     const Log log = drive(mission_of(*GetParam(), seed));
     const std::ptrdiff_t first = compare(log);
     events += log.events.size();
@@ -99,7 +100,7 @@ TEST_P(Laws, holdOnRandomMissionsAsBruteForceSays) {
   }
   std::printf("%s: %d missions, %zu events, a breach in %zu\n", std::string(GetParam()->id).c_str(),
               kMissions, events, broken);
-  EXPECT_GT(events, std::size_t{kMissions} * 100);
+  EXPECT_GT(events, static_cast<std::size_t>(kMissions) * 100);
 }
 
 /// One event left out, or one value written wrongly.
@@ -142,7 +143,7 @@ void mutate(Random& random, const PlannerInfo& info, std::vector<Event>& events)
 TEST_P(Laws, areFoundBrokenWhereBruteForceFindsThemInALogWithOneWrongEvent) {
   if (GetParam()->values.laws == "none") GTEST_SKIP() << "its values keep no laws";
   std::size_t caught = 0;
-  for (std::uint64_t seed = 0; seed < kMissions; ++seed) {
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(kMissions); ++seed) {
     Log log = drive(mission_of(*GetParam(), seed));
     Random random(seed);
     mutate(random, *GetParam(), log.events);
@@ -159,7 +160,7 @@ TEST_P(Laws, areFoundBrokenWhereBruteForceFindsThemInALogWithOneWrongEvent) {
 TEST_P(Laws, areTheSameAfterALogWasCut) {
   if (GetParam()->values.laws == "none") GTEST_SKIP() << "its values keep no laws";
   std::size_t cut = 0;
-  for (std::uint64_t seed = 0; seed < kMissions / 4; ++seed) {
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(kMissions / 4); ++seed) {
     Log log = drive(mission_of(*GetParam(), seed));
     Random random(seed);
     if (random.chance(0.5)) mutate(random, *GetParam(), log.events);
@@ -197,7 +198,7 @@ TEST_P(Mistakes, areCaughtAtTheFirstBadStep) {
   const PlannerInfo& info = *find_planner(planner);
   const std::string text = setting;
   int caught = 0;
-  for (std::uint64_t seed = 0; seed < kMissions; ++seed) {
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(kMissions); ++seed) {
     Scenario scenario = mission_of(info, seed);
     ASSERT_TRUE(set_from_text(scenario.planners[0].settings, info.parameters, text.substr(0, text.find('=')),
                               text.substr(text.find('=') + 1)));

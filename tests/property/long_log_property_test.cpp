@@ -8,6 +8,7 @@
 #include "core/session/session.hpp"
 #include "tests/support/each_planner.hpp"
 #include "tests/support/missions.hpp"
+#include "tests/support/trials.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace replan::test::long_log_property_test {
@@ -77,7 +78,9 @@ class LongLogs : public ::testing::TestWithParam<const PlannerInfo*> {
     return static_cast<std::uint64_t>(GetParam() - planners().data());
   }
   /// Of planners that sample or breed fewer: the log of a tree or a population is long.
-  [[nodiscard]] std::uint64_t worlds() const { return GetParam()->can_miss() ? 25 : 100; }
+  [[nodiscard]] std::uint64_t worlds() const {
+    return static_cast<std::uint64_t>(trials(GetParam()->can_miss() ? 25 : 100));
+  }
 };
 
 TEST_P(LongLogs, DroppedEventsComeBackAsTheyWere) {
@@ -243,11 +246,11 @@ void check_undo(std::uint64_t seed, const PlannerInfo& info, std::size_t panes, 
 
 TEST_P(LongLogs, UndoBringsTheOldFutureBack) {
   int compared = 0, longer = 0;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(trials(60)); ++seed) {
     check_undo(seed * 1000 + planner(), *GetParam(), 1 + seed % 2, compared, longer);
     ASSERT_FALSE(HasFatalFailure());
   }
-  EXPECT_GT(compared, 500);
+  EXPECT_GT(compared, trials(500));
   EXPECT_LT(longer, compared / 4);
 }
 
@@ -274,7 +277,7 @@ void meddle(Session& session, Random& random, const GridMap& map) {
 // An edit that does not wait until the background stands still must lead to the same as one that does: to the
 // run of the scenario as it is then.
 TEST_P(LongLogs, EditsWhileTheBackgroundIsAtWorkLeadToTheRunOfTheirScenario) {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(trials(60)); ++seed) {
     Random random(seed * 1000 + 700 + planner());
     Scenario scenario = scenario_of(random, *GetParam(), seed);
     if (seed % 3 == 0) scenario.planners.push_back({"dstar-lite", {}});

@@ -7,11 +7,12 @@
 #include "core/debug/plan_oracle.hpp"
 #include "tests/support/each_planner.hpp"
 #include "tests/support/missions.hpp"
+#include "tests/support/trials.hpp"
 
 namespace replan::test::plan_oracle_property_test {
 namespace {
 
-constexpr int kMissions = 600;  // of each planner
+const int kMissions = trials(600);  // of each planner
 
 struct Tally {
   int plans = 0, without_path = 0, disagreements = 0;
@@ -68,7 +69,7 @@ class PlanOracle : public ::testing::TestWithParam<const PlannerInfo*> {};
 TEST_P(PlanOracle, saysWhatBruteForceSays) {
   const PlannerInfo& info = *GetParam();
   Tally tally;
-  for (std::uint64_t seed = 0; seed < kMissions; ++seed) {
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(kMissions); ++seed) {
     Random random(seed * 100 + 7);
     Scenario scenario = random_scenario(random, info, {12, 10});
     if (seed % 3 == 0) give_size(random, scenario);

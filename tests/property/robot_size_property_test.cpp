@@ -11,6 +11,7 @@
 #include "core/sim/body.hpp"
 #include "tests/support/each_planner.hpp"
 #include "tests/support/mission_witness.hpp"
+#include "tests/support/trials.hpp"
 
 namespace replan::test::robot_size_property_test {
 namespace {
@@ -266,8 +267,8 @@ TEST_P(SizedMissions, EndWithoutACollision) {
   const PlannerInfo& info = *GetParam();
   if (!info.point_only.empty()) GTEST_SKIP() << "plans for a robot without a size alone";
   MissionTotals totals;
-  constexpr std::uint64_t kMissions = 2000;
-  for (std::uint64_t seed = 0; seed < kMissions; ++seed) {
+  const auto missions = static_cast<std::uint64_t>(trials(2000));
+  for (std::uint64_t seed = 0; seed < missions; ++seed) {
     Random random(seed * 1000 + 77 + static_cast<std::uint64_t>(&info - planners().data()));
     Scenario scenario = random_scenario(random, info);
     give_size(random, scenario);
@@ -290,7 +291,7 @@ TEST_P(SizedMissions, EndWithoutACollision) {
       static_cast<long long>(totals.replans), static_cast<long long>(totals.waits));
   for (const std::int64_t count_of :
        {totals.arrived, totals.no_path, totals.in_zone, totals.left_zone, totals.waits})
-    EXPECT_GT(count_of, 20);
+    EXPECT_GT(count_of, trials(20));
 }
 
 INSTANTIATE_TEST_SUITE_P(Planners, SizedMissions, ::testing::ValuesIn(each_of(sound_planners())),
