@@ -18,6 +18,7 @@
 #include "app/platform/window.hpp"
 #include "app/recording.hpp"
 #include "app/render.hpp"
+#include "core/base/disposal.hpp"
 #include "core/base/file.hpp"
 #include "core/base/folders.hpp"
 #include "core/plan/pages.hpp"
@@ -107,9 +108,9 @@ Result<void> dump_state(const Session& session, bool opengl_es, const std::strin
 /// Everything of one window.
 class Program {
  public:
-  Program(Opened document, Remembered remembered)
+  Program(Opened document, Remembered remembered, WorkPlace work)
       : remembered_(std::move(remembered)),
-        session_(std::move(document.scenario), std::move(document.file)) {}
+        session_(std::move(document.scenario), std::move(document.file), {}, std::move(work)) {}
 
   Result<void> open();
   void run();
@@ -132,7 +133,8 @@ class Program {
   std::unique_ptr<Window> window_;
   std::unique_ptr<ui::Shell> shell_;  // goes before the window: it holds textures
   Clock::time_point last_ = Clock::now();
-  double draw_ms_ = 0;
+  double draw_ms_ = 0;     // of a frame
+  double drawing_ms_ = 0;  // of that, without the session's update
   std::string title_;
   bool dark_ = true;
   std::string words_;  // that the fonts were baked for, beside the usual characters
@@ -178,8 +180,7 @@ Result<void> Program::open() {
     shell_->documents().drop(session_, names);
   });
   window_->on_close([this] { return shell_->documents().may_close(session_); });
-  shell_->documents().settle_in(session_,
-                                {state_folder(), library_folder(), {false, [] { Window::wake(); }}});
+  shell_->documents().settle_in(session_, {state_folder(), library_folder(), session_.work()});
   if (remembered_.first_start && session_.file().empty()) shell_->welcome();
   return {};
 }
@@ -194,13 +195,17 @@ bool Program::frame() {
   const double seconds = recording_.on() && !maker_.on() ? recording_.step() : passed;
   last_ = now;
   const double begin_ms = thread_ms();
+  session_.set_share(shell_->work_share(session_, drawing_ms_));
   session_.update(seconds);
+  const Clock::time_point updated = Clock::now();
   const double updated_ms = thread_ms();
   shell_->panels().recording = recording_.state();
   if (maker_.on()) shell_->panels().recording.made = maker_.share();
   shell_->draw(window_->stage().look(), session_, seconds);
   const double spent = milliseconds(Clock::now() - now);
-  draw_ms_ = draw_ms_ == 0 ? spent : draw_ms_ * 0.9 + spent * 0.1;
+  const auto lately = [](double before, double ms) { return before == 0 ? ms : before * 0.9 + ms * 0.1; };
+  draw_ms_ = lately(draw_ms_, spent);
+  drawing_ms_ = lately(drawing_ms_, milliseconds(Clock::now() - updated));
   shell_->panels().frame_ms = draw_ms_;
   if (timing_) report_slow_frame(updated_ms - begin_ms, thread_ms() - updated_ms);
   follow();
@@ -360,10 +365,12 @@ Result<void> Program::close() {
 
 }  // namespace
 
-Result<void> run_window(const std::optional<std::string>& file) {
+Result<void> run_window(const std::optional<std::string>& file, bool in_step) {
   Result<Opened> document = first_document(file);
   if (!document) return Error{document.error()};
-  Program program(std::move(*document), read_settings(settings_path()));
+  if (in_step) dispose_at_once();
+  WorkPlace work = in_step || !kThreads ? WorkPlace::in_steps() : WorkPlace::beside([] { Window::wake(); });
+  Program program(std::move(*document), read_settings(settings_path()), std::move(work));
   if (const Result<void> opened = program.open(); !opened) return opened;
   program.run();
   return program.close();
