@@ -2,8 +2,9 @@
 // search decides by must not.
 #pragma once
 
-#include <bit>
 #include <cstdint>
+
+#include "core/base/bit_cast.hpp"
 
 namespace replan {
 
@@ -16,9 +17,9 @@ inline double natural_log(double x) {
   constexpr double kLn2High = 6.93147180369123816490e-01;  // 21 bits short, so that e times it is exact
   constexpr double kLn2Low = 1.90821492927058770002e-10;
   constexpr std::uint64_t kFraction = (std::uint64_t{1} << 52) - 1;
-  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto bits = bit_cast<std::uint64_t>(x);
   auto exponent = static_cast<int>(bits >> 52) - 1022;
-  double m = std::bit_cast<double>((bits & kFraction) | std::uint64_t{1022} << 52);  // 1/2 <= m < 1
+  double m = bit_cast<double>((bits & kFraction) | std::uint64_t{1022} << 52);  // 1/2 <= m < 1
   if (m < kRootOfHalf) {
     m *= 2;
     --exponent;

@@ -4,10 +4,11 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include "core/base/bit_cast.hpp"
 
 namespace replan {
 
@@ -131,7 +132,7 @@ constexpr double arc_tangent(double y, double x) {
   const std::int64_t k = nearest_whole(16 * (small / large));
   const double c = static_cast<double>(k) / 16;
   // Of `large` the upper half of its bits: so that c times either part is exact.
-  const double upper = std::bit_cast<double>(std::bit_cast<std::uint64_t>(large) & ~std::uint64_t{0x7FFFFFF});
+  const double upper = bit_cast<double>(bit_cast<std::uint64_t>(large) & ~std::uint64_t{0x7FFFFFF});
   const double rest = ((small - c * upper) - c * (large - upper)) / (large + c * small);
   const double square = rest * rest;
   double sum = 0;
@@ -176,7 +177,7 @@ constexpr double exponential(double x) {
   const double square = r * r / 2;
   const double value = 1 + (r + (square + square * sum + lost));
   const auto exponent = static_cast<std::uint64_t>(k + 1022) << 52;
-  return value * std::bit_cast<double>(exponent) * 2;
+  return value * bit_cast<double>(exponent) * 2;
 }
 
 }  // namespace replan

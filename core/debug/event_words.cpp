@@ -1,10 +1,10 @@
 #include "core/debug/event_words.hpp"
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/bit_cast.hpp"
 #include "core/base/words.hpp"
 
 namespace replan {
@@ -216,7 +216,8 @@ std::string value_text(const Box& lattice, const Field& field, std::uint64_t raw
     case FieldType::obstacle:
       return raw != 0 ? "obstacle" : "free";
     case FieldType::name:
-      return raw < field.names.size() ? std::string(field.names[raw]) : std::to_string(raw);
+      return raw < field.names.size() ? std::string(field.names[static_cast<std::size_t>(raw)])
+                                      : std::to_string(raw);
     case FieldType::vertex:
       return raw == 0 ? "none" : std::to_string(raw - 1);
     case FieldType::count:
@@ -239,7 +240,7 @@ std::string scalar_text(const Box& lattice, Scalar scalar, std::uint64_t raw) {
     case ScalarType::path:
       return raw == 0 ? "none" : std::to_string(raw - 1);
     case ScalarType::real:
-      return decimal_text(std::bit_cast<double>(raw), 3);
+      return decimal_text(bit_cast<double>(raw), 3);
     case ScalarType::score:
       return raw == 0 ? "none" : decimal_text(score_of(raw), 3);
     case ScalarType::node:

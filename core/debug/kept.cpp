@@ -105,7 +105,7 @@ void KeptInReplan::lose_path(const LogView& view, std::uint32_t path, std::size_
 std::span<const Lost> KeptInReplan::lost_before(std::size_t position) const {
   const auto after = std::partition_point(lost_.begin(), lost_.end(),
                                           [position](const Lost& lost) { return lost.event < position; });
-  return {lost_.begin(), after};
+  return std::span(lost_).first(static_cast<std::size_t>(after - lost_.begin()));
 }
 
 KeptCounts KeptInReplan::counts_before(std::size_t position) const {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/experiment/experiment.hpp"
@@ -52,7 +53,12 @@ struct RunName {
   std::string robot = {};
   std::string surprises = {};
   std::uint64_t seed = 0;
-  friend auto operator<=>(const RunName&, const RunName&) = default;
+  [[nodiscard]] auto all() const {
+    return std::tie(world, line, start, goal, planner, settings, stages, robot, surprises, seed);
+  }
+  friend bool operator==(const RunName&, const RunName&) = default;
+  // Not by <=>, which not every standard library has for strings.
+  friend bool operator<(const RunName& a, const RunName& b) { return a.all() < b.all(); }
 };
 
 /// The planner with its settings and stages: "weighted-astar weight=2 | bspline".

@@ -1,7 +1,6 @@
 #include "core/export/json_lines.hpp"
 
-#include <bit>
-
+#include "core/base/bit_cast.hpp"
 #include "core/base/words.hpp"
 #include "core/export/trace_text.hpp"
 #include "core/plan/planner.hpp"
@@ -183,7 +182,7 @@ void JsonLines::value(std::string& out, const Event& event, std::uint64_t raw) c
       return boolean(out, raw != 0);
     case FieldType::name:
       if (raw < field.names.size()) {
-        ((out += '"') += field.names[raw]) += '"';
+        ((out += '"') += field.names[static_cast<std::size_t>(raw)]) += '"';
         return;
       }
       break;
@@ -247,7 +246,7 @@ void JsonLines::scalar(std::string& out, Scalar which, std::uint64_t raw) const 
     case ScalarType::path:
       return numbered(out, raw);
     case ScalarType::real:
-      return append_real(out, std::bit_cast<double>(raw));
+      return append_real(out, bit_cast<double>(raw));
     case ScalarType::score:
       return append_real(out, score_of(raw));
     case ScalarType::node:

@@ -1,9 +1,9 @@
 #include "core/robots/dwa_robot.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
+#include "core/base/bit_cast.hpp"
 #include "core/plan/figures.hpp"
 
 namespace replan {
@@ -203,7 +203,7 @@ std::vector<Point> DwaRobot::stopping_way() const {
 void DwaRobot::tell(const DriveState& before) const {
   const DriveState& now = driving().state;
   const auto change = [this](Scalar scalar, double from, double to) {
-    log().change(scalar, std::bit_cast<std::uint64_t>(from), std::bit_cast<std::uint64_t>(to));
+    log().change(scalar, bit_cast<std::uint64_t>(from), bit_cast<std::uint64_t>(to));
   };
   change(Scalar::x, before.pose.x, now.pose.x);
   change(Scalar::y, before.pose.y, now.pose.y);

@@ -6,12 +6,12 @@
 // forgotten is not in the log; who walks back over an epoch takes the state before it from the Timeline.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
 
+#include "core/base/bit_cast.hpp"
 #include "core/base/cell.hpp"
 
 namespace replan {
@@ -225,10 +225,10 @@ constexpr ScalarType scalar_type(Scalar scalar) {
 /// A score as its scalar holds it: infinite, which stands for none, is 0, as all scalars are at first.
 constexpr std::uint64_t score_bits(double score) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
-  return std::bit_cast<std::uint64_t>(score) ^ std::bit_cast<std::uint64_t>(kNone);
+  return bit_cast<std::uint64_t>(score) ^ bit_cast<std::uint64_t>(kNone);
 }
 constexpr double score_of(std::uint64_t bits) {
-  return std::bit_cast<double>(bits ^ score_bits(0));
+  return bit_cast<double>(bits ^ score_bits(0));
 }
 
 /// Whether the node of such an event is the number of a vertex.
