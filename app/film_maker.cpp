@@ -87,7 +87,7 @@ Result<void> FilmMaker::shoot(Session& session) {
   return {};
 }
 
-Result<void> FilmMaker::go_on(Session& session, void (*woken)()) {
+Result<void> FilmMaker::go_on(Session& session) {
   if (!at_work_) return {};
   const auto fail = [&](std::string sentence) -> Result<void> {
     cancel();
@@ -108,7 +108,7 @@ Result<void> FilmMaker::go_on(Session& session, void (*woken)()) {
   if (!recording_.ready()) return {};
   if (Result<void> shot = shoot(session); !shot) return fail(shot.error());
   if (next_ < frames_.size()) return {};
-  recording_.stop(woken);
+  recording_.stop();
   leave();
   return {};
 }

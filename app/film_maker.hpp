@@ -31,8 +31,8 @@ class FilmMaker {
 
   /// Sends the run on to its end where the film needs more than there is of it.
   Result<void> begin(const ui::CaptureRequest& request, FilmSet set, Session& session);
-  /// One frame more; `woken` is called once the file is complete. An Error: no film is left.
-  Result<void> go_on(Session& session, void (*woken)());
+  /// One frame more. An Error: no film is left.
+  Result<void> go_on(Session& session);
   /// Gives the film up: none is left.
   void cancel();
 

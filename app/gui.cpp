@@ -4,13 +4,16 @@
 
 #include "app/gui_program.hpp"
 #include "app/gui_settings.hpp"
+#include "core/base/disposal.hpp"
 
 namespace replan::app {
 
-Result<void> run_window(const std::optional<std::string>& file) {
+Result<void> run_window(const std::optional<std::string>& file, bool in_step) {
   Result<FirstDocument> document = first_document(file);
   if (!document) return Error{document.error()};
-  GuiProgram program(std::move(*document), read_settings(settings_path()));
+  if (in_step) dispose_at_once();
+  WorkPlace work = in_step || !kThreads ? WorkPlace::in_steps() : WorkPlace::beside([] { Window::wake(); });
+  GuiProgram program(std::move(*document), read_settings(settings_path()), std::move(work));
   if (const Result<void> opened = program.open(); !opened) return opened;
   program.run();
   return program.close();

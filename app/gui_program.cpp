@@ -76,9 +76,9 @@ Result<FirstDocument> first_document(const std::optional<std::string>& file) {
   return FirstDocument{opened ? *opened : built_in_world(), {}};
 }
 
-GuiProgram::GuiProgram(FirstDocument document, Remembered remembered)
+GuiProgram::GuiProgram(FirstDocument document, Remembered remembered, WorkPlace work)
     : remembered_(std::move(remembered)),
-      session_(std::move(document.scenario), std::move(document.file)),
+      session_(std::move(document.scenario), std::move(document.file), {}, std::move(work)),
       timing_(is_set("REPLAN_TIMING")) {}
 
 Result<void> GuiProgram::open() {
@@ -115,7 +115,7 @@ Result<void> GuiProgram::open() {
     drop(names);
   });
   window_->on_close([this] { return shell_->documents().may_close(session_); });
-  shell_->documents().settle_in(session_, surroundings());
+  shell_->documents().settle_in(session_, surroundings(session_.work()));
   if (remembered_.first_start && session_.file().empty()) shell_->welcome();
   return {};
 }
@@ -130,13 +130,17 @@ bool GuiProgram::frame() {
   const double seconds = recording_.on() && !maker_.on() ? recording_.step() : passed;
   last_ = now;
   const double begin_ms = thread_ms();
+  session_.set_share(shell_->work_share(session_, drawing_ms_));
   session_.update(seconds);
+  const Clock::time_point updated = Clock::now();
   const double updated_ms = thread_ms();
   shell_->panels().recording = recording_.state();
   if (maker_.on()) shell_->panels().recording.made = maker_.share();
   shell_->draw(window_->stage().look(), session_, seconds);
   const double spent = milliseconds(Clock::now() - now);
-  draw_ms_ = draw_ms_ == 0 ? spent : draw_ms_ * 0.9 + spent * 0.1;
+  const auto lately = [](double before, double ms) { return before == 0 ? ms : before * 0.9 + ms * 0.1; };
+  draw_ms_ = lately(draw_ms_, spent);
+  drawing_ms_ = lately(drawing_ms_, milliseconds(Clock::now() - updated));
   shell_->panels().frame_ms = draw_ms_;
   if (timing_) report_slow_frame(updated_ms - begin_ms, thread_ms() - updated_ms);
   follow();
@@ -155,7 +159,7 @@ void GuiProgram::capture() {
   if (const auto request = shell_->take_capture()) {
     if (request->kind == ui::CaptureRequest::Kind::stop) {
       window_->pace(0);
-      recording_.stop(Window::wake);
+      recording_.stop();
     } else if (request->kind == ui::CaptureRequest::Kind::give_up) {
       maker_.cancel();
       shell_->tell("The film was not made", false);
@@ -171,7 +175,7 @@ void GuiProgram::capture() {
     shell_->tell(outcome->sentence, outcome->bad);
   }
   if (maker_.on()) {
-    if (const Result<void> made = maker_.go_on(session_, Window::wake); !made && !made.error().empty())
+    if (const Result<void> made = maker_.go_on(session_); !made && !made.error().empty())
       shell_->tell(made.error(), true);
   } else if (recording_.on())
     window_->capture(

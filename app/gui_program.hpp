@@ -28,7 +28,7 @@ Result<FirstDocument> first_document(const std::optional<std::string>& file);
 /// Everything of one window.
 class GuiProgram {
  public:
-  GuiProgram(FirstDocument document, Remembered remembered);
+  GuiProgram(FirstDocument document, Remembered remembered, WorkPlace work);
 
   Result<void> open();
   /// As Window::run().
@@ -61,13 +61,14 @@ class GuiProgram {
   std::unique_ptr<Window> window_;
   std::unique_ptr<ui::Shell> shell_;  // goes before the window: it holds textures
   Clock::time_point last_ = Clock::now();
-  double draw_ms_ = 0;
+  double draw_ms_ = 0;     // of a frame
+  double drawing_ms_ = 0;  // of that, without the session's update
   std::string title_;
   bool dark_ = true;
   std::string words_;  // that the fonts were baked for, beside the usual characters
   bool timed_ = false;
   const bool timing_;  // slow frames are reported
-  Recording recording_;
+  Recording recording_{WorkPlace::beside(Window::wake)};
   FilmMaker maker_{recording_};
   std::optional<ui::CaptureRequest> wanted_;  // by the user, and not begun yet
   int settling_ = 0;                          // frames until the dialog has gone from the pixels

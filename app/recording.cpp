@@ -38,8 +38,7 @@ void Recording::take(const ui::Image& picture, const ui::PixelArea& area) {
   if (!film_) return;
   if (const Result<void> taken = film_->add(cut_out(picture, area, width_, height_)); !taken) {
     film_.reset();
-    outcome_ = FilmOutcome{taken.error(), true};
-    finished_ = true;
+    broken_ = FilmOutcome{taken.error(), true};
     return;
   }
   ++frames_;
@@ -52,30 +51,25 @@ FilmOutcome Recording::completed(Film& film) const {
   return {"Saved " + name + " (" + std::to_string(frames_) + (frames_ == 1 ? " frame)" : " frames)"), false};
 }
 
-void Recording::stop(void (*done)()) {
+void Recording::stop() {
   if (!film_) return;
-  finisher_ = std::jthread([this, done, film = std::shared_ptr<Film>(std::move(film_))] {
-    outcome_ = completed(*film);
-    finished_ = true;
-    done();
-  });
+  finisher_.start(
+      [this, film = std::shared_ptr<Film>(std::move(film_))](const StopToken&) { return completed(*film); });
 }
 
 std::optional<FilmOutcome> Recording::outcome() {
-  if (!finished_.exchange(false)) return std::nullopt;
-  if (finisher_.joinable()) finisher_.join();
-  return std::exchange(outcome_, std::nullopt);
+  if (broken_) return std::exchange(broken_, std::nullopt);
+  return finisher_.take();
 }
 
 std::optional<FilmOutcome> Recording::end() {
-  stop([] {});
-  if (finisher_.joinable()) finisher_.join();
+  stop();
+  finisher_.wait();
   return outcome();
 }
 
 ui::RecordingState Recording::state() const {
-  return {on(), !on() && finisher_.joinable(), request_.window,
-          static_cast<double>(frames_) / request_.film.fps};
+  return {on(), !on() && finisher_.busy(), request_.window, static_cast<double>(frames_) / request_.film.fps};
 }
 
 }  // namespace replan::app

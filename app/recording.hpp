@@ -1,13 +1,13 @@
 // A film of the window or its canvas, recorded while the user works.
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
+#include <utility>
 
 #include "app/film/film.hpp"
+#include "core/base/background.hpp"
 #include "core/base/result.hpp"
 #include "ui/image.hpp"
 #include "ui/shell/recording.hpp"
@@ -26,7 +26,8 @@ struct FilmOutcome {
 
 class Recording {
  public:
-  Recording() = default;
+  /// `place`: where films are completed; its wake() is called when one is.
+  explicit Recording(WorkPlace place) : finisher_(std::move(place)) {}
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
   ~Recording() = default;
@@ -40,8 +41,8 @@ class Recording {
   void take(const ui::Image& picture, const ui::PixelArea& area);
   /// Takes no more frames and leaves no film; a folder keeps the pictures that it has.
   void give_up() { film_.reset(); }
-  /// Takes no more frames and completes the file in the background; `done` is called on that thread.
-  void stop(void (*done)());
+  /// Takes no more frames and completes the file in the background.
+  void stop();
   /// The outcome, once, when there is one.
   std::optional<FilmOutcome> outcome();
   /// Completes the film here and now, if there is one: for the end of the program.
@@ -60,9 +61,8 @@ class Recording {
   int width_ = 0, height_ = 0;
   std::size_t frames_ = 0;
   std::unique_ptr<Film> film_;
-  std::optional<FilmOutcome> outcome_;  // the finisher's while it works
-  std::atomic<bool> finished_ = false;
-  std::jthread finisher_;  // last: it ends before what it uses
+  std::optional<FilmOutcome> broken_;  // of a film that ended before its time
+  Background<FilmOutcome> finisher_;   // last: it ends before what it uses
 };
 
 }  // namespace replan::app

@@ -1,8 +1,9 @@
 // Ctrl-C as a wish to stop, not as an end: what is being made is put away first.
 #pragma once
 
-#include <stop_token>
 #include <thread>
+
+#include "core/base/stop.hpp"
 
 namespace replan::cli {
 
@@ -15,10 +16,10 @@ class StopOnInterrupt {
   StopOnInterrupt(const StopOnInterrupt&) = delete;
   StopOnInterrupt& operator=(const StopOnInterrupt&) = delete;
 
-  [[nodiscard]] std::stop_token token() const { return wish_.get_token(); }
+  [[nodiscard]] StopToken token() const { return wish_.get_token(); }
 
  private:
-  std::stop_source wish_;
+  StopSource wish_;
   std::jthread waiting_;
 };
 

@@ -82,18 +82,28 @@ Error sentence(const CLI::App& program, const std::string& file, const CLI::Pars
   return {std::string(error.what()) + help_hint(program)};
 }
 
-Result<int> show(const CLI::App& program, const std::string& file) {
+/// What is said of the window alone, before any command.
+struct WindowArguments {
+  std::string file;
+  bool in_step = false;
+};
+
+Result<int> show(const CLI::App& program, const WindowArguments& window) {
+  const std::string& file = window.file;
   if (!file.empty() && !exists(file)) return no_such_file(program, file);
-  const auto closed = open_window(file.empty() ? std::nullopt : std::optional(file));
+  const auto closed = open_window(file.empty() ? std::nullopt : std::optional(file), window.in_step);
   if (!closed) return Error{closed.error()};
   return kDone;
 }
 
 Result<int> carry_out(const CLI::App& program, const std::vector<Command>& commands,
-                      const std::string& file) {
-  for (const Command& command : commands)
-    if (command.app->parsed()) return command.action();
-  return show(program, file);
+                      const WindowArguments& window) {
+  for (const Command& command : commands) {
+    if (!command.app->parsed()) continue;
+    if (window.in_step) return Error{"--in-step is for the window alone: leave it out before a command"};
+    return command.action();
+  }
+  return show(program, window);
 }
 
 /// Prints the help or the version that was asked for.
@@ -118,8 +128,11 @@ int run_program(int argc, char** argv) {
   program.get_formatter()->label("SUBCOMMAND", "COMMAND");
   program.get_formatter()->label("Positionals", "Arguments");
   program.get_formatter()->label("TEXT", "");
-  std::string file;
-  program.add_option("FILE", file, "A scenario or a map to open in the window");
+  WindowArguments window;
+  program.add_option("FILE", window.file, "A scenario or a map to open in the window");
+  if (has_window())
+    program.add_flag("--in-step", window.in_step,
+                     "Have the window work in step with its frames, without threads: for finding faults");
   std::vector<Command> commands = {add_run(program),     add_batch(program),   add_merge(program),
                                    add_compare(program), add_anytime(program), add_barn(program),
                                    add_study(program)};
@@ -131,11 +144,11 @@ int run_program(int argc, char** argv) {
   } catch (const CLI::Success& asked) {
     return finish_output(answer(program, asked));
   } catch (const CLI::ParseError& error) {
-    complain(sentence(program, file, error).message);
+    complain(sentence(program, window.file, error).message);
     return kBadInput;
   }
   try {
-    const Result<int> code = carry_out(program, commands, file);
+    const Result<int> code = carry_out(program, commands, window);
     if (code) return finish_output(*code);
     complain(code.error());
   } catch (const std::bad_alloc&) {

@@ -16,8 +16,8 @@ struct ListedAction {
 };
 
 bool has_window();
-/// Opens the window, with a file if one is given, until it is closed.
-Result<void> open_window(const std::optional<std::string>& file);
+/// Opens the window, with a file if one is given, until it is closed. `in_step`: it works without threads.
+Result<void> open_window(const std::optional<std::string>& file, bool in_step);
 /// The commands that draw.
 std::vector<Command> add_drawing(CLI::App& program);
 /// The actions of the window.

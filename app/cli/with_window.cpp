@@ -8,8 +8,8 @@ bool has_window() {
   return true;
 }
 
-Result<void> open_window(const std::optional<std::string>& file) {
-  return app::run_window(file);
+Result<void> open_window(const std::optional<std::string>& file, bool in_step) {
+  return app::run_window(file, in_step);
 }
 
 std::vector<Command> add_drawing(CLI::App& program) {

@@ -6,7 +6,7 @@ bool has_window() {
   return false;
 }
 
-Result<void> open_window(const std::optional<std::string>&) {
+Result<void> open_window(const std::optional<std::string>&, bool) {
   return Error{"this replan was built without a window; 'replan --help' tells its commands"};
 }
 

@@ -5,6 +5,6 @@
 
 namespace replan::app {
 
-ui::Surroundings surroundings();
+ui::Surroundings surroundings(WorkPlace work);
 
 }  // namespace replan::app

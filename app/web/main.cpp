@@ -19,7 +19,8 @@ GuiProgram* program = nullptr;
 Result<void> start() {
   Result<FirstDocument> document = first_document(std::nullopt);
   if (!document) return Error{document.error()};
-  auto made = std::make_unique<GuiProgram>(std::move(*document), read_settings(settings_path()));
+  auto made = std::make_unique<GuiProgram>(std::move(*document), read_settings(settings_path()),
+                                           WorkPlace::in_steps());
   if (const Result<void> opened = made->open(); !opened) return opened;
   program = made.release();
   program->run();

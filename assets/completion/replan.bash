@@ -49,7 +49,7 @@ _replan_options() {
     convert) echo "-h --help --start --goal --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --slice --planner --set --stage" ;;
     show) echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --at --cell" ;;
     list) echo "-h --help --json" ;;
-    *) echo "-h --help --version" ;;
+    *) echo "-h --help --version --in-step" ;;
   esac
 }
 

@@ -1,4 +1,4 @@
-// Work off the drawing thread: one job with one result, taken over at one point.
+// Work off the drawing moment: one job with one result, taken over at one point.
 #pragma once
 
 #include <functional>
@@ -6,43 +6,43 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <stop_token>
-#include <thread>
 #include <utility>
+
+#include "core/base/stop.hpp"
+#include "core/base/threads.hpp"
+#include "core/base/work_place.hpp"
 
 namespace replan {
 
-/// How jobs are done: on threads of their own in a window, which is woken when one is done; in step without
-/// one, so that pictures and tests need not wait.
-struct WorkPlace {
-  bool in_step = true;
-  std::function<void()> wake;  ///< called from the job's thread
-};
-
-/// Runs one job at a time and keeps its result until it is taken. A job must own all that it reads. It gets a
-/// stop token; one that does not listen goes on unheard, and is waited for only by the destructor.
+/// Runs one job at a time and keeps its result until it is taken. A job must own all that it reads. On a thread it gets a
+/// stop token; one that does not listen goes on unheard, and is waited for only by the destructor. In step it is never
+/// interrupted: one that is given up gets no further slice.
 template <class T>
 class Background {
  public:
+  /// A job in one piece, and one that is cut up: each call is a slice, and the last one gives the result.
+  using Job = std::function<T(const StopToken&)>;
+  using Slice = std::function<std::optional<T>(const StopToken&)>;
+
   explicit Background(WorkPlace place = {}) : place_(std::move(place)) {}
   Background(const Background&) = delete;
   Background& operator=(const Background&) = delete;
   ~Background() { cancel(); }
 
   /// Begins a job. An older one that is still at work is cancelled.
-  void start(std::function<T(const std::stop_token&)> job) {
+  void start(Job job) {
+    start_slices([job = std::move(job)](const StopToken& stop) { return std::optional<T>(job(stop)); });
+  }
+  /// While `waits` says so, nobody need ask for a slice.
+  void start_slices(Slice slice, std::function<bool()> waits = {}) {
     cancel();
-    auto slot = std::make_shared<Slot>();
-    current_ = slot;
-    if (place_.in_step) {
-      slot->result.emplace(job(std::stop_token()));
-      return;
-    }
-    std::erase_if(threads_, [](const Worker& worker) { return worker.slot->is_done(); });
-    threads_.push_back(
-        {slot, std::jthread([slot, job = std::move(job), wake = place_.wake](const std::stop_token& stop) {
-           work(*slot, job, wake, stop);
-         })});
+    current_ = std::make_shared<Slot>(std::move(slice), std::move(waits));
+    if (place_.on_thread())
+      start_thread();
+    else if (place_.steps)
+      place_.steps->add(current_);
+    else
+      finish(*current_);
   }
 
   /// The result, once, when the job is done.
@@ -62,40 +62,63 @@ class Background {
     current_.reset();
   }
 
-  /// Waits until no job is at work any more; take() then has the last one's result.
+  /// Waits until no job is at work any more, or does it; take() then has the last one's result.
   void wait() {
     // A thread that is merely let go of would be asked to stop first, and its job end half done.
     for (Worker& worker : threads_) worker.thread.join();
     threads_.clear();
+    if (current_) finish(*current_);
   }
 
   /// Whether a job was begun whose result was not taken yet.
   [[nodiscard]] bool busy() const { return current_ != nullptr; }
 
  private:
-  struct Slot {
-    std::mutex mutex;
-    std::optional<T> result;
-    bool done = false;
+  struct Slot final : Steps::Task {
+    Slot(Slice its_slice, std::function<bool()> its_waits)
+        : slice(std::move(its_slice)), waits(std::move(its_waits)) {}
+
     bool is_done() {
       const std::lock_guard lock(mutex);
       return done;
     }
+    /// What is made of the job is freed here too, not where the result is taken.
+    void end(std::optional<T> with) {
+      slice = {};
+      const std::lock_guard lock(mutex);
+      result = std::move(with);
+      done = true;
+    }
+    State advance() override {
+      if (done) return State::done;
+      if (waits && waits()) return State::waits;
+      if (auto whole = slice(StopToken())) end(std::move(whole));
+      return done ? State::done : State::more;
+    }
+
+    Slice slice;
+    std::function<bool()> waits;
+    std::mutex mutex;  // guards what follows
+    std::optional<T> result;
+    bool done = false;
   };
   struct Worker {
     std::shared_ptr<Slot> slot;
-    std::jthread thread;
+    Thread thread;
   };
 
-  static void work(Slot& slot, const std::function<T(const std::stop_token&)>& job,
-                   const std::function<void()>& wake, const std::stop_token& stop) {
-    T result = job(stop);
-    {
-      const std::lock_guard lock(slot.mutex);
-      slot.result.emplace(std::move(result));
-      slot.done = true;
+  void start_thread() {
+    std::erase_if(threads_, [](const Worker& worker) { return worker.slot->is_done(); });
+    threads_.push_back({current_, Thread([slot = current_, wake = place_.wake](const StopToken& stop) {
+                          std::optional<T> whole;
+                          while (!whole && !stop.stop_requested()) whole = slot->slice(stop);
+                          slot->end(std::move(whole));
+                          if (wake) wake();
+                        })});
+  }
+  static void finish(Slot& slot) {
+    while (slot.advance() == Steps::Task::State::more) {
     }
-    if (wake) wake();
   }
 
   WorkPlace place_;

@@ -1,16 +1,19 @@
-// The bits of one value as another: bit_cast, which the standard library of Debian's compiler for browsers lacks.
+// The bits of one type as another: std::bit_cast, also where the standard library has none yet.
 #pragma once
 
+#include <bit>
 #include <type_traits>
 
 namespace replan {
 
-/// `From` and `To` are of one size, and both may be copied byte by byte.
+#if defined(__cpp_lib_bit_cast)
+using std::bit_cast;
+#else
 template <class To, class From>
-constexpr To bit_cast(const From& value) noexcept {
-  static_assert(sizeof(To) == sizeof(From));
-  static_assert(std::is_trivially_copyable_v<To> && std::is_trivially_copyable_v<From>);
-  return __builtin_bit_cast(To, value);
+requires(sizeof(To) == sizeof(From) && std::is_trivially_copyable_v<To> &&
+         std::is_trivially_copyable_v<From>) constexpr To bit_cast(const From& from) noexcept {
+  return __builtin_bit_cast(To, from);
 }
+#endif
 
 }  // namespace replan

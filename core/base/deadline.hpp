@@ -8,17 +8,22 @@ namespace replan {
 
 class Deadline {
  public:
-  explicit Deadline(double milliseconds) : milliseconds_(milliseconds) {}
-  /// For work that is done to its end.
-  static Deadline never() { return Deadline(std::numeric_limits<double>::infinity()); }
-  [[nodiscard]] bool passed() const {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_).count() >=
-           milliseconds_;
+  /// Milliseconds that go by; another one than this for tests.
+  using Clock = double (*)();
+  static double steady_ms() {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
   }
 
+  explicit Deadline(double milliseconds, Clock clock = steady_ms)
+      : clock_(clock), begin_(clock()), milliseconds_(milliseconds) {}
+  /// For work that is done to its end.
+  static Deadline never() { return Deadline(std::numeric_limits<double>::infinity()); }
+  [[nodiscard]] bool passed() const { return clock_() - begin_ >= milliseconds_; }
+
  private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  double milliseconds_;
+  Clock clock_;
+  double begin_, milliseconds_;
 };
 
 }  // namespace replan

@@ -1,9 +1,10 @@
 #include "core/base/disposal.hpp"
 
-#include <condition_variable>
+#include <atomic>
 #include <deque>
 #include <mutex>
-#include <thread>
+
+#include "core/base/threads.hpp"
 
 namespace replan {
 namespace {
@@ -17,7 +18,7 @@ class Disposal {
   }
 
  private:
-  void work(const std::stop_token& stop) {
+  void work(const StopToken& stop) {
     std::unique_lock lock(mutex_);
     while (wake_.wait(lock, stop, [this] { return !things_.empty(); })) {
       std::shared_ptr<void> thing = std::move(things_.front());
@@ -29,14 +30,22 @@ class Disposal {
   }
 
   std::mutex mutex_;
-  std::condition_variable_any wake_;
+  Signal wake_;
   std::deque<std::shared_ptr<void>> things_;
-  std::jthread thread_{[this](const std::stop_token& stop) { work(stop); }};
+  Thread thread_{[this](const StopToken& stop) { work(stop); }};
 };
+
+std::atomic<bool> disposes_at_once = !kThreads;
 
 }  // namespace
 
+void dispose_at_once() {
+  disposes_at_once = true;
+}
+
 void dispose_of(std::shared_ptr<void> thing) {
+  // Giving memory back cannot be cut up. Where there are no threads it does not go back to the system, and costs little.
+  if (disposes_at_once) return thing.reset();
   static Disposal disposal;
   disposal.take(std::move(thing));
 }

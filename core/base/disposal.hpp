@@ -9,6 +9,8 @@ namespace replan {
 /// Destroys what it is given, on a thread of its own, soon. Giving a gigabyte back takes a tenth of a second.
 /// Things given one after the other are destroyed in that order, and before the program ends.
 void dispose_of(std::shared_ptr<void> thing);
+/// From now on each is destroyed where it is given: for programs that work in step, as those without threads do.
+void dispose_at_once();
 
 template <class T>
 void dispose(T&& thing) {

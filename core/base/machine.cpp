@@ -6,7 +6,8 @@
 #include <cstdlib>
 #include <fstream>
 #include <string_view>
-#include <thread>
+
+#include "core/base/threads.hpp"
 
 namespace replan {
 namespace {
@@ -24,11 +25,11 @@ std::string processor_name() {
 }  // namespace
 
 std::string machine_sentence() {
-  const unsigned count = std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t count = processor_count();
   std::string text = "They were taken on " + processor_name() + ", " + std::to_string(count) +
                      (count == 1 ? " processor." : " processors.");
   std::array<double, 1> load{};
-  if (::getloadavg(load.data(), 1) != 1 || load[0] < 0.5 * count) return text;
+  if (::getloadavg(load.data(), 1) != 1 || load[0] < 0.5 * static_cast<double>(count)) return text;
   std::array<char, 16> number{};
   std::snprintf(number.data(), number.size(), "%.1f", load[0]);
   return text + " Other work kept it busy (a load of " + number.data() + " as the study began).";

@@ -1,5 +1,6 @@
 #include "core/base/pending_file.hpp"
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -7,7 +8,6 @@
 #include <utility>
 
 #include <fcntl.h>
-#include <sys/sendfile.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -35,15 +35,15 @@ bool has_no_unnamed_files(int code) {
 
 /// All bytes of one file to the end of another. Returns 0 or the system's error code, as do those below.
 int copy_bytes(int from, int to) {
-  struct stat info {};
-  if (::fstat(from, &info) != 0) return errno;
-  off_t at = 0;
-  while (at < info.st_size) {
-    const ssize_t copied = ::sendfile(to, from, &at, static_cast<std::size_t>(info.st_size - at));
-    if (copied < 0 && errno != EINTR) return errno;
-    if (copied == 0) return EIO;
+  std::array<char, 1 << 16> bytes{};
+  for (off_t at = 0;;) {
+    const ssize_t got = ::pread(from, bytes.data(), bytes.size(), at);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return errno;
+    if (got == 0) return 0;
+    if (const int code = write_all(to, {bytes.data(), static_cast<std::size_t>(got)}); code != 0) return code;
+    at += got;
   }
-  return 0;
 }
 
 /// The rights of the old file, or what the process's mask leaves.
@@ -97,6 +97,13 @@ int replace_by_copy(int file, const std::string& target) {
   return code;
 }
 
+/// Takes the place of what a program that was ended has left behind.
+Result<int> open_part(const std::string& name) {
+  const int file = ::open(name.c_str(), O_CREAT | O_TRUNC | O_RDWR | O_CLOEXEC | O_NOFOLLOW, 0600);
+  if (file < 0) return Error{std::generic_category().message(errno)};
+  return file;
+}
+
 /// Flushes the folder's entry, so that the new name survives a power cut. Not every file system can; none has
 /// to.
 void flush_folder(const std::string& target) {
@@ -108,7 +115,7 @@ void flush_folder(const std::string& target) {
 
 }  // namespace
 
-Result<PendingFile> PendingFile::create(const std::string& path) {
+Result<PendingFile> PendingFile::create(const std::string& path, Until until) {
   if (path.empty()) return Error{"cannot write: no file name is given"};
   PendingFile pending;
   pending.path_ = path;
@@ -119,7 +126,9 @@ Result<PendingFile> PendingFile::create(const std::string& path) {
   if (exists && !S_ISREG(old.st_mode)) return Error{"cannot write '" + path + "': it is not a plain file"};
   // Renaming over a write-protected file would succeed: the protection is the user's word, so it is kept.
   if (exists && ::access(pending.target_.c_str(), W_OK) != 0) return cannot_write(path, errno);
-  const Result<int> file = open_scratch_file(file_folder(pending.target_));
+  if (until == Until::part) pending.part_ = pending.target_ + ".part";
+  const Result<int> file =
+      until == Until::part ? open_part(pending.part_) : open_scratch_file(file_folder(pending.target_));
   if (!file) return Error{"cannot write '" + path + "': " + file.error()};
   pending.file_ = *file;
   return pending;
@@ -128,10 +137,13 @@ Result<PendingFile> PendingFile::create(const std::string& path) {
 PendingFile::PendingFile(PendingFile&& other) noexcept
     : path_(std::move(other.path_)),
       target_(std::move(other.target_)),
+      part_(std::move(other.part_)),
       file_(std::exchange(other.file_, -1)) {}
 
 PendingFile::~PendingFile() {
-  if (file_ >= 0) ::close(file_);
+  if (file_ < 0) return;
+  ::close(file_);
+  if (!part_.empty()) ::unlink(part_.c_str());
 }
 
 Result<void> PendingFile::write(std::string_view bytes) {
@@ -142,8 +154,8 @@ Result<void> PendingFile::write(std::string_view bytes) {
 
 Result<void> PendingFile::commit() {
   int code = give_rights_and_flush(file_, target_);
-  if (code == 0) code = replace_by_unnamed(file_, target_);
-  if (code == ENOENT || code == EXDEV) code = replace_by_copy(file_, target_);
+  if (code == 0) code = part_.empty() ? replace_by_unnamed(file_, target_) : rename_or_remove(part_, target_);
+  if (part_.empty() && (code == ENOENT || code == EXDEV)) code = replace_by_copy(file_, target_);
   if (code != 0) return cannot_write(path_, code);
   ::close(std::exchange(file_, -1));
   flush_folder(target_);
@@ -151,8 +163,14 @@ Result<void> PendingFile::commit() {
 }
 
 Result<int> open_scratch_file(const std::string& folder) {
+#if defined(O_TMPFILE)
   int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-  if (file < 0 && has_no_unnamed_files(errno)) {
+  const bool unnamed = file >= 0 || !has_no_unnamed_files(errno);
+#else
+  int file = -1;
+  const bool unnamed = false;
+#endif
+  if (!unnamed) {
     std::string name = folder + "/.scratch-XXXXXX";
     file = ::mkostemp(name.data(), O_CLOEXEC);
     if (file >= 0) ::unlink(name.c_str());

@@ -24,7 +24,7 @@ void read_parents(const SearchState& state, ChildInHand& hand) {
 /// How the parents were crossed.
 void read_crossing(const SearchState& state, ChildInHand& hand) {
   hand.crossed_at = state.node(Scalar::crossed_at);
-  const std::size_t joined = state.scalar(Scalar::joined);
+  const auto joined = static_cast<std::size_t>(state.scalar(Scalar::joined));
   hand.copied = joined >= hand.father.path.size();
   hand.shared = !hand.copied && joined > 0 && hand.father.path[joined - 1].cell == hand.crossed_at;
 }

@@ -1,10 +1,9 @@
 #include "core/debug/condition.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
+#include "core/base/real_text.hpp"
 #include "core/base/words.hpp"
 #include "core/debug/condition_operators.hpp"
 
@@ -26,9 +25,7 @@ std::string symbol(Op op) {
 
 /// The shortest digits that read back to the same number.
 std::string literal_text(double value) {
-  if (std::isinf(value)) return "inf";
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+  return std::isinf(value) ? "inf" : real_text(value);
 }
 
 std::string vertex_in_parentheses(const Term& term) {

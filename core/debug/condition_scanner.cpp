@@ -2,21 +2,14 @@
 
 #include <charconv>
 
+#include "core/base/real_text.hpp"
+
 namespace replan {
 namespace {
 
 /// Whether a byte of UTF-8 goes on with the character before it.
 bool goes_on(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0u) == 0x80u;
-}
-
-template <class Number>
-std::optional<Number> take_as(std::string_view text, std::size_t& at) {
-  Number value = 0;
-  const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), value);
-  if (error != std::errc{}) return std::nullopt;
-  at = static_cast<std::size_t>(end - text.data());
-  return value;
 }
 
 }  // namespace
@@ -54,11 +47,18 @@ std::string_view ConditionScanner::take_name() {
 
 std::optional<std::int64_t> ConditionScanner::take_whole() {
   skip_blanks();
-  return take_as<std::int64_t>(text_, at_);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
+  if (error != std::errc{}) return std::nullopt;
+  at_ = static_cast<std::size_t>(end - text_.data());
+  return value;
 }
 
 std::optional<double> ConditionScanner::take_number() {
-  return take_as<double>(text_, at_);
+  std::string_view rest = text_.substr(at_);
+  const auto number = take_real(rest);
+  at_ = text_.size() - rest.size();
+  return number;
 }
 
 void ConditionScanner::fail(std::size_t at, const std::string& what) {

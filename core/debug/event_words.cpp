@@ -216,7 +216,8 @@ std::string value_text(const Box& lattice, const Field& field, std::uint64_t raw
     case FieldType::obstacle:
       return raw != 0 ? "obstacle" : "free";
     case FieldType::name:
-      return raw < field.names.size() ? std::string(field.names[raw]) : std::to_string(raw);
+      return raw < field.names.size() ? std::string(field.names[static_cast<std::size_t>(raw)])
+                                      : std::to_string(raw);
     case FieldType::vertex:
       return raw == 0 ? "none" : std::to_string(raw - 1);
     case FieldType::count:

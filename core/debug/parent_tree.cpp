@@ -5,7 +5,7 @@
 namespace replan {
 namespace {
 
-/// Points between two looks at the clock, or at the stop token: whole pages of a state.
+/// Points between two looks at the clock: whole pages of a state.
 constexpr std::size_t kParentSlice = 256 * SearchState::kPage;
 
 }  // namespace
@@ -26,10 +26,10 @@ struct ParentTableReader::Job {
            (!values.declares(EventKind::rp) || state.page(EventKind::rp, first) == nullptr);
   }
   void read_slice() {
-    constexpr std::size_t kPage = SearchState::kPage;
+    constexpr std::size_t kPoints = SearchState::kPage;
     const std::size_t end = std::min(count, table.parents.size() + kParentSlice);
     while (table.parents.size() < end) {
-      const std::size_t first = table.parents.size(), last = std::min(end, first + kPage);
+      const std::size_t first = table.parents.size(), last = std::min(end, first + kPoints);
       if (untouched(static_cast<NodeId>(first)))
         table.parents.resize(last, kNoNode);
       else
@@ -64,45 +64,76 @@ std::shared_ptr<const ParentTable> ParentTableReader::read(const Deadline& deadl
   return table;
 }
 
-ParentTree::ParentTree(std::shared_ptr<const ParentTable> table, const std::stop_token& stop)
-    : table_(std::move(table)) {
-  link(stop);
-  if (!stop.stop_requested()) count(stop);
+ParentTree::ParentTree(std::shared_ptr<const ParentTable> table) {
+  ParentTreeBuilder builder(std::move(table));
+  while (builder.advance()) {
+  }
+  *this = builder.take();
 }
 
-void ParentTree::link(const std::stop_token& stop) {
-  const std::vector<NodeId>& parents = table_->parents;
-  begins_.assign(parents.size() + 2, 0);
-  for (const NodeId parent : parents)
-    if (parent != kNoNode) ++begins_[parent + 2];
-  for (std::size_t i = 2; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
-  children_.resize(begins_.back());
-  for (std::size_t i = 0; i < parents.size(); ++i) {
-    if (i % kParentSlice == 0 && stop.stop_requested()) return;
-    if (parents[i] != kNoNode) children_[begins_[parents[i] + 1]++] = static_cast<NodeId>(i);
+ParentTreeBuilder::ParentTreeBuilder(std::shared_ptr<const ParentTable> table) {
+  tree_.table_ = std::move(table);
+  tree_.begins_.assign(tree_.table_->parents.size() + 2, 0);
+}
+
+bool ParentTreeBuilder::advance() {
+  if (phase_ == Phase::whole) return false;
+  const std::size_t end = std::min(length(), at_ + kParentSlice);
+  go_over(at_, end);
+  at_ = end;
+  if (at_ < length()) return true;
+  at_ = 0;
+  phase_ = static_cast<Phase>(static_cast<int>(phase_) + 1);
+  return phase_ != Phase::whole;
+}
+
+/// Of the phase.
+std::size_t ParentTreeBuilder::length() const {
+  if (phase_ == Phase::sum_up) return tree_.begins_.size();
+  return phase_ == Phase::climb ? ready_.size() : tree_.table_->parents.size();
+}
+
+void ParentTreeBuilder::go_over(std::size_t begin, std::size_t end) {
+  const std::size_t points = tree_.table_->parents.size();
+  if (begin == 0 && phase_ == Phase::link) tree_.children_.resize(tree_.begins_.back());
+  if (begin == 0 && phase_ == Phase::find_leaves) {
+    tree_.below_.assign(points, 0);
+    tree_.circle_.assign(points, false);
+    waits_.resize(points);
   }
+  for (std::size_t i = begin; i < end; ++i) visit(i);
+}
+
+void ParentTreeBuilder::visit(std::size_t number) {
+  const std::vector<NodeId>& parents = tree_.table_->parents;
+  std::vector<std::uint32_t>& begins = tree_.begins_;
+  if (phase_ == Phase::sum_up) {
+    if (number >= 2) begins[number] += begins[number - 1];
+    return;
+  }
+  if (phase_ == Phase::climb) return climb(number);
+  if (phase_ == Phase::find_leaves) return find_leaf(number);
+  const NodeId parent = parents[number];
+  if (parent == kNoNode) return;
+  if (phase_ == Phase::count_children) ++begins[parent + 2];
+  if (phase_ == Phase::link) tree_.children_[begins[parent + 1]++] = static_cast<NodeId>(number);
+  if (phase_ == Phase::find_circles) tree_.circle_[number] = waits_[number] > 0;
+}
+
+void ParentTreeBuilder::find_leaf(std::size_t point) {
+  const NodeId parent = tree_.table_->parents[point];
+  waits_[point] = tree_.begins_[point + 1] - tree_.begins_[point];
+  if (waits_[point] > 0 || parent != kNoNode) ++tree_.members_;
+  if (waits_[point] == 0 && parent != kNoNode) ready_.push_back(static_cast<NodeId>(point));
 }
 
 /// From the leaves up: a point is counted for its parent when all of its own children are. What is never counted is a
 /// circle, or hangs on none of these.
-void ParentTree::count(const std::stop_token& stop) {
-  const std::vector<NodeId>& parents = table_->parents;
-  below_.assign(parents.size(), 0);
-  circle_.assign(parents.size(), false);
-  std::vector<std::uint32_t> waits(parents.size());
-  std::vector<NodeId> ready;
-  for (std::size_t i = 0; i < parents.size(); ++i) {
-    waits[i] = begins_[i + 1] - begins_[i];
-    if (waits[i] > 0 || parents[i] != kNoNode) ++members_;
-    if (waits[i] == 0 && parents[i] != kNoNode) ready.push_back(static_cast<NodeId>(i));
-  }
-  for (std::size_t next = 0; next < ready.size(); ++next) {
-    if (next % kParentSlice == 0 && stop.stop_requested()) return;
-    const NodeId parent = parents[ready[next]];
-    below_[parent] += below_[ready[next]] + 1;
-    if (--waits[parent] == 0 && parents[parent] != kNoNode) ready.push_back(parent);
-  }
-  for (std::size_t i = 0; i < parents.size(); ++i) circle_[i] = waits[i] > 0 && parents[i] != kNoNode;
+void ParentTreeBuilder::climb(std::size_t number) {
+  const std::vector<NodeId>& parents = tree_.table_->parents;
+  const NodeId point = ready_[number], parent = parents[point];
+  tree_.below_[parent] += tree_.below_[point] + 1;
+  if (--waits_[parent] == 0 && parents[parent] != kNoNode) ready_.push_back(parent);
 }
 
 Ancestry ancestry(const PlannerInfo& info, const SearchState& state, NodeId point) {
@@ -117,22 +148,30 @@ Ancestry ancestry(const PlannerInfo& info, const SearchState& state, NodeId poin
   return found;
 }
 
-CellSet cells_below(const ParentTree& tree, NodeId point, std::size_t nodes, const std::stop_token& stop) {
-  CellSet cells(nodes, tree.table().log_id);
-  if (point >= tree.point_count()) return cells;
-  const NodeId own = tree.table().cell(point);
-  std::vector<NodeId> rest = {point};
-  for (std::size_t taken = 0; !rest.empty(); ++taken) {
-    if (taken % kParentSlice == 0 && stop.stop_requested()) break;
-    const NodeId from = rest.back();
-    rest.pop_back();
-    for (const NodeId each : tree.children(from)) {
-      if (each == point) continue;  // round a circle
-      if (const NodeId cell = tree.table().cell(each); cell != own) cells.add(cell);
-      rest.push_back(each);
+CellsBelow::CellsBelow(std::shared_ptr<const ParentTree> tree, NodeId point, std::size_t nodes)
+    : tree_(std::move(tree)), point_(point), cells_(nodes, tree_->table().log_id) {
+  if (point < tree_->point_count()) rest_ = {point};
+}
+
+bool CellsBelow::advance() {
+  for (std::size_t taken = 0; taken < kParentSlice && !rest_.empty(); ++taken) {
+    const NodeId from = rest_.back();
+    rest_.pop_back();
+    for (const NodeId each : tree_->children(from)) {
+      if (each == point_) continue;  // round a circle
+      if (const NodeId cell = tree_->table().cell(each); cell != tree_->table().cell(point_))
+        cells_.add(cell);
+      rest_.push_back(each);
     }
   }
-  return cells;
+  return !rest_.empty();
+}
+
+CellSet cells_below(const ParentTree& tree, NodeId point, std::size_t nodes) {
+  CellsBelow cells({std::shared_ptr<const void>(), &tree}, point, nodes);  // which owns nothing
+  while (cells.advance()) {
+  }
+  return cells.take();
 }
 
 }  // namespace replan

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "core/base/deadline.hpp"
@@ -44,8 +44,7 @@ class ParentTableReader {
 class ParentTree {
  public:
   ParentTree() = default;
-  /// Half done if it is asked to stop.
-  explicit ParentTree(std::shared_ptr<const ParentTable> table, const std::stop_token& stop = {});
+  explicit ParentTree(std::shared_ptr<const ParentTable> table);
 
   [[nodiscard]] const ParentTable& table() const { return *table_; }
   [[nodiscard]] NodeId parent(NodeId point) const { return table_->parents[point]; }
@@ -63,8 +62,7 @@ class ParentTree {
   [[nodiscard]] std::size_t members() const { return members_; }
 
  private:
-  void link(const std::stop_token& stop);
-  void count(const std::stop_token& stop);
+  friend class ParentTreeBuilder;
 
   std::shared_ptr<const ParentTable> table_;
   std::vector<std::uint32_t> begins_;  // in children_, one more than there are points
@@ -72,6 +70,31 @@ class ParentTree {
   std::vector<std::uint32_t> below_;
   std::vector<bool> circle_;
   std::size_t members_ = 0;
+};
+
+/// Makes such a tree a slice at a time.
+class ParentTreeBuilder {
+ public:
+  explicit ParentTreeBuilder(std::shared_ptr<const ParentTable> table);
+
+  /// One slice. False once the tree is whole.
+  bool advance();
+  [[nodiscard]] ParentTree take() { return std::move(tree_); }
+
+ private:
+  /// One after the other, each over all points.
+  enum class Phase : std::uint8_t { count_children, sum_up, link, find_leaves, climb, find_circles, whole };
+  [[nodiscard]] std::size_t length() const;
+  void go_over(std::size_t begin, std::size_t end);
+  void visit(std::size_t number);
+  void find_leaf(std::size_t point);
+  void climb(std::size_t number);
+
+  ParentTree tree_;
+  Phase phase_ = Phase::count_children;
+  std::size_t at_ = 0;
+  std::vector<std::uint32_t> waits_;  // how many children are not counted yet
+  std::vector<NodeId> ready_;         // points all of whose children are
 };
 
 /// The point and its ancestors, from it up to the root.
@@ -83,8 +106,23 @@ struct Ancestry {
 Ancestry ancestry(const PlannerInfo& info, const SearchState& state, NodeId point);
 
 /// The cells of all points below one, its own cell left out, in a world of so many nodes. Of a point in a circle those are
-/// all of the circle and what hangs on it. Some of them if it is asked to stop.
-CellSet cells_below(const ParentTree& tree, NodeId point, std::size_t nodes,
-                    const std::stop_token& stop = {});
+/// all of the circle and what hangs on it.
+CellSet cells_below(const ParentTree& tree, NodeId point, std::size_t nodes);
+
+/// The same a slice at a time.
+class CellsBelow {
+ public:
+  CellsBelow(std::shared_ptr<const ParentTree> tree, NodeId point, std::size_t nodes);
+
+  /// One slice. False once all are there.
+  bool advance();
+  [[nodiscard]] CellSet take() { return std::move(cells_); }
+
+ private:
+  std::shared_ptr<const ParentTree> tree_;
+  NodeId point_;
+  CellSet cells_;
+  std::vector<NodeId> rest_;  // whose children are to be looked at
+};
 
 }  // namespace replan

@@ -13,37 +13,65 @@
 #include "core/plan/planner.hpp"
 
 namespace replan {
-namespace {
+struct RightCostSearch::Search {
+  virtual ~Search() = default;
+  virtual std::optional<Cost> advance() = 0;
+};
 
+/// From the start.
 template <int D>
-Cost cost_by_dijkstra(const PlanQuestion& question, const std::stop_token& stop) {
-  const BoxLattice<D> map(question.box.sides<D>(), question.known.plain(), question.rules);
-  if (map.blocked(question.start) || map.blocked(question.goal)) return Cost::infinity();
-  std::optional<ClearanceField<D>> field;
-  if (question.clearance) field.emplace(map, *question.clearance);
-  std::vector<Cost> costs(map.node_count(), Cost::infinity());
+class RightCostSearch::Dijkstra final : public Search {
+ public:
+  explicit Dijkstra(const PlanQuestion& question)
+      : map_(question.box.sides<D>(), question.known.plain(), question.rules), goal_(question.goal) {
+    if (map_.blocked(question.start) || map_.blocked(goal_)) return;
+    if (question.clearance) field_.emplace(map_, *question.clearance);
+    costs_.assign(map_.node_count(), Cost::infinity());
+    costs_[question.start] = Cost::zero();
+    open_.push({0, question.start});
+  }
+
+  std::optional<Cost> advance() override {
+    constexpr int kSlice = 2048;  // vertices
+    for (int i = 0; i < kSlice && !open_.empty(); ++i) {
+      const auto [cost, u] = open_.top();
+      open_.pop();
+      if (u == goal_) return Cost{cost};
+      if (cost <= costs_[u].raw) relax(cost, u);
+    }
+    return open_.empty() ? std::optional(Cost::infinity()) : std::nullopt;
+  }
+
+ private:
   using Entry = std::pair<std::int64_t, NodeId>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  costs[question.start] = Cost::zero();
-  open.push({0, question.start});
-  while (!open.empty() && !stop.stop_requested()) {
-    const auto [cost, u] = open.top();
-    open.pop();
-    if (u == question.goal) return {cost};
-    if (cost > costs[u].raw) continue;
-    for (std::uint32_t rest = map.moves(u); rest != 0; rest &= rest - 1) {
+
+  void relax(std::int64_t cost, NodeId u) {
+    for (std::uint32_t rest = map_.moves(u); rest != 0; rest &= rest - 1) {
       const int d = std::countr_zero(rest);
-      const NodeId s = map.neighbour(u, d);
-      const Cost sum = Cost{cost} + BoxLattice<D>::step_cost(d) + (field ? field->penalty(s) : Cost::zero());
-      if (!(sum < costs[s])) continue;
-      costs[s] = sum;
-      open.push({sum.raw, s});
+      const NodeId s = map_.neighbour(u, d);
+      const Cost sum =
+          Cost{cost} + BoxLattice<D>::step_cost(d) + (field_ ? field_->penalty(s) : Cost::zero());
+      if (!(sum < costs_[s])) continue;
+      costs_[s] = sum;
+      open_.push({sum.raw, s});
     }
   }
-  return Cost::infinity();
-}
 
-}  // namespace
+  BoxLattice<D> map_;
+  NodeId goal_;
+  std::optional<ClearanceField<D>> field_;
+  std::vector<Cost> costs_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
+};
+
+RightCostSearch::RightCostSearch(PlanQuestion question) : question_(std::move(question)) {}
+RightCostSearch::~RightCostSearch() = default;
+
+std::optional<Cost> RightCostSearch::advance() {
+  if (search_) return search_->advance();
+  with_dimensions(question_.box, [this](auto d) { search_ = std::make_unique<Dijkstra<d()>>(question_); });
+  return std::nullopt;
+}
 
 bool claims_cheapest(const PlannerInfo& info, const Settings& settings) {
   return info.values.least_cost || info.optimal(settings);
@@ -69,8 +97,11 @@ PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t positi
   return question;
 }
 
-Cost right_cost(const PlanQuestion& question, const std::stop_token& stop) {
-  return with_dimensions(question.box, [&](auto d) { return cost_by_dijkstra<d()>(question, stop); });
+Cost right_cost(const PlanQuestion& question, const StopToken& stop) {
+  RightCostSearch search(question);
+  while (!stop.stop_requested())
+    if (const auto right = search.advance()) return *right;
+  return Cost::infinity();
 }
 
 std::optional<Disagreement> judge(const PlanQuestion& question, Cost right) {

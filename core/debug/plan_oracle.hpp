@@ -1,11 +1,12 @@
 // Asking the oracle: what should the plan that stands at some position of a log cost?
 #pragma once
 
+#include <memory>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "core/base/stop.hpp"
 #include "core/debug/log_view.hpp"
 #include "core/debug/oracle.hpp"
 #include "core/field/clearance.hpp"
@@ -40,7 +41,27 @@ PlanQuestion ask_about(const LogView& view, std::size_t plan, std::size_t positi
 /// What the plan should cost, by Dijkstra's algorithm from the start: no heuristic, nothing kept from earlier
 /// plans, penalties from the map. Infinite if there is no path. A stop is heard; the answer is then of no
 /// use.
-Cost right_cost(const PlanQuestion& question, const std::stop_token& stop = {});
+Cost right_cost(const PlanQuestion& question, const StopToken& stop = {});
+
+/// The same a slice at a time. Setting it up is the first slice, as long as the map is large.
+class RightCostSearch {
+ public:
+  explicit RightCostSearch(PlanQuestion question);
+  ~RightCostSearch();
+  RightCostSearch(const RightCostSearch&) = delete;
+  RightCostSearch& operator=(const RightCostSearch&) = delete;
+
+  /// One slice. The answer, once it is there; not to be called again then.
+  std::optional<Cost> advance();
+
+ private:
+  struct Search;
+  template <int D>
+  class Dijkstra;
+
+  PlanQuestion question_;
+  std::unique_ptr<Search> search_;
+};
 
 /// What is wrong with the claim, if anything. A plan that is not meant to be the cheapest may cost more, one on
 /// straight ways less, and no more; a blind one costs less where there is no path, too.

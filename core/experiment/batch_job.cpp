@@ -1,10 +1,10 @@
 #include "core/experiment/batch_job.hpp"
 
 #include <chrono>
-#include <condition_variable>
 #include <mutex>
 #include <new>
 
+#include "core/base/threads.hpp"
 #include "core/experiment/results_folder.hpp"
 #include "core/experiment/run_experiment.hpp"
 
@@ -21,7 +21,7 @@ constexpr auto kBetweenWakes = std::chrono::milliseconds(50);
 /// What both threads know of a batch.
 class BatchJob::Shared {
  public:
-  [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
+  [[nodiscard]] StopToken token() const { return stop_.get_token(); }
   void stop() { stop_.request_stop(); }
 
   void pause(bool on) {
@@ -82,8 +82,8 @@ class BatchJob::Shared {
   }
 
   mutable std::mutex mutex_;
-  std::condition_variable_any resumed_;
-  std::stop_source stop_;
+  Signal resumed_;
+  StopSource stop_;
   std::shared_ptr<const RunList> list_;
   std::vector<RunResult> fresh_;
   bool paused_ = false;
@@ -105,42 +105,108 @@ Result<RunList> list_of(const BatchRequest& request) {
   return list;
 }
 
-/// Makes the runs that the folder lacks. `S` is BatchJob::Shared.
+/// A batch that was begun.
+struct OpenBatch {
+  std::shared_ptr<const RunList> list;
+  ResultsFolder folder;
+};
+
+/// Loads the runs, and lets `shared`, a BatchJob::Shared, know of them and of the results that the folder holds.
 template <class S>
-BatchEnd make_batch(const BatchRequest& request, S& shared, const std::function<void()>& wake) {
+Result<OpenBatch> open_batch(const BatchRequest& request, S& shared) {
   auto loaded = list_of(request);
-  if (!loaded) return {false, loaded.error()};
+  if (!loaded) return Error{loaded.error()};
   const auto list = std::make_shared<const RunList>(std::move(loaded.value()));
   auto folder = ResultsFolder::open(request.folder, *list, {});
-  if (!folder) return {false, folder.error()};
+  if (!folder) return Error{folder.error()};
   shared.begin(list, folder->results());
+  return OpenBatch{list, std::move(folder.value())};
+}
+
+BatchEnd close_batch(OpenBatch& batch) {
+  if (const auto written = batch.folder.write_results(); !written) return {false, written.error()};
+  return {true, ""};
+}
+
+/// Makes the runs that the folder lacks, on a thread and others of its own.
+template <class S>
+BatchEnd make_batch(const BatchRequest& request, S& shared, const std::function<void()>& wake) {
+  auto batch = open_batch(request, shared);
+  if (!batch) return {false, batch.error()};
   Result<void> kept;
   const auto take = [&](const RunResult& result) {
-    kept = folder->add(result);
+    kept = batch->folder.add(result);
     if (!kept) return false;
     if (shared.add(result) && wake) wake();
     shared.wait_while_paused();
     return true;
   };
-  const bool all = make_runs(*list, folder->missing(), request.jobs, {.take = take, .stop = shared.token()});
+  const bool all =
+      make_runs(*batch->list, batch->folder.missing(), request.jobs, {.take = take, .stop = shared.token()});
   if (!kept) return {false, kept.error()};
-  if (!all) return {};
-  if (const auto written = folder->write_results(); !written) return {false, written.error()};
-  return {true, ""};
+  return all ? close_batch(*batch) : BatchEnd{};
+}
+
+/// The same in step: one run after the other, each of them a slice.
+template <class S>
+class BatchInStep {
+ public:
+  BatchInStep(BatchRequest request, std::shared_ptr<S> shared)
+      : request_(std::move(request)), shared_(std::move(shared)) {}
+
+  /// Its end, once it has come to it.
+  std::optional<BatchEnd> advance() {
+    if (!worker_) return begin();
+    if (shared_->token().stop_requested()) return BatchEnd{};
+    if (next_ == missing_.size()) return close_batch(*batch_);
+    auto result = worker_->make(missing_[next_++], shared_->token());
+    if (!result) return BatchEnd{};
+    if (const auto kept = batch_->folder.add(*result); !kept) return BatchEnd{false, kept.error()};
+    shared_->add(std::move(*result));
+    return std::nullopt;
+  }
+
+ private:
+  std::optional<BatchEnd> begin() {
+    auto batch = open_batch(request_, *shared_);
+    if (!batch) return BatchEnd{false, batch.error()};
+    batch_.emplace(std::move(batch.value()));
+    const auto missing = batch_->folder.missing();
+    missing_.assign(missing.begin(), missing.end());
+    worker_.emplace(*batch_->list);
+    return std::nullopt;
+  }
+
+  BatchRequest request_;
+  std::shared_ptr<S> shared_;
+  std::optional<OpenBatch> batch_;
+  std::vector<std::int64_t> missing_;
+  std::size_t next_ = 0;
+  std::optional<ExperimentWorker> worker_;
+};
+
+/// What `make` comes to, where memory suffices for it.
+template <class Make>
+auto within_memory(const Make& make) -> decltype(make()) {
+  try {
+    return make();
+  } catch (const std::bad_alloc&) {
+    return BatchEnd{false, "there is too little memory for these runs: give fewer jobs, or a smaller world"};
+  }
 }
 
 }  // namespace
 
 void BatchJob::start(BatchRequest request) {
   shared_ = std::make_shared<Shared>();
-  work_.start([shared = shared_, request = std::move(request),
-               wake = place_.wake](const std::stop_token&) -> BatchEnd {
-    try {
-      return make_batch(request, *shared, wake);
-    } catch (const std::bad_alloc&) {
-      return {false, "there is too little memory for these runs: give fewer jobs, or a smaller world"};
-    }
-  });
+  if (place_.on_thread())
+    return work_.start(
+        [shared = shared_, request = std::move(request), wake = place_.wake](const StopToken&) {
+          return within_memory([&] { return make_batch(request, *shared, wake); });
+        });
+  work_.start_slices([batch = std::make_shared<BatchInStep<Shared>>(std::move(request), shared_)](
+                         const StopToken&) { return within_memory([&] { return batch->advance(); }); },
+                     [shared = shared_] { return shared->paused() && !shared->token().stop_requested(); });
 }
 
 void BatchJob::pause() {

@@ -3,8 +3,8 @@
 #include <atomic>
 #include <mutex>
 #include <new>
-#include <thread>
 
+#include "core/base/threads.hpp"
 #include "core/study/run_report.hpp"
 #include "core/world/choices.hpp"
 
@@ -43,7 +43,7 @@ Navigator& ExperimentWorker::navigator_for(const RunParts& parts) {
   return *navigator_;
 }
 
-std::optional<RunReport> ExperimentWorker::once(const RunParts& parts, const std::stop_token& stop) {
+std::optional<RunReport> ExperimentWorker::once(const RunParts& parts, const StopToken& stop) {
   const PlannerChoice choice = list_.choice(parts);
   if (list_.drives(parts)) return drive_until(stop, list_.scenario(parts), choice);
   const ScenProblem& asked = list_.problem(parts);
@@ -53,7 +53,7 @@ std::optional<RunReport> ExperimentWorker::once(const RunParts& parts, const std
                    list_.robot(parts), limit);
 }
 
-std::optional<RunResult> ExperimentWorker::make(std::int64_t run, const std::stop_token& stop) {
+std::optional<RunResult> ExperimentWorker::make(std::int64_t run, const StopToken& stop) {
   const RunParts parts = list_.parts(run);
   const ScenProblem& asked = list_.problem(parts);
   RunResult result;
@@ -107,10 +107,7 @@ bool make_runs(const RunList& list, std::span<const std::int64_t> runs, std::siz
       no_memory = given_up = true;
     }
   };
-  std::vector<std::jthread> threads;
-  for (std::size_t i = 1; i < std::min(jobs, runs.size()); ++i) threads.emplace_back(work);
-  work();
-  threads.clear();
+  work_on_threads(std::min(jobs, runs.size()), work);
   if (no_memory) throw std::bad_alloc();
   return !given_up;
 }

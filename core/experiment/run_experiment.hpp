@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <stop_token>
 
+#include "core/base/stop.hpp"
 #include "core/experiment/run_list.hpp"
 #include "core/experiment/run_result.hpp"
 #include "core/plan/navigator.hpp"
@@ -20,10 +20,10 @@ class ExperimentWorker {
   explicit ExperimentWorker(const RunList& list) : list_(list) {}
 
   /// Nothing if it was stopped.
-  std::optional<RunResult> make(std::int64_t run, const std::stop_token& stop);
+  std::optional<RunResult> make(std::int64_t run, const StopToken& stop);
 
  private:
-  std::optional<RunReport> once(const RunParts& parts, const std::stop_token& stop);
+  std::optional<RunReport> once(const RunParts& parts, const StopToken& stop);
   Navigator& navigator_for(const RunParts& parts);
 
   const RunList& list_;
@@ -35,7 +35,7 @@ class ExperimentWorker {
 struct ExperimentWatch {
   /// Takes each result, one at a time, from the threads that make them; false: no more are wanted.
   std::function<bool(RunResult)> take;
-  std::stop_token stop = {};  ///< what is being made then is given up
+  StopToken stop = {};  ///< what is being made then is given up
 };
 
 /// Makes the runs of these numbers on `jobs` threads; with one on the caller's own. Returns whether all were made and

@@ -53,13 +53,12 @@ struct RunName {
   std::string robot = {};
   std::string surprises = {};
   std::uint64_t seed = 0;
-
-  // No <=>: strings have none yet in the library of the compiler for browsers.
-  [[nodiscard]] auto in_order() const {
+  [[nodiscard]] auto all() const {
     return std::tie(world, line, start, goal, planner, settings, stages, robot, surprises, seed);
   }
-  friend bool operator==(const RunName& a, const RunName& b) { return a.in_order() == b.in_order(); }
-  friend bool operator<(const RunName& a, const RunName& b) { return a.in_order() < b.in_order(); }
+  friend bool operator==(const RunName&, const RunName&) = default;
+  // Not by <=>, which not every standard library has for strings.
+  friend bool operator<(const RunName& a, const RunName& b) { return a.all() < b.all(); }
 };
 
 /// The planner with its settings and stages: "weighted-astar weight=2 | bspline".

@@ -182,7 +182,7 @@ void JsonLines::value(std::string& out, const Event& event, std::uint64_t raw) c
       return boolean(out, raw != 0);
     case FieldType::name:
       if (raw < field.names.size()) {
-        ((out += '"') += field.names[raw]) += '"';
+        ((out += '"') += field.names[static_cast<std::size_t>(raw)]) += '"';
         return;
       }
       break;

@@ -3,6 +3,8 @@
 #include <array>
 #include <string_view>
 
+#include "core/base/real_text.hpp"
+
 namespace replan {
 
 std::string_view event_name(const SearchValues& values, EventKind kind) {
@@ -35,8 +37,7 @@ std::string_view fault_name(SampleFault why) {
 }
 
 void append_real(std::string& out, double number) {
-  char digits[32];
-  out.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+  out += real_text(number);
 }
 
 void append_cost(std::string& out, Cost cost) {

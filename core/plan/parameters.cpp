@@ -1,11 +1,10 @@
 #include "core/plan/parameters.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
+#include "core/base/real_text.hpp"
 #include "core/base/words.hpp"
 
 namespace replan {
@@ -27,12 +26,6 @@ const Parameter* find_parameter(std::span<const Parameter> parameters, std::stri
 
 namespace {
 
-std::string number_text(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  return {text, end};
-}
-
 std::string allowed(const Parameter& parameter) {
   switch (parameter.type) {
     case ParameterType::toggle:
@@ -44,7 +37,7 @@ std::string allowed(const Parameter& parameter) {
       break;
   }
   return std::string(parameter.type == ParameterType::whole ? "a whole number" : "a number") + " from " +
-         number_text(parameter.low) + " to " + number_text(parameter.high) +
+         real_text(parameter.low) + " to " + real_text(parameter.high) +
          (parameter.unit.empty() ? "" : " " + std::string(parameter.unit));
 }
 
@@ -80,20 +73,18 @@ Result<double> parse_value(const Parameter& parameter, std::string_view text) {
     if (text == "false" || text == "off" || text == "0") return 0.0;
     return bad_value(parameter, text);
   }
-  double value = 0;
-  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool fits = failed == std::errc{} && end == text.data() + text.size() && std::isfinite(value) &&
-                    value >= parameter.low && value <= parameter.high &&
-                    (parameter.type == ParameterType::real || value == std::floor(value));
+  const auto value = real_from(text);
+  const bool fits = value && std::isfinite(*value) && *value >= parameter.low && *value <= parameter.high &&
+                    (parameter.type == ParameterType::real || *value == std::floor(*value));
   if (!fits) return bad_value(parameter, text);
-  return value;
+  return *value;
 }
 
 std::string format_value(const Parameter& parameter, double value) {
   if (parameter.type == ParameterType::toggle) return value != 0 ? "true" : "false";
   if (parameter.type == ParameterType::choice)
     return std::string(parameter.choices.at(static_cast<std::size_t>(value)));
-  return number_text(value);
+  return real_text(value);
 }
 
 Result<void> set_from_text(Settings& settings, std::span<const Parameter> parameters, std::string_view key,

@@ -53,8 +53,10 @@ void Visibility::add_corner(int x, int y) {
 
 std::uint32_t Visibility::corner_at(int x, int y) const {
   if (x < 0 || y < 0 || y > lattice_.height()) return kStart;
-  const auto begin = corners_.begin() + line_begins_[static_cast<std::size_t>(y)];
-  const auto end = corners_.begin() + line_begins_[static_cast<std::size_t>(y) + 1];
+  const auto at = [this](int line) {
+    return corners_.begin() + static_cast<std::ptrdiff_t>(line_begins_[static_cast<std::size_t>(line)]);
+  };
+  const auto begin = at(y), end = at(y + 1);
   const auto found =
       std::lower_bound(begin, end, 2 * x, [](const Corner& c, int at_x) { return c.at.x < at_x; });
   if (found == end || found->at.x != 2 * x) return kStart;

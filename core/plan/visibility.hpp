@@ -110,8 +110,10 @@ void Visibility::each_offered(std::uint32_t from, Offer&& offer) {
 
 template <class Offer>
 void Visibility::offer_corners(std::uint32_t from, int line, SeenPart part, Offer&& offer) const {
-  const auto begin = corners_.begin() + line_begins_[static_cast<std::size_t>(line)];
-  const auto end = corners_.begin() + line_begins_[static_cast<std::size_t>(line) + 1];
+  const auto begin =
+      corners_.begin() + static_cast<std::ptrdiff_t>(line_begins_[static_cast<std::size_t>(line)]);
+  const auto end =
+      corners_.begin() + static_cast<std::ptrdiff_t>(line_begins_[static_cast<std::size_t>(line) + 1]);
   const auto first = std::lower_bound(begin, end, part.left - kSlack,
                                       [](const Corner& c, double x) { return c.at.x < 2 * x; });
   for (auto c = first; c != end && c->at.x <= 2 * (part.right + kSlack); ++c) {

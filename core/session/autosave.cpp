@@ -170,12 +170,12 @@ void Autosaver::write(const Session& session) {
                     .edited_at = edited_at_,
                     .scripted = session.scripted(),
                     .map_file = scenario->map_reading == MapReading() ? scenario->map_file : ""};
-  job_->start(
-      [path = path_, note = std::move(note), scenario, debug = session.debug()](const std::stop_token&) {
-        Scenario whole = *scenario;
-        whole.debug = debug;
-        return write_file_atomically(path, autosave_text(note, whole));
-      });
+  // Cannot be cut up: in step it takes a frame in which no stroke is under way.
+  job_->start([path = path_, note = std::move(note), scenario, debug = session.debug()](const StopToken&) {
+    Scenario whole = *scenario;
+    whole.debug = debug;
+    return write_file_atomically(path, autosave_text(note, whole));
+  });
   take_result();
 }
 

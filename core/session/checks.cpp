@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <thread>
 
 #include "core/base/background.hpp"
 #include "core/debug/difference_search.hpp"
@@ -58,13 +57,14 @@ struct Checks::Pane {
     ++next_milestone;
     return ask_about(run.log_view(), plan++, stands->event + 1);
   }
-  void ask(const Run& run) {
+  void ask(const Run& run, const WorkPlace& place) {
     if (asking()) return;
     auto next = question(run);
     if (!next) return;
-    if (!job) job = std::make_unique<Background<Answer>>(WorkPlace{false, {}});
-    job->start([asked = std::move(*next)](const std::stop_token& stop) {
-      return Answer{asked, right_cost(asked, stop)};
+    if (!job) job = std::make_unique<Background<Answer>>(place);
+    job->start_slices([asked = *next, search = std::make_shared<RightCostSearch>(*next)](const StopToken&) {
+      const auto right = search->advance();
+      return right ? std::optional(Answer{asked, *right}) : std::nullopt;
     });
   }
   /// True if an answer came.
@@ -83,7 +83,8 @@ struct Checks::Pane {
   }
   /// All that is left, without anybody's help.
   void answer_all(const Run& run) {
-    while (asking() && !hear()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (asking()) job->wait();
+    hear();
     while (const auto next = question(run)) keep(*next, right_cost(*next));
   }
   /// The log was cut there, where a plan stood.
@@ -112,7 +113,7 @@ struct Checks::Comparison {
   Compared of;
 };
 
-Checks::Checks() = default;
+Checks::Checks(WorkPlace place) : place_(std::move(place)) {}
 Checks::~Checks() = default;
 Checks::Checks(Checks&&) noexcept = default;
 Checks& Checks::operator=(Checks&&) noexcept = default;
@@ -206,7 +207,7 @@ bool Checks::update(Runs runs) {
     Pane& pane = panes_[i];
     if (oracle_) {
       changed |= pane.hear();
-      pane.ask(*runs[i]);
+      pane.ask(*runs[i], place_);
       busy_ |= pane.asking();
     }
     if (!pane.laws || pane.laws->checked() == runs[i]->timeline().size()) continue;

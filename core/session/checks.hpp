@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/work_place.hpp"
 #include "core/debug/difference.hpp"
 #include "core/debug/laws.hpp"
 #include "core/debug/oracle.hpp"
@@ -28,7 +29,8 @@ class Checks {
   /// vertices twice.
   static constexpr std::size_t kCellsAtMost = std::size_t{2048} * 2048;
 
-  Checks();
+  /// `place` is where the oracle's answers are worked out.
+  explicit Checks(WorkPlace place);
   ~Checks();
   Checks(Checks&&) noexcept;
   Checks& operator=(Checks&&) noexcept;
@@ -79,6 +81,7 @@ class Checks {
   void forget_difference(Runs runs);
   [[nodiscard]] bool laws_on(const Run& run) const;
 
+  WorkPlace place_;
   std::vector<Pane> panes_;
   std::unique_ptr<Comparison> comparison_under_way_;
   std::optional<bool> laws_;  // what somebody chose

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/real_text.hpp"
 #include "core/base/words.hpp"
 #include "core/session/player.hpp"
 #include "core/session/stepping.hpp"
@@ -186,7 +187,7 @@ Result<FilmSpeed> parse_film_speed(std::string_view text) {
   if (text == "expansion") return FilmSpeed{Kind::expansion, 0};
   if (text == "move") return FilmSpeed{Kind::move, 0};
   if (text.ends_with("/s")) {
-    const auto moves = whole<double>(text.substr(0, text.size() - 2));
+    const auto moves = real_from(text.substr(0, text.size() - 2));
     if (moves && *moves >= 0.1 && *moves <= 1000) return FilmSpeed{Kind::moves_per_second, *moves};
   } else if (const auto events = whole<std::uint32_t>(text); events && *events > 0) {
     return FilmSpeed{Kind::events, static_cast<double>(*events)};

@@ -10,17 +10,25 @@
 namespace replan {
 namespace {
 
-/// Time that pump() takes of a frame, and the events after which it looks at the clock.
-constexpr std::chrono::milliseconds kPumpTime{4};
+/// Events after which pump() looks at the clock.
 constexpr std::size_t kPartEvents = 8192;
+/// In step a slice of the planner has to end soon: of the largest searches these take half a millisecond.
+constexpr std::int64_t kStepIterations = 500;
+
+RunLimits limits_for(RunLimits limits, bool in_step) {
+  if (in_step) limits.slice_iterations = std::min(limits.slice_iterations, kStepIterations);
+  return limits;
+}
 
 }  // namespace
 
-Run::Run(std::shared_ptr<const Scenario> scenario, std::size_t planner, const RunLimits& limits)
+Run::Run(std::shared_ptr<const Scenario> scenario, std::size_t planner, const RunLimits& limits,
+         const WorkPlace& place)
     : scenario_(std::move(scenario)),
       planner_(planner),
-      limits_(limits),
-      worker_(std::make_unique<RunWorker>(scenario_, planner, limits)) {
+      in_step_(!place.on_thread()),
+      limits_(limits_for(limits, in_step_)),
+      worker_(std::make_unique<RunWorker>(scenario_, planner, limits_, !in_step_)) {
   begin_log();
 }
 
@@ -105,12 +113,15 @@ bool Run::over() const {
   return !busy() && !decisions_.empty() && decisions_.back().state != MissionState::driving;
 }
 
-bool Run::pump() {
-  const auto until = std::chrono::steady_clock::now() + kPumpTime;
+bool Run::pump(const Deadline& deadline) {
   bool came = false;
-  while (std::chrono::steady_clock::now() < until && next_batch()) {
-    take_over_part();
-    came = true;
+  while (!deadline.passed()) {
+    if (next_batch()) {
+      take_over_part();
+      came = true;
+    } else if (!in_step_ || !worker_->step()) {
+      break;
+    }
   }
   if (carry_out_rebase()) came = true;
   tidy();

@@ -1,4 +1,4 @@
-// One planner's run of a scenario: the mission in the background, its log in the foreground.
+// One planner's run of a scenario: the mission in the background or in step, its log in the foreground.
 #pragma once
 
 #include <chrono>
@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/deadline.hpp"
+#include "core/base/work_place.hpp"
 #include "core/debug/log_view.hpp"
 #include "core/session/reexecution.hpp"
 #include "core/session/run_worker.hpp"
@@ -35,12 +37,14 @@ struct Milestone {
 
 /// The timeline of what a mission did that runs in the background. pump() is the one place where events come
 /// over. All members are for the owner's thread, and none but wait() waits for the background: what has to
-/// wait until it has stopped is done by a later pump(). Where the log exceeds its limit, a second mission on
-/// the owner's thread works out what was dropped when it is read.
+/// wait until it has stopped is done by a later pump(). In step pump() does besides what else the thread would, as long as
+/// it may. Where the log exceeds its limit, a second mission on the owner's thread works out what was dropped when it is
+/// read.
 class Run {
  public:
   /// `planner` is an index into scenario->planners. Nothing runs before go() or finish().
-  Run(std::shared_ptr<const Scenario> scenario, std::size_t planner, const RunLimits& limits = {});
+  Run(std::shared_ptr<const Scenario> scenario, std::size_t planner, const RunLimits& limits = {},
+      const WorkPlace& place = WorkPlace::beside());
   ~Run();
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
@@ -85,9 +89,11 @@ class Run {
 
   /// Asks the background to go on to a target. Further ones replace it.
   void go(Target target);
-  /// Takes over what was done in the background, for a few milliseconds; the rest comes with the next calls.
-  /// True if anything new came.
-  bool pump();
+  /// What pump() takes of a frame where nobody says otherwise.
+  static constexpr double kPumpMs = 4;
+  /// Takes over what was done in the background, until the deadline has passed; the rest comes with the next calls. In
+  /// step it is done here, in slices of which one at most ends behind the deadline. True if anything new came.
+  bool pump(const Deadline& deadline = Deadline(kPumpMs));
   /// True while the background works towards the target.
   [[nodiscard]] bool busy() const;
   /// True if there is nothing left to do: the robot has arrived or can go no farther.
@@ -153,6 +159,7 @@ class Run {
   std::size_t planner_;
   const PlannerInfo* info_;
   Settings settings_;
+  bool in_step_;
   RunLimits limits_;
   Box lattice_;
   SharedBytes mapped_;                  // cells that were looked through: none of them is kUnmapped

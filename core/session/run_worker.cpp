@@ -11,7 +11,7 @@ namespace {
 
 /// Decisions of the robot per batch.
 constexpr int kBatchDecisions = 64;
-/// Events of one batch: some milliseconds of work.
+/// Events of one batch: some milliseconds of work. In step a batch is what one call of the mission has recorded.
 constexpr std::size_t kBatchEvents = 100000;
 /// Batches that wait to be taken. With more the thread waits too.
 constexpr std::size_t kMostReady = 16;
@@ -20,9 +20,10 @@ constexpr std::size_t kMostSpared = std::size_t{1} << 20;
 
 }  // namespace
 
-RunWorker::RunWorker(std::shared_ptr<const Scenario> scenario, std::size_t planner, const RunLimits& limits)
-    : planner_(planner), limits_(limits), scenario_(std::move(scenario)) {
-  thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
+RunWorker::RunWorker(std::shared_ptr<const Scenario> scenario, std::size_t planner, const RunLimits& limits,
+                     bool on_thread)
+    : planner_(planner), limits_(limits), on_thread_(on_thread), scenario_(std::move(scenario)) {
+  if (on_thread_) thread_ = Thread([this](const StopToken& stop) { work(stop); });
 }
 
 RunWorker::~RunWorker() {
@@ -104,6 +105,11 @@ std::string RunWorker::failure() const {
 }
 
 void RunWorker::wait(std::chrono::steady_clock::time_point until) {
+  if (!on_thread_) {
+    while (ready_.empty() && std::chrono::steady_clock::now() < until && step()) {
+    }
+    return;
+  }
   std::unique_lock lock(mutex_);
   const auto news = [this] { return !ready_.empty() || (!wanted_ && !at_work_); };
   if (until == std::chrono::steady_clock::time_point::max())
@@ -112,36 +118,50 @@ void RunWorker::wait(std::chrono::steady_clock::time_point until) {
     news_.wait_until(lock, until, news);
 }
 
+bool RunWorker::step() {
+  std::unique_lock lock(mutex_);
+  if (!wanted_ || ready_.size() >= kMostReady) return false;
+  do_some(lock);
+  return true;
+}
+
 // The thread.
 
-void RunWorker::work(const std::stop_token& stop) {
+void RunWorker::work(const StopToken& stop) {
   std::unique_lock lock(mutex_);
   while (wake_.wait(lock, stop, [this] { return wanted_; }) && !stop.stop_requested()) {
-    Orders orders = std::exchange(orders_, {});
-    const std::uint64_t begun = begun_;
-    const Target target = target_;
-    at_work_ = true;
-    hurry_ = false;
-    lock.unlock();
-    Batch batch;
-    std::string failure = work_on(std::move(orders), target, batch);
-    lock.lock();
-    at_work_ = false;
-    if (!orders_.back) lent_ = false;
-    if (begun == begun_) {
-      if (!batch.events.empty() || !batch.decisions.empty()) ready_.push_back(std::move(batch));
-      if (!orders_.any() && (!failure.empty() || reached(target_))) wanted_ = false;
-      failure_ = std::move(failure);
-    }
+    do_some(lock);
     news_.notify_all();
     room_.wait(lock, stop, [this] { return ready_.size() < kMostReady || !wanted_; });
   }
 }
 
+/// What was ordered, and a batch.
+void RunWorker::do_some(std::unique_lock<std::mutex>& lock) {
+  Orders orders = std::exchange(orders_, {});
+  const std::uint64_t begun = begun_;
+  const Target target = target_;
+  at_work_ = true;
+  hurry_ = false;
+  lock.unlock();
+  Batch batch;
+  std::string failure = work_on(std::move(orders), target, batch);
+  lock.lock();
+  at_work_ = false;
+  if (!orders_.back) lent_ = false;
+  if (begun != begun_) return;
+  if (!batch.events.empty() || !batch.decisions.empty()) ready_.push_back(std::move(batch));
+  if (!orders_.any() && (!failure.empty() || reached(target_))) wanted_ = false;
+  failure_ = std::move(failure);
+}
+
 /// Why it could not be done, or nothing.
 std::string RunWorker::work_on(Orders orders, Target target, Batch& batch) {
   try {
+    const bool made_ready = orders.any() || !mission_;
     carry_out(std::move(orders));
+    set_out();
+    if (!on_thread_ && made_ready) return {};  // that was a slice
     fill(batch, target);
   } catch (const std::bad_alloc&) {
     recorder_.clear();
@@ -160,13 +180,13 @@ void RunWorker::carry_out(Orders orders) {
     mission_.reset();
     scenario_ = std::move(orders.fresh);
     recorder_ = {};
-    recorded_ = 0;
+    recorded_ = next_checkpoint_ = 0;
   }
   if (orders.back) {
     set_out();
     recorder_.clear();
     mission_->restore(orders.back->decision, *orders.back->head);
-    recorded_ = orders.back->decision.event;
+    recorded_ = next_checkpoint_ = orders.back->decision.event;
   }
   if (orders.script) {
     scenario_ = std::move(orders.script);
@@ -179,22 +199,21 @@ void RunWorker::set_out() {
 }
 
 void RunWorker::fill(Batch& batch, Target target) {
-  set_out();
   // Several to a key frame, so that one stands wherever the timeline wants one.
   const std::size_t checkpoint_events = std::max<std::size_t>(1, limits_.log.frame_interval / 8);
   const auto recorded = [this] { return recorder_.buffer().size(); };
-  std::size_t next_checkpoint = 0;
-  for (int i = 0; i < kBatchDecisions && recorded() < kBatchEvents && !hurry_ && !reached(target); ++i) {
-    if (!mission_->advance(limits_.slice_iterations)) i = kBatchDecisions;
+  const int most = on_thread_ ? kBatchDecisions : 1;
+  for (int i = 0; i < most && recorded() < kBatchEvents && !hurry_ && !reached(target); ++i) {
+    if (!mission_->advance(limits_.slice_iterations)) i = most;
     if (mission_->standing()) {
       batch.decisions.push_back(mission_->now());
       batch.decisions.back().event = recorded();
     }
-    if (recorded() < next_checkpoint) continue;
+    if (recorded_ + recorded() < next_checkpoint_) continue;
     auto checkpoint = std::make_shared<Checkpoint>(mission_->checkpoint());
     checkpoint->line = recorder_.current_line();
     batch.checkpoints.emplace_back(recorded(), std::move(checkpoint));
-    next_checkpoint = recorded() + checkpoint_events;
+    next_checkpoint_ = recorded_ + recorded() + checkpoint_events;
   }
   batch.events = recorder_.take(spare());
 }

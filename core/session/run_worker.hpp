@@ -1,19 +1,18 @@
-// The background of a run: the mission on a thread of its own, which takes orders and hands over what it
-// recorded.
+// The background of a run: the mission, which takes orders and hands over what it recorded, on a thread of its own or in
+// step with its owner.
 #pragma once
 
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <cstdint>
 #include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "core/base/threads.hpp"
 #include "core/sim/mission.hpp"
 #include "core/trace/timeline.hpp"
 #include "core/world/scenario.hpp"
@@ -41,7 +40,7 @@ struct RunLimits {
 
 /// The mission belongs to the thread alone: making it, taking it back and dropping it, each of which costs as
 /// much as the map is large, are orders like any other. No call waits for the thread, but wait() and the
-/// destructor.
+/// destructor. Without a thread the same orders are carried out by step(), and by nothing else but wait().
 class RunWorker {
  public:
   /// Some milliseconds of recorded work.
@@ -52,7 +51,8 @@ class RunWorker {
   };
 
   /// `planner` is an index into scenario->planners. Nothing is done before go().
-  RunWorker(std::shared_ptr<const Scenario> scenario, std::size_t planner, const RunLimits& limits);
+  RunWorker(std::shared_ptr<const Scenario> scenario, std::size_t planner, const RunLimits& limits,
+            bool on_thread = kThreads);
   ~RunWorker();
   RunWorker(const RunWorker&) = delete;
   RunWorker& operator=(const RunWorker&) = delete;
@@ -79,6 +79,10 @@ class RunWorker {
   [[nodiscard]] bool at_rest() const;
   /// Why it could not go on, as a sentence; empty if nothing went wrong.
   [[nodiscard]] std::string failure() const;
+  /// Without a thread: carries out what was ordered, or else goes on by one slice of the planner or one move of the robot.
+  /// False if there is nothing to do, or too much to take. Making a mission, and what its planner does before its first
+  /// iteration, cannot be cut up: each is a slice as long as the map is large.
+  bool step();
   /// Waits until there is a batch to take or nothing more to wait for, but no longer than until then.
   void wait(std::chrono::steady_clock::time_point until);
 
@@ -99,7 +103,8 @@ class RunWorker {
   /// Events of one run: their index alone takes half a GiB.
   static constexpr std::size_t kMostEvents = std::size_t{1} << 30;
 
-  void work(const std::stop_token& stop);
+  void work(const StopToken& stop);
+  void do_some(std::unique_lock<std::mutex>& lock);
   [[nodiscard]] std::string work_on(Orders orders, Target target, Batch& batch);
   void carry_out(Orders orders);
   void fill(Batch& batch, Target target);
@@ -110,16 +115,18 @@ class RunWorker {
 
   const std::size_t planner_;
   const RunLimits limits_;
+  const bool on_thread_;
 
   // The thread's own.
   std::shared_ptr<const Scenario> scenario_;
   Recorder recorder_;
-  std::size_t recorded_ = 0;  // events handed over
+  std::size_t recorded_ = 0;         // events handed over
+  std::size_t next_checkpoint_ = 0;  // of the log, from which on there is to be another
   std::unique_ptr<Mission> mission_;
 
   std::atomic<bool> hurry_ = false;  // the batch under way is to end soon
   mutable std::mutex mutex_;         // guards what follows
-  std::condition_variable_any wake_, news_, room_;
+  Signal wake_, news_, room_;
   Orders orders_;
   Target target_;
   bool wanted_ = false;      // go() holds
@@ -129,7 +136,7 @@ class RunWorker {
   std::deque<Batch> ready_;
   std::vector<std::vector<Event>> spare_;  // memory of batches that were taken
   std::string failure_;
-  std::jthread thread_;  // last: it ends before what it uses
+  Thread thread_;  // last: it ends before what it uses
 };
 
 }  // namespace replan

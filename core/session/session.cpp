@@ -15,10 +15,17 @@ std::optional<std::size_t> common_surprises(const Scenario& a, const Scenario& b
   return Surprises::common(a.surprises, b.surprises);
 }
 
+/// What is done in step has somebody who does it.
+WorkPlace with_steps(WorkPlace place) {
+  if (!place.on_thread() && !place.steps) place.steps = std::make_shared<Steps>();
+  return place;
+}
+
 }  // namespace
 
-Session::Session(Scenario scenario, std::string file, const RunLimits& limits)
-    : scenario_(std::make_shared<const Scenario>(std::move(scenario))),
+Session::Session(Scenario scenario, std::string file, const RunLimits& limits, WorkPlace place)
+    : place_(with_steps(std::move(place))),
+      scenario_(std::make_shared<const Scenario>(std::move(scenario))),
       kept_(scenario_),
       limits_(limits),
       history_(scenario_->surprises.size()),
@@ -42,7 +49,7 @@ void Session::match_panes() {
   limits.log.bytes /= scenario_->planners.size();
   runs_.resize(std::min(runs_.size(), scenario_->planners.size()));
   while (runs_.size() < scenario_->planners.size())
-    runs_.push_back(std::make_unique<Run>(scenario_, runs_.size(), limits));
+    runs_.push_back(std::make_unique<Run>(scenario_, runs_.size(), limits, place_));
   lead_ = std::min(lead_, runs_.size() - 1);
 }
 
@@ -212,11 +219,22 @@ void Session::glance(std::size_t pane, std::size_t position, double travel,
   ++revision_;
 }
 
+/// Takes over what was done beside the session, or does it: each run has its own share of a frame, and so has all else
+/// that is to be done in step.
+bool Session::pump() {
+  const auto at_work = std::count_if(runs_.begin(), runs_.end(), [](const auto& run) { return run->busy(); });
+  const double parts = static_cast<double>(at_work + (has_steps() ? 1 : 0));
+  const double share = place_.on_thread() ? Run::kPumpMs : share_ / std::max(parts, 1.0);
+  if (!place_.on_thread()) place_.steps->pump(Deadline(share));
+  bool changed = finish_world_edit();
+  for (const auto& run : runs_)
+    if (run->pump(Deadline(share))) changed = true;
+  return changed;
+}
+
 bool Session::update(double seconds) {
   bool changed = catching_up_;  // finish() may have taken over what a pane waited for
-  if (finish_world_edit()) changed = true;
-  for (const auto& run : runs_)
-    if (run->pump()) changed = true;
+  if (pump()) changed = true;
   const bool returning = returning_.has_value();
   Run& first = leading();
   if (follow_ && !returning && first.timeline().cursor() != first.timeline().size()) {
@@ -273,6 +291,7 @@ bool Session::play(double seconds) {
 }
 
 void Session::settle() {
+  while (has_steps()) place_.steps->pump(Deadline::never());
   world_edit_.wait();
   finish_world_edit();
   for (std::size_t i = 0; i < runs_.size(); ++i) {

@@ -37,9 +37,11 @@ class Session {
  public:
   static constexpr double kFullSpeed = Player::kFullSpeed, kRealTimeSpeed = Player::kRealTimeSpeed;
 
-  /// Starts planning in the background.
+  /// Starts planning in the background, or in step: then with the steps of `place`, if it has some, which update() pumps
+  /// for all others that have them too, else with its own.
   /// `limits` are for all panes together: they share the log's bytes evenly.
-  explicit Session(Scenario scenario, std::string file = {}, const RunLimits& limits = {});
+  explicit Session(Scenario scenario, std::string file = {}, const RunLimits& limits = {},
+                   WorkPlace place = WorkPlace::beside());
 
   [[nodiscard]] const Scenario& scenario() const { return *scenario_; }
   [[nodiscard]] std::span<const std::unique_ptr<Run>> runs() const { return runs_; }
@@ -91,11 +93,19 @@ class Session {
   /// The latest, once.
   [[nodiscard]] Notice take_notice() { return std::exchange(notice_, {}); }
 
+  /// Where what takes long is done, here and by whoever shows the session.
+  [[nodiscard]] const WorkPlace& work() const { return place_; }
+  /// Whether there is something to be done in step that update() has not done yet, apart from the runs.
+  [[nodiscard]] bool has_steps() const { return place_.steps && place_.steps->busy(); }
+  /// In step: how many milliseconds of each frame update() takes for planning and all else that is to be done.
+  void set_share(double milliseconds) { share_ = milliseconds; }
+
   /// Carries out a command. An error leaves everything as it was.
   Result<void> apply(const Command& command);
   /// Why a run could not go on, as a sentence; empty if all is well.
   [[nodiscard]] std::string failure() const;
-  /// Takes over what the background did and plays on by `seconds`. True if something to be seen changed.
+  /// Takes over what the background did, or does it in step, and plays on by `seconds`. True if something to be seen
+  /// changed.
   bool update(double seconds);
   /// Shows `look` the runs with that pane leading and at another moment, as after Lead{pane} and Seek{position, travel}, and
   /// comes back: what is played, stepped or looked for goes on as if nothing had been. What `look` sees changes revision().
@@ -162,6 +172,7 @@ class Session {
   void send_on(Run& run, StepUnit unit);
   bool arrive();
   void match_panes();
+  bool pump();
   [[nodiscard]] Run& leading() {
     return *runs_[lead_];
   }
@@ -204,6 +215,8 @@ class Session {
     log_.push_back(std::move(line));
   }
 
+  WorkPlace place_;
+  double share_ = 10;  // of a frame at 60 Hz
   std::shared_ptr<const Scenario> scenario_;
   std::shared_ptr<const Scenario> kept_;  // as it was opened or saved; nullptr if nobody knows
   std::vector<std::unique_ptr<Run>> runs_;
@@ -217,7 +230,7 @@ class Session {
   };
   std::optional<Stepping> stepping_;
   std::optional<std::chrono::milliseconds> patience_;  // nothing: without end
-  Background<Result<WorldEdit>> world_edit_{WorkPlace{.in_step = false, .wake = {}}};
+  Background<Result<WorldEdit>> world_edit_{place_};
   std::vector<Command> waiting_;  // for it
   Notice notice_;
   std::size_t lead_ = 0;
@@ -227,7 +240,7 @@ class Session {
   Lockstep lockstep_ = Lockstep::expansions;
   Breakpoints breakpoints_;
   Watches watches_;
-  Checks checks_;
+  Checks checks_{place_};
   std::optional<HuntTask> hunting_;
   std::uint64_t stopped_log_ = 0;  // where the cursor was stopped
   std::size_t stopped_at_ = 0;

@@ -1,7 +1,6 @@
 // The hunt for the next breakpoint, the next change of a value or the arrival.
 #include <algorithm>
 #include <chrono>
-#include <thread>
 
 #include "core/base/deadline.hpp"
 #include "core/debug/event_words.hpp"
@@ -192,7 +191,7 @@ void Session::settle_hunt() {
   }
   const auto busy = [](const auto& run) { return run->busy(); };
   while (catching_up_ && std::any_of(runs_.begin(), runs_.end(), busy)) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    for (const auto& run : runs_) run->rest(std::chrono::milliseconds(1));
     update(0);
   }
 }

@@ -83,7 +83,8 @@ Result<void> Session::run_command(const RemoveSurprise& command) {
 /// comes after it.
 template <class WorldCommand>
 Result<void> Session::edit_world(const WorldCommand& command, std::size_t cells) {
-  auto job = [before = scenario_, scripted = scripted(), command](const std::stop_token&) {
+  // An edit cannot be cut up: in step a window stands still for as long as the world is large.
+  auto job = [before = scenario_, scripted = scripted(), command](const StopToken&) {
     Result<WorldEdit> edit = edited(tidied(*before, scripted), scripted, command);
     if (edit) edit->change = change_between(*before, edit->scenario);
     return edit;

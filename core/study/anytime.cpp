@@ -38,7 +38,7 @@ double wall_ms() {
 }
 
 AnytimeRun plan_anytime(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice, double radius,
-                        double most_ms, const std::stop_token& stop, double (*clock)()) {
+                        double most_ms, const StopToken& stop, double (*clock)()) {
   const auto navigator = make_navigator(choice, map.box(), map.blocked, radius);
   AnytimeRun run;
   run.planner = choice.id;
@@ -66,19 +66,39 @@ AnytimeRun plan_anytime(const GridMap& map, Cell start, Cell goal, const Planner
   return run;
 }
 
+ShortestSearch::ShortestSearch(const Box& box, const SharedBytes& known, Cell start, Cell goal,
+                               const PlannerChoice& choice, double radius) {
+  PlannerChoice exact{"visibility-graph", {}};
+  if (!fits(*find_planner(exact.id), box, radius)) return;
+  exact.settings.set(parameters::kCorners.key, choice.settings.get(parameters::kCorners));
+  make_ = [=] {
+    auto navigator = make_navigator(exact, box, known, radius);
+    navigator->begin(centre_of(start), centre_of(goal));
+    return navigator;
+  };
+}
+
+std::optional<std::optional<double>> ShortestSearch::advance() {
+  constexpr std::int64_t kSlice = 16;  // corners
+  const std::optional<double> nothing;
+  if (!make_) return nothing;
+  if (!navigator_) {
+    navigator_ = make_();
+    return std::nullopt;
+  }
+  if (!navigator_->advance(kSlice)) return std::nullopt;
+  return navigator_->status() == PlanStatus::found ? std::optional(path_length(navigator_->path())) : nothing;
+}
+
 std::optional<double> shortest_of_all(const Box& box, const SharedBytes& known, Cell start, Cell goal,
                                       const PlannerChoice& choice, double radius, double most_ms,
-                                      const std::stop_token& stop) {
-  PlannerChoice exact{"visibility-graph", {}};
-  if (!fits(*find_planner(exact.id), box, radius)) return std::nullopt;
-  exact.settings.set(parameters::kCorners.key, choice.settings.get(parameters::kCorners));
-  const auto navigator = make_navigator(exact, box, known, radius);
+                                      const StopToken& stop) {
+  ShortestSearch search(box, known, start, goal, choice, radius);
   const auto begin = std::chrono::steady_clock::now();
-  navigator->begin(centre_of(start), centre_of(goal));
-  while (!navigator->advance(16))
+  while (true) {
+    if (const auto length = search.advance()) return *length;
     if (stop.stop_requested() || milliseconds_since(begin) >= most_ms) return std::nullopt;
-  if (navigator->status() != PlanStatus::found) return std::nullopt;
-  return path_length(navigator->path());
+  }
 }
 
 std::vector<std::span<const AnytimeRun>> by_planner(std::span<const AnytimeRun> runs) {

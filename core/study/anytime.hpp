@@ -2,13 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "core/base/stop.hpp"
+#include "core/plan/navigator.hpp"
 #include "core/plan/planner.hpp"
 #include "core/world/scenario.hpp"
 
@@ -48,15 +51,28 @@ double wall_ms();
 /// by then: such a plan is another one each time, while samples repeat.
 /// `clock` tells milliseconds: those of wall time, or of the thread (core/base/cpu_time.hpp).
 AnytimeRun plan_anytime(const GridMap& map, Cell start, Cell goal, const PlannerChoice& choice, double radius,
-                        double most_ms = std::numeric_limits<double>::infinity(),
-                        const std::stop_token& stop = {}, double (*clock)() = wall_ms);
+                        double most_ms = std::numeric_limits<double>::infinity(), const StopToken& stop = {},
+                        double (*clock)() = wall_ms);
 
 /// How long the shortest of all ways is by the planner's corner rule; nothing where that is not known: in space, for a robot
 /// with a size, without a way, or if it was asked to stop or took longer than `most_ms`.
 std::optional<double> shortest_of_all(const Box& box, const SharedBytes& known, Cell start, Cell goal,
                                       const PlannerChoice& choice, double radius,
                                       double most_ms = std::numeric_limits<double>::infinity(),
-                                      const std::stop_token& stop = {});
+                                      const StopToken& stop = {});
+/// The same a slice at a time. Setting it up is the first one, as long as the map is large.
+class ShortestSearch {
+ public:
+  ShortestSearch(const Box& box, const SharedBytes& known, Cell start, Cell goal, const PlannerChoice& choice,
+                 double radius);
+
+  /// One slice. What is known of the length, once that is clear.
+  std::optional<std::optional<double>> advance();
+
+ private:
+  std::function<std::unique_ptr<Navigator>()> make_;  // nothing: nobody knows
+  std::unique_ptr<Navigator> navigator_;
+};
 
 /// The planners in the order in which they come, with their plans.
 std::vector<std::span<const AnytimeRun>> by_planner(std::span<const AnytimeRun> runs);

@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
-#include <thread>
 
+#include "core/base/threads.hpp"
 #include "core/drive/sub_goals.hpp"
 #include "core/plan/navigator.hpp"
 #include "core/study/barn_map.hpp"
@@ -254,10 +254,7 @@ std::vector<BarnDrive> drive_barn(const std::vector<BarnWorld>& worlds, const Ba
   const auto work = [&] {
     for (std::size_t i = next++; i < worlds.size(); i = next++) drives[i] = drive_barn(worlds[i], settings);
   };
-  std::vector<std::jthread> threads;
-  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) threads.emplace_back(work);
-  work();
-  threads.clear();
+  work_on_threads(processor_count(), work);
   return drives;
 }
 

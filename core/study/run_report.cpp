@@ -137,7 +137,7 @@ namespace {
 
 /// Nothing if it was stopped.
 std::optional<RunReport> drive_watched(const Scenario& scenario, const PlannerChoice& choice,
-                                       const std::stop_token& stop,
+                                       const StopToken& stop,
                                        const std::function<void(const Mission&)>& watch) {
   const auto mission = make_mission(scenario, choice);
   RunReport report;
@@ -172,7 +172,7 @@ RunReport drive(const Scenario& scenario, const PlannerChoice& choice,
   return *drive_watched(scenario, choice, {}, watch);
 }
 
-std::optional<RunReport> drive_until(const std::stop_token& stop, const Scenario& scenario,
+std::optional<RunReport> drive_until(const StopToken& stop, const Scenario& scenario,
                                      const PlannerChoice& choice) {
   return drive_watched(scenario, choice, stop, {});
 }

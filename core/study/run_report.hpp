@@ -5,12 +5,12 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "core/base/stop.hpp"
 #include "core/plan/figures.hpp"
 #include "core/plan/navigator.hpp"
 #include "core/plan/planner.hpp"
@@ -67,7 +67,7 @@ struct RunReport {
 
 /// What ends a run before it is done.
 struct RunLimit {
-  std::stop_token stop = {};
+  StopToken stop = {};
   /// Seconds that a planner has which becomes better with time: it then takes the best path that it has. Nothing: as many
   /// as it takes.
   std::optional<double> seconds = std::nullopt;
@@ -86,7 +86,7 @@ std::optional<RunReport> plan_once(Navigator& navigator, const GridMap& map, Cel
 RunReport drive(const Scenario& scenario, const PlannerChoice& choice,
                 const std::function<void(const Mission&)>& watch = {});
 /// As above; nothing if it was stopped.
-std::optional<RunReport> drive_until(const std::stop_token& stop, const Scenario& scenario,
+std::optional<RunReport> drive_until(const StopToken& stop, const Scenario& scenario,
                                      const PlannerChoice& choice);
 
 /// Why a run did not succeed, as a sentence; empty if it did.

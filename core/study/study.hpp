@@ -5,12 +5,12 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/result.hpp"
+#include "core/base/stop.hpp"
 #include "core/world/scenario.hpp"
 
 namespace replan {
@@ -92,7 +92,7 @@ struct StudyReport {
 struct StudyWatch {
   std::uint64_t seeds = 1;
   std::function<void(std::size_t done, std::size_t all)> progress = {};  ///< after each run
-  std::stop_token stop = {};  ///< the report then has the runs done so far, and no claims
+  StopToken stop = {};  ///< the report then has the runs done so far, and no claims
   /// The folder of the BARN benchmark, for the study that can use it; empty: it goes without.
   std::string barn = {};
 };

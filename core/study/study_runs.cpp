@@ -51,7 +51,8 @@ std::vector<std::string> names_of(const std::vector<StudyEntry>& entries) {
 
 bool run_all(StudyReport& report, const StudyWatch& watch, const StudyTask& task) {
   report.seeds = watch.seeds;
-  const std::size_t all = report.worlds.size() * report.planners.size() * watch.seeds;
+  const std::size_t all =
+      report.worlds.size() * report.planners.size() * static_cast<std::size_t>(watch.seeds);
   for (std::uint64_t seed = 1; seed <= watch.seeds; ++seed)
     for (std::size_t world = 0; world < report.worlds.size(); ++world)
       for (std::size_t planner = 0; planner < report.planners.size(); ++planner) {

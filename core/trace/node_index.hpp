@@ -48,7 +48,7 @@ class NodeIndex {
   struct Places {
     explicit Places(NodeId node) {
       const std::uint64_t hash = mix64(node);
-      const auto place = [](std::uint64_t n) { return static_cast<std::size_t>(n % kBits); };
+      const auto place = [](std::uint64_t bits) { return static_cast<std::size_t>(bits % kBits); };
       of = {place(hash), place(hash / kBits), place(hash / kBits / kBits)};
     }
     std::array<std::size_t, 3> of;

@@ -44,7 +44,7 @@ bool has_room(const GridMap& map, std::size_t index) {
 /// The region around `from`, whose cells it marks in `seen`. Only the rim of what was reached is kept in
 /// memory: the largest maps have 2^26 cells.
 Region region_around(const GridMap& map, std::size_t from, std::vector<std::uint8_t>& seen,
-                     const std::stop_token& stop) {
+                     const StopToken& stop) {
   const auto width = static_cast<std::size_t>(map.width), height = static_cast<std::size_t>(map.height),
              layer = width * height;
   Region region;
@@ -75,7 +75,7 @@ Region region_around(const GridMap& map, std::size_t from, std::vector<std::uint
 
 }  // namespace
 
-void place_ends(Scenario& scenario, const std::stop_token& stop) {
+void place_ends(Scenario& scenario, const StopToken& stop) {
   const GridMap& map = scenario.map;
   std::vector<std::uint8_t> seen(map.blocked.size());
   Region largest;

@@ -31,7 +31,7 @@ class FilmMakerTest : public ui::ShellTest {
     if (const auto begun = maker_.begin(wanted, set(), *session_); !begun) return begun.error();
     for (int i = 0; i < 2000 && maker_.on(); ++i) {
       session_->settle();
-      if (const auto made = maker_.go_on(*session_, [] {}); !made) return made.error();
+      if (const auto made = maker_.go_on(*session_); !made) return made.error();
       EXPECT_LE(maker_.share(), 1);
     }
     EXPECT_FALSE(maker_.on());
@@ -45,7 +45,7 @@ class FilmMakerTest : public ui::ShellTest {
                       std::filesystem::directory_iterator()));
   }
 
-  Recording recording_;
+  Recording recording_{WorkPlace::beside()};
   FilmMaker maker_{recording_};
 };
 
@@ -66,13 +66,13 @@ TEST_F(FilmMakerTest, WhoeverAskedForItGoesOnLookingAtWhatTheyWant) {
   for (std::size_t at = 5; at < 15; ++at) {
     session_->settle();
     EXPECT_EQ(session_->run().timeline().cursor(), at);
-    ASSERT_TRUE(maker_.go_on(*session_, [] {}).ok());
+    ASSERT_TRUE(maker_.go_on(*session_).ok());
     ASSERT_TRUE(maker_.on());
     EXPECT_EQ(session_->run().timeline().cursor(), at) << "the film plays in the window";
     ASSERT_TRUE(session_->apply(Seek{at + 1}).ok());
   }
   ASSERT_TRUE(session_->apply(Play{1}).ok());
-  ASSERT_TRUE(maker_.go_on(*session_, [] {}).ok());
+  ASSERT_TRUE(maker_.go_on(*session_).ok());
   EXPECT_EQ(session_->playback().direction, 1) << "the film stops the playing";
   maker_.cancel();
 }
@@ -84,7 +84,7 @@ TEST_F(FilmMakerTest, ThePlayheadStaysAtTheFirstPlanWhileTheRunGoesOnForTheFilm)
   for (int i = 0; i < 5; ++i) {
     session_->settle();
     static_cast<void>(session_->update(0.02));
-    ASSERT_TRUE(maker_.go_on(*session_, [] {}).ok());
+    ASSERT_TRUE(maker_.go_on(*session_).ok());
     EXPECT_EQ(session_->run().timeline().cursor(), plan);
   }
   EXPECT_GT(session_->run().timeline().size(), plan);
@@ -110,7 +110,7 @@ TEST_F(FilmMakerTest, AnotherPaneMayLeadMeanwhile) {
   for (int i = 0; i < 2000 && maker_.on(); ++i) {
     ASSERT_TRUE(session_->apply(Lead{static_cast<std::size_t>(i) % 2}).ok());
     session_->settle();
-    const auto made = maker_.go_on(*session_, [] {});
+    const auto made = maker_.go_on(*session_);
     ASSERT_TRUE(made.ok()) << made.error();
     EXPECT_EQ(session_->lead(), static_cast<std::size_t>(i) % 2) << "the film takes the lead away";
   }
@@ -142,7 +142,7 @@ TEST_F(FilmMakerTest, GivenUpOrDisturbedItLeavesNoFile) {
   ASSERT_TRUE(maker_.begin(wanted, set(), *session_).ok());
   for (int i = 0; i < 3; ++i) {
     session_->settle();
-    ASSERT_TRUE(maker_.go_on(*session_, [] {}).ok());
+    ASSERT_TRUE(maker_.go_on(*session_).ok());
   }
   maker_.cancel();
   EXPECT_FALSE(recording_.on());
@@ -150,7 +150,7 @@ TEST_F(FilmMakerTest, GivenUpOrDisturbedItLeavesNoFile) {
   ASSERT_TRUE(maker_.begin(wanted, set(), *session_).ok());
   ASSERT_TRUE(session_->apply(Restart{}).ok());
   session_->settle();
-  const auto disturbed = maker_.go_on(*session_, [] {});
+  const auto disturbed = maker_.go_on(*session_);
   ASSERT_FALSE(disturbed.ok());
   EXPECT_NE(disturbed.error().find("the run has changed"), std::string::npos);
   EXPECT_FALSE(maker_.on());

@@ -97,13 +97,13 @@ class Recorded : public testing::Test {
 };
 
 TEST_F(Recorded, FramesIntoAFolder) {
-  Recording recording;
+  Recording recording(WorkPlace::beside());
   ASSERT_TRUE(recording.start(request("frames/"), area_).ok());
   EXPECT_TRUE(recording.on());
   EXPECT_DOUBLE_EQ(recording.step(), 0.04);
   for (int i = 0; i < 50; ++i) recording.take(grey(64, 48, static_cast<std::uint8_t>(i)), area_);
   EXPECT_DOUBLE_EQ(recording.state().seconds, 2);
-  recording.stop([] {});
+  recording.stop();
   EXPECT_FALSE(recording.on());
   std::optional<FilmOutcome> outcome;
   for (int i = 0; i < 1000 && !outcome; ++i) {
@@ -121,7 +121,7 @@ TEST_F(Recorded, FramesIntoAFolder) {
 }
 
 TEST_F(Recorded, TheEndOfTheProgramCompletesTheFilm) {
-  Recording recording;
+  Recording recording(WorkPlace::beside());
   EXPECT_FALSE(recording.end().has_value());
   ASSERT_TRUE(recording.start(request("frames/"), area_).ok());
   recording.take(grey(64, 48, 7), area_);
@@ -131,7 +131,7 @@ TEST_F(Recorded, TheEndOfTheProgramCompletesTheFilm) {
 }
 
 TEST_F(Recorded, WithoutAFrameThereIsNoFilm) {
-  Recording recording;
+  Recording recording(WorkPlace::beside());
   const Result<void> started = recording.start(request("x.mp4"), area_);
   if (!started) GTEST_SKIP() << started.error();
   const auto outcome = recording.end();
@@ -141,7 +141,7 @@ TEST_F(Recorded, WithoutAFrameThereIsNoFilm) {
 }
 
 TEST_F(Recorded, AFailureIsTold) {
-  Recording recording;
+  Recording recording(WorkPlace::beside());
   EXPECT_FALSE(recording.start(request("x.avi"), area_).ok());
   EXPECT_FALSE(recording.start(request("x.gif"), {{5, 5}, {5, 5}}).ok()) << "no canvas to be seen";
   ASSERT_TRUE(recording.start(request("frames/"), area_).ok());

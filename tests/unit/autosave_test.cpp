@@ -228,7 +228,7 @@ TEST(UnsavedEdits, AreCountedAsUndoCountsThem) {
 
 TEST(Background, WaitingLetsAJobThatListensEnd) {
   Background<int> work({false, {}});
-  work.start([](const std::stop_token& stop) {
+  work.start([](const StopToken& stop) {
     for (int i = 0; i < 20; ++i) {
       if (stop.stop_requested()) return i;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -241,13 +241,13 @@ TEST(Background, WaitingLetsAJobThatListensEnd) {
 
 TEST(Background, GivesUpAndGoesOn) {
   Background<int> work({false, {}});
-  work.start([](const std::stop_token& stop) {
+  work.start([](const StopToken& stop) {
     while (!stop.stop_requested()) std::this_thread::yield();
     return 1;
   });
   EXPECT_TRUE(work.busy());
   EXPECT_FALSE(work.take());
-  work.start([](const std::stop_token&) { return 2; });
+  work.start([](const StopToken&) { return 2; });
   work.wait();
   EXPECT_EQ(work.take(), 2);
   EXPECT_FALSE(work.busy());

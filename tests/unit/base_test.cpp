@@ -193,6 +193,34 @@ TEST(File, TakesItsNameOnceItIsComplete) {
   EXPECT_FALSE(PendingFile::create("").ok());
 }
 
+/// On systems without files that have no name.
+TEST(File, HasAPartsNameUntilItIsComplete) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.with("x", "old"), part = path + ".part";
+  chmod(path.c_str(), 0640);
+  std::filesystem::create_symlink("x", folder.file("link"));
+  folder.with("x.part", "left behind by a program that was ended");
+  {
+    auto file = PendingFile::create(folder.file("link"), PendingFile::Until::part);
+    ASSERT_TRUE(file.ok()) << file.error();
+    ASSERT_TRUE(file->write("new").ok());
+    EXPECT_EQ(*read_file(path), "old");
+    EXPECT_EQ(*read_file(part), "new");
+    PendingFile moved = std::move(file).value();
+    ASSERT_TRUE(moved.commit().ok());
+  }
+  EXPECT_EQ(*read_file(path), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link")));
+  struct stat info {};
+  ASSERT_EQ(stat(path.c_str(), &info), 0);
+  EXPECT_EQ(info.st_mode & 0777, 0640u);
+  {
+    const auto given_up = PendingFile::create(folder.file("y"), PendingFile::Until::part);
+    EXPECT_TRUE(std::filesystem::exists(folder.file("y.part")));
+  }
+  EXPECT_EQ(folder.entries(), 2) << "x and the link to it";
+}
+
 TEST(File, TakesNamesApart) {
   EXPECT_EQ(file_extension("a/B.MAP"), ".map");
   EXPECT_EQ(file_extension("a.b/c"), "");

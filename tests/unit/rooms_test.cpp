@@ -71,13 +71,33 @@ TEST(Rooms, OfPlanningNeedNoOtherLibrary) {
       std::ifstream text(file.path());
       for (std::string line; std::getline(text, line);) {
         const std::string included = between(line, "#include <", '>');
-        const bool is_posix = included.starts_with("sys/") || included == "fcntl.h" || included == "unistd.h";
+        const bool is_posix = included.starts_with("sys/") || included == "fcntl.h" ||
+                              included == "locale.h" || included == "unistd.h";
         EXPECT_TRUE(is_posix || included.find_first_of("./") == std::string::npos)
             << file.path() << " includes " << included;
         includes += included.empty() ? 0 : 1;
       }
     }
   EXPECT_GT(includes, 100u);
+}
+
+/// A build without threads has other bodies for two headers, and for nothing else.
+TEST(Rooms, KnowThreadsByTwoHeadersAlone) {
+  const std::vector<std::string> words = {
+      "std::jthread", "std::thread", "std::this_thread", "std::stop_",   "condition_variable",
+      "std::async",   "std::future", "<thread>",         "<stop_token>", "REPLAN_THREADS"};
+  for (const char* part : {"core", "ui"})
+    for (const auto& file : fs::recursive_directory_iterator(kRoot / part)) {
+      if (!file.is_regular_file() || file.path().filename() == "stop.hpp" ||
+          file.path().filename() == "threads.hpp" || file.path().filename() == "CMakeLists.txt")
+        continue;
+      std::ifstream text(file.path());
+      for (std::string line; std::getline(text, line);)
+        for (const std::string& word : words)
+          EXPECT_EQ(line.find(word), std::string::npos)
+              << file.path() << " says " << word << ": take core/base/"
+              << "stop.hpp or threads.hpp";
+    }
 }
 
 /// What the lines of a list name: `keyword(name)`, and more behind it.

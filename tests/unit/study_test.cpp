@@ -200,7 +200,7 @@ TEST(Study, EachRunsAndSpeaksToItsClaims) {
     for (const StudyRun& run : report->runs) EXPECT_EQ(run.values.size(), report->figures.size());
     for (const StudyClaim& claim : report->claims)
       EXPECT_TRUE(claim.verdict == Verdict::reproduced || !claim.why.empty()) << claim.paper;
-    std::stop_source stop;
+    StopSource stop;
     stop.request_stop();
     const auto stopped = info.run({.seeds = 1, .stop = stop.get_token()});
     ASSERT_TRUE(stopped.ok());

@@ -94,7 +94,7 @@ void BatchDialog::open_run(std::int64_t run) {
   const auto list = job_->list();
   if (list == nullptr) return;
   // Blocks that drop ahead of the robot are placed by a search.
-  opening_->start([list, run](const std::stop_token&) { return list->scenario(list->parts(run)); });
+  opening_->start([list, run](const StopToken&) { return list->scenario(list->parts(run)); });
 }
 
 std::optional<Scenario> BatchDialog::take_run() {

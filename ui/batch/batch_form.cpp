@@ -97,7 +97,7 @@ void BatchForm::take_experiment(const std::string& path) {
   const std::string beside = file_folder(path);
   folder_ =
       std::filesystem::exists(beside + "/batch.json") ? beside : beside + "/" + file_stem(path) + "-results";
-  loader_.start([experiment = *from_file_](const std::stop_token&) {
+  loader_.start([experiment = *from_file_](const StopToken&) {
     const auto list = RunList::load(experiment);
     return list ? Loaded{"", list->count()} : Loaded{list.error(), 0};
   });

@@ -95,7 +95,7 @@ struct Canvas::Parts {
 
   ImGuiRenderer& renderer;
   SceneMemory memory;
-  FreshPlans plans;
+  std::optional<FreshPlans> plans;  // once the session has told where they are made
   Scene scene;
   std::optional<SceneKey> key;
   ImTextureID texture = nullptr;
@@ -132,7 +132,7 @@ bool Canvas::behind() const {
 
 bool Canvas::animating() const {
   const bool fills_in = parts_->orbits && parts_->orbit && parts_->orbit->behind();
-  return parts_->zooming.active || parts_->plans.busy() || parts_->behind || fills_in;
+  return parts_->zooming.active || (parts_->plans && parts_->plans->busy()) || parts_->behind || fills_in;
 }
 
 const Scene& Canvas::scene() const {
@@ -453,7 +453,8 @@ void Canvas::draw(const Look& look, const Session& session, std::size_t pane, Vi
   }
   const bool leads = interactive && session.runs().size() > 1 && pane == session.lead();
   if (leads) list.AddRectFilled(min, {max.x, min.y + look.px(2)}, look.theme.accent);
-  parts.chips = draw_chips(look, list, run, parts.scene, parts.memory, parts.plans, state,
+  if (!parts.plans) parts.plans.emplace(session.work());
+  parts.chips = draw_chips(look, list, run, parts.scene, parts.memory, *parts.plans, state,
                            {parts.sheet, bar, parts.orbits}, min, max, interactive, parts.card);
   if (bar)
     draw_slice_bar(look, parts.sheet, pane, state, {min.x + look.px(12), min.y + pane_title_height(look)},

@@ -35,7 +35,7 @@ bool map_file_holds(const Scenario& scenario, const std::string& folder) {
 }  // namespace
 
 Result<Scenario> open_document(const std::string& path, const Scenario& current, const MapReading& reading,
-                               const std::stop_token& stop) {
+                               const StopToken& stop) {
   if (path.empty()) return Error{"Type the path of a scenario (.json), a map (.map) or a picture (.png)."};
   if (file_extension(path) == ".json") {
     Result<Scenario> scenario = read_scenario(path);

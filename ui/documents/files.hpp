@@ -1,10 +1,10 @@
 // Opening and saving: what kinds of file there are and what becomes of them.
 #pragma once
 
-#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "core/base/stop.hpp"
 #include "core/session/session.hpp"
 #include "core/world/map_reading.hpp"
 #include "ui/canvas/canvas.hpp"
@@ -15,7 +15,7 @@ namespace replan::ui {
 /// with ones far apart in its largest open region, and with those planners and the robot of `current` that such a world
 /// can have. Errors say what now. Slow for a large map: not for the drawing thread.
 Result<Scenario> open_document(const std::string& path, const Scenario& current,
-                               const MapReading& reading = {}, const std::stop_token& stop = {});
+                               const MapReading& reading = {}, const StopToken& stop = {});
 /// An all-free world with the planners and the robot of `current`.
 Scenario empty_world(const Box& size, const Scenario& current);
 /// Whether save_document() keeps everything that this file held, so that Ctrl+S may write to it without

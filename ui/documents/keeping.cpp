@@ -65,8 +65,9 @@ void Documents::remember(const std::string& path) {
 /// Begins to read a document; take_loaded() takes it over.
 void Documents::load(Session& session, Loading what) {
   const std::string path = what.path;
+  // Reading a file cannot be cut up: in step the window stands still for it, after a frame that says so.
   loader_->start(
-      [what = std::move(what), current = without_world(session.scenario())](const std::stop_token& stop) {
+      [what = std::move(what), current = without_world(session.scenario())](const StopToken& stop) {
         // The stamp is taken first: what is written while the file is read is then seen as a change.
         Loaded loaded{what, Error{""}, {stamped(what.path)}};
         if (what.from == Loading::From::autosave) {

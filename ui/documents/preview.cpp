@@ -91,7 +91,7 @@ std::vector<std::uint32_t> coloured(const Thumbnail& thumbnail, const Theme& the
   return pixels;
 }
 
-Preview make_preview(const std::string& path, const MapReading& reading, const std::stop_token& stop) {
+Preview make_preview(const std::string& path, const MapReading& reading, const StopToken& stop) {
   Preview preview;
   std::error_code failed;
   const std::uint64_t bytes = std::filesystem::file_size(path, failed);

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "core/base/stop.hpp"
 #include "core/world/map_reading.hpp"
 #include "core/world/scenario.hpp"
 #include "ui/theme.hpp"
@@ -48,6 +48,6 @@ struct Preview {
 inline constexpr std::uint64_t kMostPreviewBytes = 48u << 20;
 
 /// Reads a scenario or a map for its preview. Slow for large files: not for the drawing thread.
-Preview make_preview(const std::string& path, const MapReading& reading, const std::stop_token& stop);
+Preview make_preview(const std::string& path, const MapReading& reading, const StopToken& stop);
 
 }  // namespace replan::ui

@@ -21,7 +21,7 @@ WorldLibrary::WorldLibrary(std::string folder, WorkPlace place)
 void WorldLibrary::refresh() {
   if (folder_.empty()) return;
   reader_->cancel();
-  finder_->start([folder = folder_](const std::stop_token&) {
+  finder_->start([folder = folder_](const StopToken&) {
     std::vector<StampedFile> files;
     for (const std::string& path : library_files(folder)) files.push_back(stamped(path));
     return files;
@@ -59,7 +59,8 @@ void WorldLibrary::read_next() {
                                  [](const LibraryWorld& world) { return !world.looked_at; });
   if (next == worlds_.end()) return;
   const auto index = static_cast<std::size_t>(next - worlds_.begin());
-  reader_->start([index, path = next->path](const std::stop_token& stop) {
+  // One file at a time; none can be cut up.
+  reader_->start([index, path = next->path](const StopToken& stop) {
     return Read{index, make_preview(path, {}, stop)};
   });
 }

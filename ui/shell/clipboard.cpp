@@ -65,17 +65,13 @@ void say(PanelState& panels, std::string sentence, bool bad = false) {
   panels.tone = bad ? Tone::bad : Tone::done;
 }
 
-WorkPlace place_for(bool large) {
-  return {.in_step = !large, .wake = {}};
-}
-
 }  // namespace
 
 StateCopy::StateCopy(const Session& session, const CaseFocus& focus)
     : draft_(draft_case(session.run().scenario(), session.run().log_view(), focus)),
       hash_(session.run().timeline().state()),
-      scenario_(place_for(session.run().lattice().node_count() > kLargeWorld)) {
-  scenario_.start([held = session.snapshot()](const std::stop_token&) { return case_scenario(*held); });
+      scenario_(session.work().only_if(session.run().lattice().node_count() > kLargeWorld)) {
+  scenario_.start([held = session.snapshot()](const StopToken&) { return case_scenario(*held); });
 }
 
 std::optional<std::string> StateCopy::go_on(const Deadline& deadline) {
@@ -84,10 +80,9 @@ std::optional<std::string> StateCopy::go_on(const Deadline& deadline) {
   return complete(draft_, hash_.value(), *scenario_text_);
 }
 
-CellsCopy::CellsCopy(MapFile world, const CellBox& region, std::string said)
-    : text_(place_for(world.map.blocked.size() > kLargeWorld)), said_(std::move(said)) {
-  text_.start(
-      [world = std::move(world), region](const std::stop_token&) { return ascii_text(world, region); });
+CellsCopy::CellsCopy(const WorkPlace& place, MapFile world, const CellBox& region, std::string said)
+    : text_(place.only_if(world.map.blocked.size() > kLargeWorld)), said_(std::move(said)) {
+  text_.start([world = std::move(world), region](const StopToken&) { return ascii_text(world, region); });
 }
 
 PastedText read_pasted(const std::string& text, const PastePlace& place) {
@@ -105,7 +100,8 @@ void ActionContext::copy_world() {
 }
 
 void ActionContext::copy_cells(MapFile world, const CellBox& region, std::string said) {
-  panels.clipboard.cells = std::make_unique<CellsCopy>(std::move(world), region, std::move(said));
+  panels.clipboard.cells =
+      std::make_unique<CellsCopy>(session.work(), std::move(world), region, std::move(said));
   go_on_copying();
 }
 
@@ -155,8 +151,9 @@ void ActionContext::paste() {
   PastePlace place{view.editing.region ? view.editing.region->low
                                        : view.view.pinned.value_or(view.view.hovered.value_or(Cell{0, 0})),
                    map.box(), standing(session)};
-  panels.clipboard.paste = std::make_unique<Background<PastedText>>(place_for(held.size() > kLongText));
-  panels.clipboard.paste->start([held = std::move(held), place = std::move(place)](const std::stop_token&) {
+  panels.clipboard.paste =
+      std::make_unique<Background<PastedText>>(session.work().only_if(held.size() > kLongText));
+  panels.clipboard.paste->start([held = std::move(held), place = std::move(place)](const StopToken&) {
     return read_pasted(held, place);
   });
   go_on_pasting();

@@ -36,7 +36,7 @@ class StateCopy {
 /// The text of cells that are being copied, and what to say once it is on the clipboard.
 class CellsCopy {
  public:
-  CellsCopy(MapFile world, const CellBox& region, std::string said);
+  CellsCopy(const WorkPlace& place, MapFile world, const CellBox& region, std::string said);
 
   /// The text, once, when it is complete.
   std::optional<std::string> take() { return text_.take(); }

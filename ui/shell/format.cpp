@@ -5,10 +5,6 @@
 
 namespace replan::ui {
 
-std::string grouped(std::size_t number) {
-  return grouped(static_cast<std::int64_t>(number));
-}
-
 std::string fixed(double number, int decimals) {
   return decimal_text(number, decimals);
 }
@@ -17,7 +13,7 @@ std::string node_text(const Run& run, NodeId node) {
   return replan::node_text(run.lattice(), node);
 }
 
-std::string bytes_text(std::size_t bytes) {
+std::string bytes_text(std::uint64_t bytes) {
   const double size = static_cast<double>(bytes);
   if (size < 1e3) return std::to_string(bytes) + " B";
   if (size < 1e6) return fixed(size / 1e3, 1) + " kB";

@@ -1,6 +1,7 @@
 // Numbers, cells and events as the window prints them.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <string>
 
@@ -13,13 +14,16 @@
 namespace replan::ui {
 
 /// "9 214": thousands apart, as grouped(std::int64_t).
-std::string grouped(std::size_t number);
+template <std::unsigned_integral Number>
+std::string grouped(Number number) {
+  return grouped(static_cast<std::int64_t>(number));
+}
 std::string fixed(double number, int decimals);
 using replan::cost_text;
 /// "(31, 18)", or "none" for kNoNode.
 std::string node_text(const Run& run, NodeId node);
 /// "1.4 MB".
-std::string bytes_text(std::size_t bytes);
+std::string bytes_text(std::uint64_t bytes);
 /// When it was, in local time and as short as it is clear: "10:42" today, "3 May 10:42" this year, else
 /// "2024-05-03". `seconds` since 1970.
 std::string date_text(std::int64_t seconds);

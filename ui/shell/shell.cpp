@@ -64,6 +64,7 @@ void Shell::draw(const Look& look, Session& session, double) {
   view_.view.scale = static_cast<double>(look.px.scale);
   Frame frame{look, session, view_, panels_, commands, wish};
   take_keys(frame);
+  share_.see(held_);
   for (const ActionId id : std::exchange(next_actions_, {})) perform(frame, id);
   pin_difference(frame);
   draw_parts(frame);
@@ -97,9 +98,9 @@ bool Shell::wants_frames(const Session& session) const {
   const bool busy =
       std::any_of(session.runs().begin(), session.runs().end(), [](const auto& run) { return run->busy(); });
   const bool debugging = session.checks().busy() || session.breakpoints().hunt();
-  return busy || debugging || session.playback().direction != 0 || session.revision() != drawn_ || held_ ||
-         panels_.animated || dialogs_.animated() || export_.busy() || panels_.clipboard.busy() || awaited_ ||
-         panes_.animating();
+  return busy || session.has_steps() || debugging || session.playback().direction != 0 ||
+         session.revision() != drawn_ || held_ || panels_.animated || dialogs_.animated() || export_.busy() ||
+         panels_.clipboard.busy() || awaited_ || panes_.animating();
 }
 
 namespace {

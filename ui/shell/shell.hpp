@@ -17,6 +17,7 @@
 #include "ui/shell/dialogs.hpp"
 #include "ui/shell/dialogs/world_dialogs.hpp"
 #include "ui/shell/frame.hpp"
+#include "ui/shell/frame_share.hpp"
 #include "ui/shell/lesson_card.hpp"
 #include "ui/shell/message.hpp"
 #include "ui/shell/trace_export.hpp"
@@ -33,6 +34,11 @@ class Shell {
   void draw(const Look& look, Session& session, double seconds);
   /// Whether the next frame is due at once, without any input: something plays, searches or fades.
   [[nodiscard]] bool wants_frames(const Session& session) const;
+
+  /// In step: how many milliseconds the next session.update() may take, if drawing takes so many.
+  [[nodiscard]] double work_share(const Session& session, double drawing_ms) const {
+    return share_.of(session, drawing_ms);
+  }
 
   [[nodiscard]] ViewState& view() { return view_; }
   [[nodiscard]] const ViewState& view() const { return view_; }
@@ -111,6 +117,7 @@ class Shell {
   CommandPalette palette_;
   std::optional<ActionId> let_go_;  // to be done once its key is let go
   std::optional<Paused> paused_;
+  FrameShare share_;
   LessonCard lesson_;
   TraceExport export_;
   std::optional<Awaited> awaited_;

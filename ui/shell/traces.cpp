@@ -69,8 +69,8 @@ void Shell::arrive_at_moment(Session& session) {
 
 /// Whether it is the moment that was copied shows once its state is read, which may take more than this frame.
 void Shell::compare_moment() {
-  constexpr double kSliceMs = 8;
-  if (!awaited_->hash->advance(Deadline(kSliceMs))) return;
+  constexpr double kCompareMs = 8;
+  if (!awaited_->hash->advance(Deadline(kCompareMs))) return;
   const Awaited moment = *std::exchange(awaited_, std::nullopt);
   const bool same = moment.hash->value() == moment.state;
   tell(same ? "At event " + grouped(moment.event) + ", as it was copied"

@@ -75,9 +75,11 @@ void FamilyView::follow(Frame& frame) {
   }
   const bool whole = !frame.view.live || !large;
   if (auto table = reader_.read(whole ? Deadline::never() : Deadline(kFamilyMs))) {
-    if (!job_) job_ = std::make_unique<Background<Tree>>(WorkPlace{.in_step = whole, .wake = {}});
-    job_->start([table = std::move(table)](const std::stop_token& stop) {
-      return std::make_shared<const ParentTree>(table, stop);
+    if (!job_) job_ = std::make_unique<Background<Tree>>(frame.session.work().only_if(!whole));
+    job_->start_slices([builder = std::make_shared<ParentTreeBuilder>(std::move(table))](
+                           const StopToken&) -> std::optional<Tree> {
+      if (builder->advance()) return std::nullopt;
+      return std::make_shared<const ParentTree>(builder->take());
     });
   }
   if (job_)
@@ -90,13 +92,14 @@ void FamilyView::follow_below(Frame& frame) {
   const std::size_t nodes = frame.run().lattice().node_count();
   if (tree_ && (below_tree_ != tree_ || below_point_ != point_)) {
     const bool many = frame.view.live && nodes > kLargeWorld;
-    if (!below_job_)
-      below_job_ = std::make_unique<Background<Cells>>(WorkPlace{.in_step = !many, .wake = {}});
+    if (!below_job_) below_job_ = std::make_unique<Background<Cells>>(frame.session.work().only_if(many));
     if (below_point_ != point_) below_.reset();
     below_tree_ = tree_;
     below_point_ = point_;
-    below_job_->start([tree = tree_, point = point_, nodes](const std::stop_token& stop) {
-      return std::make_shared<const CellSet>(cells_below(*tree, point, nodes, stop));
+    below_job_->start_slices([below = std::make_shared<CellsBelow>(tree_, point_, nodes)](
+                                 const StopToken&) -> std::optional<Cells> {
+      if (below->advance()) return std::nullopt;
+      return std::make_shared<const CellSet>(below->take());
     });
   }
   if (!below_job_) return;

@@ -132,7 +132,8 @@ void export_menu(Frame& frame) {
 }  // namespace
 
 /// The figures of the first plan, on the map that it was made for, as far as they are worked out.
-FiguresTab::Kept& FiguresTab::kept(const Run& run, std::size_t pane) {
+FiguresTab::Kept& FiguresTab::kept(const Session& session, std::size_t pane) {
+  const Run& run = *session.runs()[pane];
   if (kept_.size() <= pane) kept_.resize(pane + 1);
   std::unique_ptr<Kept>& kept = kept_[pane];
   const Decision& first = run.decisions().front();
@@ -140,9 +141,10 @@ FiguresTab::Kept& FiguresTab::kept(const Run& run, std::size_t pane) {
     const Timeline& log = run.timeline();
     SharedBytes known =
         log.cursor() == first.event ? log.state().known_map() : log.state_at(first.event).known_map();
-    kept = std::make_unique<Kept>(run.lattice().node_count() > kLargeWorld);
+    kept = std::make_unique<Kept>(session.work().only_if(run.lattice().node_count() > kLargeWorld));
     kept->plan = first.plan;
-    kept->job.start([box = run.lattice(), map = std::move(known), plan = first.plan](const std::stop_token&) {
+    // Cannot be cut up: clearances need a transform of the whole map.
+    kept->job.start([box = run.lattice(), map = std::move(known), plan = first.plan](const StopToken&) {
       return path_figures(box, map.plain(), *plan->path);
     });
   }
@@ -155,7 +157,7 @@ std::vector<RunReport> FiguresTab::as_known(const Session& session, const ViewSt
   for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
     const Run& run = *session.runs()[pane];
     const Decision* decision = run.decision_at(run.timeline().cursor());
-    const auto& figures = decision == nullptr ? std::nullopt : kept(run, pane).figures;
+    const auto& figures = decision == nullptr ? std::nullopt : kept(session, pane).figures;
     if (!figures) {
       reports.emplace_back();
       reports.back().planner = run.choice().id;

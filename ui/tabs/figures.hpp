@@ -29,9 +29,9 @@ class FiguresTab final : public SideTab {
     std::optional<PathFigures> figures;
     Background<PathFigures> job;
 
-    explicit Kept(bool large) : job(WorkPlace{.in_step = !large, .wake = {}}) {}
+    explicit Kept(const WorkPlace& place) : job(place) {}
   };
-  Kept& kept(const Run& run, std::size_t pane);
+  Kept& kept(const Session& session, std::size_t pane);
   [[nodiscard]] std::vector<RunReport> as_known(const Session& session, const ViewState& view);
 
   std::vector<std::unique_ptr<Kept>> kept_;

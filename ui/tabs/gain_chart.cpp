@@ -71,14 +71,16 @@ std::optional<double> GainChart::optimum_of(Frame& frame, const Curve& curve) {
   const Run& run = frame.run();
   const std::size_t at = plan_end(run, curve.begin, curve.end);
   const bool same = optimum_ && optimum_->log_id == curve.log_id && optimum_->begin == curve.begin;
-  if (!same || (!optimum_->has_ends && optimum_->at != at)) begin_optimum(run, curve, at, frame.view.live);
+  if (!same || (!optimum_->has_ends && optimum_->at != at)) begin_optimum(frame, curve, at);
   if (const auto done = optimum_->job.take()) optimum_->length = *done;
   if (optimum_->job.busy()) frame.panels.animated = true;
   return optimum_->length;
 }
 
-void GainChart::begin_optimum(const Run& run, const Curve& curve, std::size_t at, bool live) {
-  optimum_ = std::make_unique<Optimum>(live || run.lattice().node_count() > kLargeWorld);
+void GainChart::begin_optimum(const Frame& frame, const Curve& curve, std::size_t at) {
+  const Run& run = frame.run();
+  const bool large = run.lattice().node_count() > kLargeWorld;
+  optimum_ = std::make_unique<Optimum>(frame.session.work().only_if(frame.view.live || large));
   optimum_->log_id = curve.log_id;
   optimum_->begin = curve.begin;
   optimum_->at = at;
@@ -86,11 +88,10 @@ void GainChart::begin_optimum(const Run& run, const Curve& curve, std::size_t at
   const NodeId start = state.node(Scalar::start), goal = state.node(Scalar::goal);
   optimum_->has_ends = start != kNoNode && goal != kNoNode;
   if (!optimum_->has_ends) return;
-  optimum_->job.start([box = run.lattice(), known = state.known_map(), start, goal, choice = run.choice(),
-                       radius = run.scenario().robot.radius](const std::stop_token& stop) {
-    return shortest_of_all(box, known, box.position(start), box.position(goal), choice, radius,
-                           std::numeric_limits<double>::infinity(), stop);
-  });
+  auto search = std::make_shared<ShortestSearch>(run.lattice(), state.known_map(),
+                                                 run.lattice().position(start), run.lattice().position(goal),
+                                                 run.choice(), run.scenario().robot.radius);
+  optimum_->job.start_slices([search = std::move(search)](const StopToken&) { return search->advance(); });
 }
 
 void GainChart::draw(Frame& frame, float height) {

@@ -39,14 +39,14 @@ class GainChart {
     std::optional<double> length;
     Background<std::optional<double>> job;
 
-    explicit Optimum(bool beside) : job(WorkPlace{.in_step = !beside, .wake = {}}) {}
+    explicit Optimum(const WorkPlace& place) : job(place) {}
   };
   const Curve& curve_of(Frame& frame, std::size_t pane);
   std::optional<double> optimum_of(Frame& frame, const Curve& curve);
   std::vector<CurveKey> draw_curves(const Frame& frame, CostChart& chart,
                                     std::optional<double> optimum) const;
   void tell_gain(Frame& frame, const CostChart& chart, std::optional<double> optimum);
-  void begin_optimum(const Run& run, const Curve& curve, std::size_t at, bool live);
+  void begin_optimum(const Frame& frame, const Curve& curve, std::size_t at);
 
   std::vector<Curve> curves_;
   std::unique_ptr<Optimum> optimum_;

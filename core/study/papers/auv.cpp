@@ -202,7 +202,7 @@ Result<StudyReport> run_auv(const StudyWatch& watch) {
     worlds.push_back({std::move(*plane), std::move(*space)});
   }
   const bool whole = run_all(report, watch, [&](std::size_t world, std::size_t planner, std::uint64_t seed) {
-    return auv_run(worlds[seed - 1][world], (*entries)[planner].choice);
+    return auv_run(worlds[static_cast<std::size_t>(seed - 1)][world], (*entries)[planner].choice);
   });
   if (!whole) return report;
   const auto greater = [](const AuvPair& pair) { return pair.improved > pair.plain; };

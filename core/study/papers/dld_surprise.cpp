@@ -175,7 +175,7 @@ Result<StudyReport> run_surprise(const StudyWatch& watch) {
                    {"way", "Way from there to the goal", kWayBehind},
                    {"work", "Expansions of the repair", kReplanWork, StudyChart::Form::bars, true}};
   const bool whole = run_all(report, watch, [&](std::size_t, std::size_t planner, std::uint64_t seed) {
-    return surprise_run((*maps)[seed - 1], (*entries)[planner].choice);
+    return surprise_run((*maps)[static_cast<std::size_t>(seed - 1)], (*entries)[planner].choice);
   });
   if (whole)
     report.claims = {gap_claim(report), work_claim(report), safety_claim(report),

@@ -87,8 +87,9 @@ class NpyParser {
     const std::uint64_t length = bytes_.size() < begin ? kMaxHeader + 1 : number_at(bytes_, 8, wide, false);
     if (length > static_cast<std::uint64_t>(kMaxHeader) || bytes_.size() - begin < length)
       return wrong("the header ends early or is longer than any of two dimensions");
-    rest_ = bytes_.substr(begin, length);
-    values_ = bytes_.substr(begin + length);
+    const std::size_t end = begin + static_cast<std::size_t>(length);
+    rest_ = bytes_.substr(begin, end - begin);
+    values_ = bytes_.substr(end);
     return {};
   }
 

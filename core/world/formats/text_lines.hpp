@@ -5,6 +5,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+
+#include "core/base/real_text.hpp"
 
 namespace replan {
 
@@ -60,10 +63,14 @@ inline std::string_view take_word(std::string_view& line) {
 /// The number that a whole word spells, or nothing (also if it does not fit).
 template <class Number>
 std::optional<Number> number_from(std::string_view word) {
-  Number value{};
-  const auto [end, failed] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (word.empty() || failed != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-  return value;
+  if constexpr (std::is_same_v<Number, double>) {
+    return real_from(word);
+  } else {
+    Number value{};
+    const auto [end, failed] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (word.empty() || failed != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+    return value;
+  }
 }
 
 /// A text of somebody else's as part of an error: on one line, without control characters.

@@ -75,8 +75,8 @@ void FileDialog::go_up() {
 
 void FileDialog::read() {
   if (spec_.fixed)
-    return reader_.start([entries = spec_.fixed->entries](const std::stop_token&) { return entries; });
-  reader_.start([folder = shown_](const std::stop_token&) { return read_folder(folder); });
+    return reader_.start([entries = spec_.fixed->entries](const StopToken&) { return entries; });
+  reader_.start([folder = shown_](const StopToken&) { return read_folder(folder); });
 }
 
 /// Shows the folder of a path that is being typed, with what is called as its last part begins.

@@ -55,7 +55,8 @@ void PreviewPane::show(const std::string& folder, const FileEntry* entry) {
 }
 
 void PreviewPane::begin() {
-  job_.start([path = path_, reading = reading_](const std::stop_token& stop) {
+  // Cannot be cut up; files above kMostPreviewBytes are not read.
+  job_.start([path = path_, reading = reading_](const StopToken& stop) {
     return make_preview(path, reading, stop);
   });
 }

@@ -62,7 +62,7 @@ void WorldDialogs::show_resize(const Session& session, const WorkPlace& place) {
   sketch_ = front_ = MapSketch();
   error_.clear();
   preview_ = std::make_unique<Background<Preview>>(place);
-  preview_->start([map = std::move(map)](const std::stop_token&) {
+  preview_->start([map = std::move(map)](const StopToken&) {
     return Preview{MapSketch(map), MapSketch(map, Axis::y), "", map.box()};
   });
 }
@@ -137,7 +137,8 @@ void WorldDialogs::make_preview() {
   const std::int64_t cells = std::int64_t{wanted_.width} * wanted_.height * wanted_.layers;
   if (stale_ && (cells <= kQuickCells || !ImGui::IsMouseDown(0))) {
     stale_ = false;
-    preview_->start([wanted = wanted_](const std::stop_token&) {
+    // A generator cannot be cut up.
+    preview_->start([wanted = wanted_](const StopToken&) {
       const Box size(wanted.width, wanted.height, wanted.layers);
       const Result<GridMap> map = replan::generate(wanted.generator, wanted.settings, size, wanted.seed);
       if (!map) return Preview{{}, {}, map.error(), size};
