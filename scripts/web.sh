@@ -108,7 +108,7 @@ build_page() {
 install_packages "${build_packages[@]}" "${web_packages[@]}"
 make_prefix
 case ${1:-} in
-  '') echo later ;;
+  '') build_page ;;
   --node) build_node ;;
   *) echo "usage: scripts/web.sh [--node]" >&2 && exit 2 ;;
 esac

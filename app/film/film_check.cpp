@@ -69,6 +69,8 @@ bool is_whole_film(int file, FilmFormat format) {
       return is_whole_gif(file, info.st_size);
     case FilmFormat::webp:
       return is_whole_webp(file, info.st_size);
+    case FilmFormat::webm:  // a browser's, which FFmpeg is not asked for
+      return false;
     case FilmFormat::mp4:
       return is_whole_mp4(file, info.st_size);
   }
