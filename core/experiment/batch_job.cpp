@@ -1,7 +1,10 @@
 #include "core/experiment/batch_job.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <deque>
+#include <iterator>
 #include <mutex>
 #include <new>
 
@@ -35,10 +38,10 @@ class BatchJob::Shared {
     return paused_;
   }
 
-  void begin(std::shared_ptr<const RunList> list, std::span<const RunResult> kept) {
+  void begin(std::shared_ptr<const RunList> list, std::vector<RunResult> kept) {
     const std::lock_guard lock(mutex_);
     list_ = std::move(list);
-    fresh_.assign(kept.begin(), kept.end());
+    fresh_.assign(std::make_move_iterator(kept.begin()), std::make_move_iterator(kept.end()));
     done_ = kept.size();
     restart_clock();
   }
@@ -57,9 +60,12 @@ class BatchJob::Shared {
     resumed_.wait(lock, stop_.get_token(), [this] { return !paused_; });
   }
 
-  std::vector<RunResult> take() {
+  std::vector<RunResult> take(std::size_t most) {
     const std::lock_guard lock(mutex_);
-    return std::exchange(fresh_, {});
+    const auto end = fresh_.begin() + static_cast<std::ptrdiff_t>(std::min(most, fresh_.size()));
+    std::vector<RunResult> taken(std::make_move_iterator(fresh_.begin()), std::make_move_iterator(end));
+    fresh_.erase(fresh_.begin(), end);
+    return taken;
   }
   [[nodiscard]] std::shared_ptr<const RunList> list() const {
     const std::lock_guard lock(mutex_);
@@ -85,7 +91,7 @@ class BatchJob::Shared {
   std::condition_variable_any resumed_;
   std::stop_source stop_;
   std::shared_ptr<const RunList> list_;
-  std::vector<RunResult> fresh_;
+  std::deque<RunResult> fresh_;
   bool paused_ = false;
   std::size_t done_ = 0;
   std::size_t made_ = 0;  // since begun_
@@ -113,7 +119,9 @@ BatchEnd make_batch(const BatchRequest& request, S& shared, const std::function<
   const auto list = std::make_shared<const RunList>(std::move(loaded.value()));
   auto folder = ResultsFolder::open(request.folder, *list, {});
   if (!folder) return {false, folder.error()};
-  shared.begin(list, folder->results());
+  const auto missing = folder->missing();
+  shared.begin(list, folder->hand_over());
+  if (missing.empty() && folder->has_result_files()) return {true, ""};
   Result<void> kept;
   const auto take = [&](const RunResult& result) {
     kept = folder->add(result);
@@ -122,7 +130,7 @@ BatchEnd make_batch(const BatchRequest& request, S& shared, const std::function<
     shared.wait_while_paused();
     return true;
   };
-  const bool all = make_runs(*list, folder->missing(), request.jobs, {.take = take, .stop = shared.token()});
+  const bool all = make_runs(*list, missing, request.jobs, {.take = take, .stop = shared.token()});
   if (!kept) return {false, kept.error()};
   if (!all) return {};
   if (const auto written = folder->write_results(); !written) return {false, written.error()};
@@ -163,8 +171,8 @@ BatchProgress BatchJob::progress() const {
   return shared_ ? shared_->progress() : BatchProgress{};
 }
 
-std::vector<RunResult> BatchJob::take_results() {
-  return shared_ ? shared_->take() : std::vector<RunResult>();
+std::vector<RunResult> BatchJob::take_results(std::size_t most) {
+  return shared_ ? shared_->take(most) : std::vector<RunResult>();
 }
 
 std::shared_ptr<const RunList> BatchJob::list() const {
