@@ -20,6 +20,7 @@
 #include "app/render.hpp"
 #include "core/base/file.hpp"
 #include "core/base/folders.hpp"
+#include "core/experiment/held_results.hpp"
 #include "core/plan/pages.hpp"
 #include "core/world/library.hpp"
 #include "ui/documents/files.hpp"
@@ -68,18 +69,20 @@ Scenario built_in_world() {
 struct Opened {
   Scenario scenario;
   std::string file;
+  std::string batch = {};  ///< an experiment, or results of one, to be shown over the scenario; empty: none
 };
 
 Result<Opened> first_document(const std::optional<std::string>& file) {
-  if (file) {
+  const bool batch = file && batch_paper(*file) != BatchPaper::none;
+  if (file && !batch) {
     const Result<Scenario> opened = ui::open_document(*file, built_in_world());
     if (!opened) return Error{opened.error()};
-    return Opened{*opened, *file};
+    return Opened{*opened, *file, {}};
   }
   const std::filesystem::path demo = std::filesystem::path(assets_folder()) / "../maps/demo.json";
   // The demo is nobody's file: saving asks for a name.
   const Result<Scenario> opened = read_scenario(demo.lexically_normal().string());
-  return Opened{opened ? *opened : built_in_world(), {}};
+  return Opened{opened ? *opened : built_in_world(), {}, batch ? *file : ""};
 }
 
 /// Facts of the session for the tests of the window.
@@ -109,6 +112,7 @@ class Program {
  public:
   Program(Opened document, Remembered remembered)
       : remembered_(std::move(remembered)),
+        batch_(std::move(document.batch)),
         session_(std::move(document.scenario), std::move(document.file)) {}
 
   Result<void> open();
@@ -128,7 +132,8 @@ class Program {
 
   Clock::time_point begun_ = Clock::now();
   Remembered remembered_;
-  Session session_;  // plans while the window is being opened
+  std::string batch_;  // what the window begins with, if that is no world
+  Session session_;    // plans while the window is being opened
   std::unique_ptr<Window> window_;
   std::unique_ptr<ui::Shell> shell_;  // goes before the window: it holds textures
   Clock::time_point last_ = Clock::now();
@@ -180,7 +185,10 @@ Result<void> Program::open() {
   window_->on_close([this] { return shell_->documents().may_close(session_); });
   shell_->documents().settle_in(session_,
                                 {state_folder(), library_folder(), {false, [] { Window::wake(); }}});
-  if (remembered_.first_start && session_.file().empty()) shell_->welcome();
+  if (!batch_.empty())
+    shell_->show_batch(session_, batch_);
+  else if (remembered_.first_start && session_.file().empty())
+    shell_->welcome();
   return {};
 }
 

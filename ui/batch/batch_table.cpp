@@ -12,11 +12,11 @@ namespace replan::ui {
 namespace {
 
 constexpr std::array<BatchColumnInfo, kBatchColumns> kInfos = {
-    {{"run", "", "Run", "Its number. The same experiment gives the same run the same number everywhere.", 60,
+    {{"run", "", "Run", "Its number. The same experiment gives the same run the same number everywhere.", 80,
       false, true},
-     {"world", "", "World", "The file of its world, and the line of its problem where that has several.", 96,
+     {"world", "", "World", "The file of its world, and the line of its problem where that has several.", 88,
       true, false},
-     {"planner", "", "Planner", "Who planned, with settings that are not the usual ones.", 200, true, true},
+     {"planner", "", "Planner", "Who planned, with settings that are not the usual ones.", 190, true, true},
      {"surprises", "", "Surprises", "What happens while the robot drives.", 188, true, false},
      {"seed", "", "Seed", "What chance was drawn from.", 52, false, false},
      {"status", "", "Status", "How the run ended.", 80, true, true},

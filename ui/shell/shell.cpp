@@ -42,7 +42,8 @@ bool is_quiet(const Command& command) {
 
 Shell::Shell(ImGuiRenderer& renderer)
     : panes_(renderer),
-      documents_({view_, panels_, dialogs_, message_, [this](const ViewSetup& view) { show(view); }}),
+      documents_({view_, panels_, dialogs_, message_, [this](const ViewSetup& view) { show(view); },
+                  [this](const Session& session, const std::string& path) { show_batch(session, path); }}),
       dialogs_(renderer) {}
 
 ActionContext context_of(Frame& frame) {
@@ -98,8 +99,8 @@ bool Shell::wants_frames(const Session& session) const {
       std::any_of(session.runs().begin(), session.runs().end(), [](const auto& run) { return run->busy(); });
   const bool debugging = session.checks().busy() || session.breakpoints().hunt();
   return busy || debugging || session.playback().direction != 0 || session.revision() != drawn_ || held_ ||
-         panels_.animated || dialogs_.animated() || export_.busy() || panels_.clipboard.busy() || awaited_ ||
-         panes_.animating();
+         panels_.animated || dialogs_.animated() || export_.busy() || batch_.behind() ||
+         panels_.clipboard.busy() || awaited_ || panes_.animating();
 }
 
 namespace {
