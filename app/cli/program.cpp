@@ -119,7 +119,7 @@ int run_program(int argc, char** argv) {
   program.get_formatter()->label("Positionals", "Arguments");
   program.get_formatter()->label("TEXT", "");
   std::string file;
-  program.add_option("FILE", file, "A scenario or a map to open in the window");
+  program.add_option("FILE", file, "A scenario, a map or an experiment to open in the window");
   std::vector<Command> commands = {add_run(program),     add_batch(program),   add_merge(program),
                                    add_compare(program), add_anytime(program), add_barn(program),
                                    add_study(program)};

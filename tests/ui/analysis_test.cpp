@@ -149,6 +149,19 @@ TEST_F(AnalysisTest, BeforeTheFirstPointItSpeaksOfThePlannersOwnSteps) {
   }
 }
 
+/// In a window of 1280 x 800, whose bar has one row.
+TEST_F(AnalysisTest, IsBehindTheDotsAtTheEndOfTheBar) {
+  run_demo();
+  shell_->view().tab = "cell";
+  frames(3);
+  click({1267, 56});
+  EXPECT_EQ(shell_->view().tab, "cell");
+  click({1185, 90});
+  EXPECT_EQ(shell_->view().tab, "analysis");
+  frames(3);
+  EXPECT_TRUE(has_scatter(*session_, shell_->panels()));
+}
+
 TEST_F(AnalysisTest, WithoutARunOrParentsItSaysSo) {
   run_demo("improved-ga");
   to(0);

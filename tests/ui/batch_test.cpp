@@ -46,7 +46,7 @@ RunList list_in(const std::string& folder) {
 
 // Where things are in a window of 1280 x 800.
 const ImVec2 kOpenExperiment{370, 182}, kSaveExperiment{574, 182}, kFirstButton{82, 93},
-    kSecondButton{176, 93}, kChooseFolder{870, 560}, kChoose{1080, 700}, kLengthHead{805, 369},
+    kSecondButton{176, 93}, kChooseFolder{870, 560}, kChoose{1080, 700}, kLengthHead{720, 369},
     kFirstRow{400, 392};
 
 class BatchTest : public ShellTest {

@@ -241,8 +241,9 @@ void BatchDialog::draw_prospect(const Look& look) const {
   if (const auto runs = form_->runs())
     paragraph(look.fonts.ui, look.theme.dim,
               "That makes " + runs_text(static_cast<std::size_t>(*runs)) + "." +
-                  (form_->seeds_are_one() ? " Where nothing is drawn by chance, one seed says it all." : "") +
-                  (*runs > 1 ? " How long that takes is told after the first." : ""));
+                  (form_->seeds_are_one() ? " Where nothing is drawn by chance, one seed says it all."
+                   : *runs > 1            ? " How long that takes is told after the first of them."
+                                          : ""));
 }
 
 void BatchDialog::draw_form(const Look& look) {

@@ -104,8 +104,8 @@ std::pair<std::string, std::string> shorter_path(const Frame& frame, const std::
   const std::string cost = cost_to_fall_below(
       best == 0 ? std::nullopt : std::optional(Cost{static_cast<std::int64_t>(best)}.to_double()), least);
   const LengthUnit lengths = shown_lengths(frame.view, scenario.map);
-  return {"best < " + cost, what + " has become that short, in cells" +
-                                (lengths.metric() ? ": " + lengths.text(std::stod(cost)) : "")};
+  const std::string length = lengths.metric() ? lengths.text(std::stod(cost), 2) : "that many cells";
+  return {"best < " + cost, what + " is shorter than " + length};
 }
 
 /// Breakpoints that are of use with the leading pane's planner.
