@@ -20,6 +20,7 @@
 #include "app/recording.hpp"
 #include "app/render.hpp"
 #include "core/base/file.hpp"
+#include "core/experiment/held_results.hpp"
 #include "core/plan/pages.hpp"
 #include "ui/documents/files.hpp"
 #include "ui/shell/shell.hpp"
@@ -65,19 +66,21 @@ Scenario built_in_world() {
 }  // namespace
 
 Result<FirstDocument> first_document(const std::optional<std::string>& file) {
-  if (file) {
+  const bool batch = file && batch_paper(*file) != BatchPaper::none;
+  if (file && !batch) {
     const Result<Scenario> opened = ui::open_document(*file, built_in_world());
     if (!opened) return Error{opened.error()};
-    return FirstDocument{*opened, *file};
+    return FirstDocument{*opened, *file, {}};
   }
   const std::filesystem::path demo = std::filesystem::path(assets_folder()) / "../maps/demo.json";
   // The demo is nobody's file: saving asks for a name.
   const Result<Scenario> opened = read_scenario(demo.lexically_normal().string());
-  return FirstDocument{opened ? *opened : built_in_world(), {}};
+  return FirstDocument{opened ? *opened : built_in_world(), {}, batch ? *file : ""};
 }
 
 GuiProgram::GuiProgram(FirstDocument document, Remembered remembered, WorkPlace work)
     : remembered_(std::move(remembered)),
+      batch_(std::move(document.batch)),
       session_(std::move(document.scenario), std::move(document.file), {}, std::move(work)),
       timing_(is_set("REPLAN_TIMING")) {}
 
@@ -116,7 +119,10 @@ Result<void> GuiProgram::open() {
   });
   window_->on_close([this] { return shell_->documents().may_close(session_); });
   shell_->documents().settle_in(session_, surroundings(session_.work()));
-  if (remembered_.first_start && session_.file().empty()) shell_->welcome();
+  if (!batch_.empty())
+    shell_->show_batch(session_, batch_);
+  else if (remembered_.first_start && session_.file().empty())
+    shell_->welcome();
   return {};
 }
 

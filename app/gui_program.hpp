@@ -20,7 +20,8 @@ namespace replan::app {
 /// What a window opens with.
 struct FirstDocument {
   Scenario scenario;
-  std::string file;  ///< empty: nobody's yet
+  std::string file;        ///< empty: nobody's yet
+  std::string batch = {};  ///< an experiment, or results of one, to be shown over the scenario; empty: none
 };
 /// That file, else the demo; where the program was copied without its files, a small world in code.
 Result<FirstDocument> first_document(const std::optional<std::string>& file);
@@ -57,6 +58,7 @@ class GuiProgram {
 
   Clock::time_point begun_ = Clock::now();
   Remembered remembered_;
+  std::string batch_;  // what the window begins with, if that is no world
   Session session_;  // plans while the window is being opened
   std::unique_ptr<Window> window_;
   std::unique_ptr<ui::Shell> shell_;  // goes before the window: it holds textures

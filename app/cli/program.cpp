@@ -129,7 +129,7 @@ int run_program(int argc, char** argv) {
   program.get_formatter()->label("Positionals", "Arguments");
   program.get_formatter()->label("TEXT", "");
   WindowArguments window;
-  program.add_option("FILE", window.file, "A scenario or a map to open in the window");
+  program.add_option("FILE", window.file, "A scenario, a map or an experiment to open in the window");
   if (has_window())
     program.add_flag("--in-step", window.in_step,
                      "Have the window work in step with its frames, without threads: for finding faults");

@@ -55,7 +55,7 @@ std::vector<Measure> measures_of(const PlannerInfo& info) {
   all.push_back({MeasureSource::reached,
                  {},
                  "reached",
-                 info.can_miss() ? "sample" : "reached in expansion",
+                 info.can_miss() ? std::string(info.step.one) : "reached in expansion",
                  "How many turns the search had had when it came to it first."});
   for (const Field& field : grows ? values.vertex_fields : values.fields)
     if (field.shown && field.table == (grows ? FieldTable::vertices : FieldTable::nodes))

@@ -1,6 +1,7 @@
 // The files of a folder of results, by their names. Only for what reads and writes such folders.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 
@@ -9,6 +10,8 @@
 namespace replan {
 
 inline constexpr const char *kBatchFile = "batch.json", *kJournalFile = "runs.jsonl";
+/// Written once all runs are done.
+inline constexpr std::array kResultFiles = {"results.csv", "results.json", "times.csv"};
 std::string batch_path(const std::string& folder, const char* file);
 
 /// batch.json; read back it has no results yet.

@@ -1,6 +1,9 @@
 #include "core/experiment/batch_job.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <deque>
+#include <iterator>
 #include <mutex>
 #include <new>
 
@@ -35,10 +38,10 @@ class BatchJob::Shared {
     return paused_;
   }
 
-  void begin(std::shared_ptr<const RunList> list, std::span<const RunResult> kept) {
+  void begin(std::shared_ptr<const RunList> list, std::vector<RunResult> kept) {
     const std::lock_guard lock(mutex_);
     list_ = std::move(list);
-    fresh_.assign(kept.begin(), kept.end());
+    fresh_.assign(std::make_move_iterator(kept.begin()), std::make_move_iterator(kept.end()));
     done_ = kept.size();
     restart_clock();
   }
@@ -57,9 +60,12 @@ class BatchJob::Shared {
     resumed_.wait(lock, stop_.get_token(), [this] { return !paused_; });
   }
 
-  std::vector<RunResult> take() {
+  std::vector<RunResult> take(std::size_t most) {
     const std::lock_guard lock(mutex_);
-    return std::exchange(fresh_, {});
+    const auto end = fresh_.begin() + static_cast<std::ptrdiff_t>(std::min(most, fresh_.size()));
+    std::vector<RunResult> taken(std::make_move_iterator(fresh_.begin()), std::make_move_iterator(end));
+    fresh_.erase(fresh_.begin(), end);
+    return taken;
   }
   [[nodiscard]] std::shared_ptr<const RunList> list() const {
     const std::lock_guard lock(mutex_);
@@ -85,7 +91,7 @@ class BatchJob::Shared {
   Signal resumed_;
   StopSource stop_;
   std::shared_ptr<const RunList> list_;
-  std::vector<RunResult> fresh_;
+  std::deque<RunResult> fresh_;
   bool paused_ = false;
   std::size_t done_ = 0;
   std::size_t made_ = 0;  // since begun_
@@ -109,6 +115,7 @@ Result<RunList> list_of(const BatchRequest& request) {
 struct OpenBatch {
   std::shared_ptr<const RunList> list;
   ResultsFolder folder;
+  std::vector<std::int64_t> missing;  ///< runs that the folder had not
 };
 
 /// Loads the runs, and lets `shared`, a BatchJob::Shared, know of them and of the results that the folder holds.
@@ -119,11 +126,17 @@ Result<OpenBatch> open_batch(const BatchRequest& request, S& shared) {
   const auto list = std::make_shared<const RunList>(std::move(loaded.value()));
   auto folder = ResultsFolder::open(request.folder, *list, {});
   if (!folder) return Error{folder.error()};
-  shared.begin(list, folder->results());
-  return OpenBatch{list, std::move(folder.value())};
+  std::deque<RunResult> before;
+  if (const auto read = folder->each([&](const RunResult& result) { before.push_back(result); }); !read)
+    return Error{read.error()};
+  shared.begin(list, std::move(before));
+  std::vector<std::int64_t> missing = folder->missing();
+  return OpenBatch{list, std::move(folder.value()), std::move(missing)};
 }
 
-BatchEnd close_batch(OpenBatch& batch) {
+/// Files that are complete are left alone.
+BatchEnd close_batch(const OpenBatch& batch) {
+  if (batch.missing.empty() && batch.folder.has_result_files()) return {true, ""};
   if (const auto written = batch.folder.write_results(); !written) return {false, written.error()};
   return {true, ""};
 }
@@ -142,7 +155,7 @@ BatchEnd make_batch(const BatchRequest& request, S& shared, const std::function<
     return true;
   };
   const bool all =
-      make_runs(*batch->list, batch->folder.missing(), request.jobs, {.take = take, .stop = shared.token()});
+      make_runs(*batch->list, batch->missing, request.jobs, {.take = take, .stop = shared.token()});
   if (!kept) return {false, kept.error()};
   return all ? close_batch(*batch) : BatchEnd{};
 }
@@ -158,8 +171,8 @@ class BatchInStep {
   std::optional<BatchEnd> advance() {
     if (!worker_) return begin();
     if (shared_->token().stop_requested()) return BatchEnd{};
-    if (next_ == missing_.size()) return close_batch(*batch_);
-    auto result = worker_->make(missing_[next_++], shared_->token());
+    if (next_ == batch_->missing.size()) return close_batch(*batch_);
+    auto result = worker_->make(batch_->missing[next_++], shared_->token());
     if (!result) return BatchEnd{};
     if (const auto kept = batch_->folder.add(*result); !kept) return BatchEnd{false, kept.error()};
     shared_->add(std::move(*result));
@@ -171,8 +184,6 @@ class BatchInStep {
     auto batch = open_batch(request_, *shared_);
     if (!batch) return BatchEnd{false, batch.error()};
     batch_.emplace(std::move(batch.value()));
-    const auto missing = batch_->folder.missing();
-    missing_.assign(missing.begin(), missing.end());
     worker_.emplace(*batch_->list);
     return std::nullopt;
   }
@@ -180,8 +191,7 @@ class BatchInStep {
   BatchRequest request_;
   std::shared_ptr<S> shared_;
   std::optional<OpenBatch> batch_;
-  std::vector<std::int64_t> missing_;
-  std::size_t next_ = 0;
+  std::size_t next_ = 0;  // in its missing runs
   std::optional<ExperimentWorker> worker_;
 };
 
@@ -229,8 +239,8 @@ BatchProgress BatchJob::progress() const {
   return shared_ ? shared_->progress() : BatchProgress{};
 }
 
-std::vector<RunResult> BatchJob::take_results() {
-  return shared_ ? shared_->take() : std::vector<RunResult>();
+std::vector<RunResult> BatchJob::take_results(std::size_t most) {
+  return shared_ ? shared_->take(most) : std::vector<RunResult>();
 }
 
 std::shared_ptr<const RunList> BatchJob::list() const {

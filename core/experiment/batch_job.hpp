@@ -52,8 +52,8 @@ class BatchJob {
   [[nodiscard]] bool busy() const { return work_.busy(); }
   [[nodiscard]] bool paused() const;
   [[nodiscard]] BatchProgress progress() const;
-  /// The results since the last call, those that the folder held already first.
-  std::vector<RunResult> take_results();
+  /// The results since the last call, those that the folder held already first; so many at most.
+  std::vector<RunResult> take_results(std::size_t most = static_cast<std::size_t>(-1));
   /// Its end, once.
   std::optional<BatchEnd> take_end() { return work_.take(); }
   /// What the runs are; nullptr before the experiment is loaded.

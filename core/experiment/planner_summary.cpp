@@ -33,14 +33,12 @@ void PlannerSummary::add(const RunResult& run) {
   ++runs_;
   found_ += run.succeeded ? 1 : 0;
   for (std::size_t i = 0; i < kSummaryFigures; ++i)
-    if (const auto value = summary_figure(run, static_cast<SummaryFigure>(i)))
-      values_[i].insert(std::upper_bound(values_[i].begin(), values_[i].end(), *value), *value);
+    if (const auto value = summary_figure(run, static_cast<SummaryFigure>(i))) medians_[i].add(*value);
 }
 
 std::optional<double> PlannerSummary::median(SummaryFigure figure) const {
-  const std::vector<double>& values = values_[static_cast<std::size_t>(figure)];
-  if (values.empty()) return std::nullopt;
-  return quantile(values, 0.5);
+  const RunningMedian& kept = medians_[static_cast<std::size_t>(figure)];
+  return kept.empty() ? std::nullopt : std::optional(kept.median());
 }
 
 std::optional<double> PlannerSummary::ratio(SummaryFigure figure, const PlannerSummary& other) const {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/running_median.hpp"
 #include "core/experiment/run_result.hpp"
 
 namespace replan {
@@ -37,7 +38,7 @@ class PlannerSummary {
  private:
   std::string label_;
   std::int64_t runs_ = 0, found_ = 0;
-  std::array<std::vector<double>, kSummaryFigures> values_;  // in ascending order
+  std::array<RunningMedian, kSummaryFigures> medians_;
 };
 
 /// One for each planner, in the order of its lowest run.

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -15,8 +16,6 @@
 namespace replan {
 namespace {
 
-constexpr std::int64_t kMaxJournalBytes = std::int64_t{1} << 36;
-
 Error cannot_write(const std::string& path) {
   return {"cannot write '" + path + "': " + std::strerror(errno)};
 }
@@ -27,20 +26,22 @@ struct Journal {
   std::size_t whole = 0;
 };
 
+/// A line at a time: the text of many runs is as large as they are.
 Result<Journal> read_journal(const std::string& path) {
-  const auto text = read_file(path, kMaxJournalBytes);
-  if (!text) return Error{text.error()};
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return Error{"cannot read '" + path + "': " + std::strerror(errno)};
   Journal journal;
-  for (std::size_t number = 1;; ++number) {
-    const std::size_t end = text->find('\n', journal.whole);
-    if (end == std::string::npos) return journal;
-    auto result = parse_result_line(text->substr(journal.whole, end - journal.whole), path);
+  std::string line;
+  for (std::size_t number = 1; std::getline(file, line) && !file.eof(); ++number) {
+    auto result = parse_result_line(line, path);
     if (!result)
       return Error{"line " + std::to_string(number) + " of '" + path +
                    "' is no result: delete that line, and its run is made again"};
     journal.results.push_back(std::move(result.value()));
-    journal.whole = end + 1;
+    journal.whole += line.size() + 1;
   }
+  if (file.bad()) return Error{"cannot read on in '" + path + "': " + std::strerror(errno)};
+  return journal;
 }
 
 }  // namespace
@@ -79,10 +80,18 @@ Result<void> ResultsFolder::take_up() {
   auto journal = read_journal(path);
   if (!journal) return Error{journal.error()};
   if (::ftruncate(journal_, static_cast<off_t>(journal->whole)) != 0) return cannot_write(path);
-  for (RunResult& result : journal->results)
-    if (result.run < head_.runs && shard_.has(result.run) && done_.insert(result.run).second)
-      results_.push_back(std::move(result));
+  results_ = own_results(std::move(journal->results));
+  for (const RunResult& result : results_) done_.insert(result.run);
   return {};
+}
+
+/// Of each run of this part the first.
+std::vector<RunResult> ResultsFolder::own_results(std::vector<RunResult> all) const {
+  std::unordered_set<std::int64_t> seen;
+  std::erase_if(all, [&](const RunResult& result) {
+    return result.run >= head_.runs || !shard_.has(result.run) || !seen.insert(result.run).second;
+  });
+  return all;
 }
 
 ResultsFolder::ResultsFolder(ResultsFolder&& other) noexcept
@@ -91,6 +100,7 @@ ResultsFolder::ResultsFolder(ResultsFolder&& other) noexcept
       head_(std::move(other.head_)),
       shard_(other.shard_),
       journal_(std::exchange(other.journal_, -1)),
+      keeps_results_(other.keeps_results_),
       results_(std::move(other.results_)),
       done_(std::move(other.done_)) {}
 
@@ -110,14 +120,32 @@ Result<void> ResultsFolder::add(RunResult result) {
   if (write_all(journal_, result_line(result) + "\n") != 0)
     return cannot_write(batch_path(path_, kJournalFile));
   done_.insert(result.run);
-  results_.push_back(std::move(result));
+  if (keeps_results_) results_.push_back(std::move(result));
   return {};
 }
 
+std::vector<RunResult> ResultsFolder::hand_over() {
+  keeps_results_ = false;
+  return std::exchange(results_, {});
+}
+
 Result<void> ResultsFolder::write_results() {
-  std::sort(results_.begin(), results_.end(),
-            [](const RunResult& a, const RunResult& b) { return a.run < b.run; });
-  return write_result_files(path_, head_, results_);
+  std::vector<RunResult> read;
+  if (!keeps_results_) {
+    auto journal = read_journal(batch_path(path_, kJournalFile));
+    if (!journal) return Error{journal.error()};
+    read = own_results(std::move(journal->results));
+  }
+  std::vector<RunResult>& all = keeps_results_ ? results_ : read;
+  std::sort(all.begin(), all.end(), [](const RunResult& a, const RunResult& b) { return a.run < b.run; });
+  return write_result_files(path_, head_, all);
+}
+
+bool ResultsFolder::has_result_files() const {
+  std::error_code failed;
+  return std::all_of(kResultFiles.begin(), kResultFiles.end(), [&](const char* file) {
+    return std::filesystem::exists(batch_path(path_, file), failed);
+  });
 }
 
 Result<KeptResults> read_results_folder(const std::string& path) {

@@ -43,23 +43,30 @@ class ResultsFolder {
 
   /// Of the runs that are done, in the order in which they ended; after write_results() in that of their numbers.
   [[nodiscard]] std::span<const RunResult> results() const { return results_; }
+  /// The same, given away: from then on the folder keeps their numbers alone, and results() has none. Of many runs they
+  /// would be in memory twice.
+  std::vector<RunResult> hand_over();
   /// The numbers of the runs of this part that are not done.
   [[nodiscard]] std::vector<std::int64_t> missing() const;
   /// Writes a result down.
   Result<void> add(RunResult result);
-  /// Writes results.csv, results.json and times.csv of all that is done.
+  /// Writes results.csv, results.json and times.csv of all that is done; what was given away is read back for that.
   Result<void> write_results();
+  /// Whether these are there.
+  [[nodiscard]] bool has_result_files() const;
 
  private:
   ResultsFolder(std::string path, LockFile lock, ResultsHead head, Shard shard)
       : path_(std::move(path)), lock_(std::move(lock)), head_(std::move(head)), shard_(shard) {}
   Result<void> take_up();
+  [[nodiscard]] std::vector<RunResult> own_results(std::vector<RunResult> all) const;
 
   std::string path_;
   LockFile lock_;
   ResultsHead head_;
   Shard shard_;
   int journal_ = -1;
+  bool keeps_results_ = true;
   std::vector<RunResult> results_;
   std::unordered_set<std::int64_t> done_;  // their numbers
 };

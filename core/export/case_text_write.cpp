@@ -9,6 +9,8 @@
 #include "core/export/json_lines.hpp"
 #include "core/export/trace_text.hpp"
 #include "core/lattice/box_words.hpp"
+#include "core/plan/population_values.hpp"
+#include "core/plan/tree_values.hpp"
 #include "core/world/json_reader.hpp"
 
 namespace replan {
@@ -117,6 +119,22 @@ std::string ends_lines(const Source& from) {
   return text;
 }
 
+/// What the planner keeps: an open list U, a tree, or a population of paths.
+std::string kept_line(const Source& from, std::size_t queued) {
+  const SearchValues& values = from.view.info.values;
+  if (values.lists()) return labelled("U", counted(queued, "cell"));
+  const std::uint64_t cost = from.state.scalar(Scalar::best);
+  const std::string best =
+      cost == 0 ? "no path yet" : "the best path costs " + number({static_cast<std::int64_t>(cost)});
+  if (values.grows()) {
+    const std::uint32_t count = vertex_count(from.state);
+    return labelled("tree", std::to_string(count) + (count == 1 ? " vertex, " : " vertices, ") + best);
+  }
+  if (values.breeds())
+    return labelled("paths", counted(path_count(from.state), "path") + " with the child, " + best);
+  return "";
+}
+
 std::string run_lines(const Source& from, std::size_t queued) {
   const Timeline& log = from.view.log;
   std::string moment = "event " + std::to_string(log.cursor()) + " of " + std::to_string(log.size());
@@ -129,7 +147,7 @@ std::string run_lines(const Source& from, std::size_t queued) {
                                 cell_of(from, from.state.wanted_goal()));
   text += ends_lines(from);
   if (from.lookahead) text += labelled("km", number(from.state.km()));
-  return text + labelled("U", counted(queued, "cell"));
+  return text + kept_line(from, queued);
 }
 
 char letter(const Source& from, NodeId node) {
@@ -204,6 +222,8 @@ const char* consistency(const Source& from, NodeId node) {
   const Cost g = from.state.g(node), rhs = from.state.rhs(node);
   if (from.state.known_blocked(node)) return "obstacle";
   if (too_near(from.view, from.state, node)) return "too near";
+  const SearchValues& kept = from.view.info.values;
+  if (kept.grows() || kept.breeds()) return "free";  // a cell has no state of its own there
   if (from.view.info.values.waves) return wave_name(wave_of(from.state, node));
   if (!from.lookahead) return from.state.queued(node) ? "open" : g.is_infinite() ? "unseen" : "settled";
   if (g == rhs) return g.is_infinite() ? "unseen" : "consistent";

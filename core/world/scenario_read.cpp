@@ -60,9 +60,21 @@ class ScenarioReader {
  private:
   void check_version() const {
     const auto version = root_.find("replan");
-    if (!version) return root_.fail("not a Replan scenario: the key \"replan\" with the value 1 is missing");
+    if (!version) return root_.fail(what_else_it_is());
     if (version->value() != 1)
       version->fail("must be 1, the only version of the format, not " + version->shown());
+  }
+
+  /// The program's other files end in .json too.
+  [[nodiscard]] std::string what_else_it_is() const {
+    const auto format = root_.find("format");
+    if (format && format->value() == "replan experiment")
+      return "an experiment, not a scenario: 'replan batch' runs it, and in the window File > Open shows it "
+             "in "
+             "Run > Batch";
+    if (format && (format->value() == "replan batch" || format->value() == "replan results"))
+      return "of the results of a batch, not a scenario: in the window File > Open shows them in Run > Batch";
+    return "not a Replan scenario: the key \"replan\" with the value 1 is missing";
   }
 
   void read_planner(const JsonNode& node) {

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "core/base/file.hpp"
+#include "core/debug/measures.hpp"
 #include "core/debug/shown_family.hpp"
+#include "core/world/choices.hpp"
 #include "tests/ui/golden_picture.hpp"
 #include "tests/ui/shell_fixture.hpp"
 #include "ui/keys.hpp"
@@ -129,6 +131,35 @@ TEST_F(AnalysisTest, AClickOnAPointPinsItsCellAndOneBesideTakesTheRectangleAway)
   frames(3);
   click(at(0.9f, 0.1f));
   EXPECT_FALSE(scatter().brush().has_value());
+}
+
+TEST_F(AnalysisTest, BeforeTheFirstPointItSpeaksOfThePlannersOwnSteps) {
+  EXPECT_NE(no_points_words(*find_choice("dstar-lite")).find("the first expansion; every cell"),
+            std::string::npos);
+  EXPECT_NE(no_points_words(*find_choice("rrt-star")).find("the first sample; every vertex"),
+            std::string::npos);
+  EXPECT_NE(no_points_words(*find_choice("improved-ga")).find("the first child; every cell that the paths"),
+            std::string::npos);
+  for (const auto& [planner, label] : {std::pair{"rrt-star", "sample"}, {"improved-ga", "child"}}) {
+    const auto measures = measures_of(*find_choice(planner));
+    EXPECT_EQ(std::count_if(measures.begin(), measures.end(),
+                            [&](const Measure& each) { return each.id == "reached" && each.label == label; }),
+              1)
+        << planner;
+  }
+}
+
+/// In a window of 1280 x 800, whose bar has one row.
+TEST_F(AnalysisTest, IsBehindTheDotsAtTheEndOfTheBar) {
+  run_demo();
+  shell_->view().tab = "cell";
+  frames(3);
+  click({1267, 56});
+  EXPECT_EQ(shell_->view().tab, "cell");
+  click({1185, 90});
+  EXPECT_EQ(shell_->view().tab, "analysis");
+  frames(3);
+  EXPECT_TRUE(has_scatter(*session_, shell_->panels()));
 }
 
 TEST_F(AnalysisTest, WithoutARunOrParentsItSaysSo) {

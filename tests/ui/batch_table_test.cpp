@@ -53,6 +53,13 @@ TEST(BatchTable, IsInTheOrderOfItsNumbersAtFirst) {
   for (std::size_t i = 0; i < 60; ++i) EXPECT_EQ(table.row(i).run, static_cast<std::int64_t>(i));
 }
 
+TEST(BatchTable, HeadingsSayInWhichUnitsTheirNumbersAre) {
+  EXPECT_EQ(batch_heading(BatchColumn::length), "length  cells");
+  EXPECT_EQ(batch_heading(BatchColumn::clearance), "clearance  cells");
+  EXPECT_EQ(batch_heading(BatchColumn::time), "time  ms");
+  EXPECT_EQ(batch_heading(BatchColumn::expansions), "expansions");
+}
+
 TEST(BatchTable, SortsEitherWayWithWhatHasNoValueLast) {
   BatchTable table;
   table.add(many(60));
@@ -60,7 +67,8 @@ TEST(BatchTable, SortsEitherWayWithWhatHasNoValueLast) {
     table.sort_by(BatchColumn::length);
     EXPECT_EQ(table.descending(), descending);
     for (std::size_t i = 1; i < table.shown(); ++i) {
-      const auto before = table.row(i - 1).length(), here = table.row(i).length();
+      const auto before = table.row(i - 1).number(BatchColumn::length),
+                 here = table.row(i).number(BatchColumn::length);
       if (!here) continue;
       ASSERT_TRUE(before) << "a run without a length stands before one with it";
       EXPECT_TRUE(descending ? *before >= *here : *before <= *here);
@@ -68,7 +76,7 @@ TEST(BatchTable, SortsEitherWayWithWhatHasNoValueLast) {
         EXPECT_LT(table.row(i - 1).run, table.row(i).run);
       }
     }
-    EXPECT_FALSE(table.row(table.shown() - 1).length());
+    EXPECT_FALSE(table.row(table.shown() - 1).number(BatchColumn::length));
   }
 }
 
@@ -87,6 +95,49 @@ TEST(BatchTable, ComesToTheSameOrderWhetherResultsComeAtOnceOrOneByOne) {
   }
 }
 
+/// Worlds and planners that come late, in whatever order, have the places that they would have had from the beginning.
+TEST(BatchTable, WordsThatComeLaterComeToTheirPlaces) {
+  Random random(11);
+  std::vector<RunResult> results;
+  for (int i = 0; i < 120; ++i) {
+    results.push_back(result(i, "astar", 1.0));
+    results.back().name.world = "map " + std::to_string(random.below(40)) + ".json";
+  }
+  BatchTable table;
+  table.sort_by(BatchColumn::world);
+  for (std::size_t i = 0; i < results.size(); i += 7)
+    table.add({results.begin() + static_cast<std::ptrdiff_t>(i),
+               results.begin() + static_cast<std::ptrdiff_t>(std::min(i + 7, results.size()))});
+  ASSERT_EQ(table.shown(), results.size());
+  const auto number = [&](std::size_t row) {
+    return std::stoi(table.text(row, BatchColumn::world).substr(4));
+  };
+  for (std::size_t i = 1; i < table.shown(); ++i) {
+    EXPECT_LE(number(i - 1), number(i));
+    if (number(i - 1) == number(i)) {
+      EXPECT_LT(table.row(i - 1).run, table.row(i).run);
+    }
+  }
+}
+
+TEST(BatchTable, TextsAreThoseOfTheRun) {
+  BatchTable table;
+  RunResult run = result(7, "astar", 12.25);
+  run.name.settings = "weight=2";
+  run.name.line = 3;
+  run.name.seed = 12345;
+  table.add({run, result(8, "astar", std::nullopt)});
+  EXPECT_EQ(table.text(0, BatchColumn::run), "7");
+  EXPECT_EQ(table.text(0, BatchColumn::world), "hall:3");
+  EXPECT_EQ(table.text(0, BatchColumn::planner), planner_label(run.name));
+  EXPECT_EQ(table.text(0, BatchColumn::seed), "12345");
+  EXPECT_EQ(table.text(0, BatchColumn::length), "12.250");
+  EXPECT_EQ(table.text(0, BatchColumn::time), "2.00");
+  EXPECT_EQ(table.text(0, BatchColumn::turns), "");
+  EXPECT_EQ(table.text(1, BatchColumn::length), "");
+  EXPECT_EQ(table.text(1, BatchColumn::status), "no-path");
+}
+
 TEST(BatchTable, ShowsOnlyWhatIsAskedForAlsoOfResultsThatComeLater) {
   BatchTable table;
   table.add(many(30));
@@ -99,8 +150,8 @@ TEST(BatchTable, ShowsOnlyWhatIsAskedForAlsoOfResultsThatComeLater) {
   EXPECT_EQ(table.row_of(100), std::optional<std::size_t>(before));
   EXPECT_FALSE(table.row_of(101));
   for (std::size_t i = 0; i < table.shown(); ++i) {
-    EXPECT_EQ(table.row(i).name.planner, "jps");
-    EXPECT_EQ(table.row(i).status, "no-path");
+    EXPECT_EQ(table.text(i, BatchColumn::planner), "jps");
+    EXPECT_EQ(table.text(i, BatchColumn::status), "no-path");
   }
   table.show_planner("");
   table.show_status("");

@@ -5,6 +5,7 @@
 
 #include "core/base/file.hpp"
 #include "core/base/lock_file.hpp"
+#include "core/experiment/results_folder.hpp"
 #include "core/experiment/results_text.hpp"
 #include "tests/support/experiments.hpp"
 #include "tests/ui/shell_fixture.hpp"
@@ -45,7 +46,8 @@ RunList list_in(const std::string& folder) {
 
 // Where things are in a window of 1280 x 800.
 const ImVec2 kOpenExperiment{370, 182}, kSaveExperiment{574, 182}, kFirstButton{82, 93},
-    kSecondButton{176, 93}, kLengthHead{805, 369}, kFirstRow{400, 392};
+    kSecondButton{176, 93}, kChooseFolder{870, 560}, kChoose{1080, 700}, kLengthHead{720, 369},
+    kFirstRow{400, 392};
 
 class BatchTest : public ShellTest {
  protected:
@@ -230,9 +232,11 @@ TEST_F(BatchOfAFile, AClickOnAColumnSortsAndOneOnARowOpensItsRun) {
   EXPECT_FALSE(shell_->batch().table().descending());
   click(kLengthHead);
   EXPECT_TRUE(shell_->batch().table().descending());
-  const RunResult first = shell_->batch().table().row(0);
-  for (std::size_t i = 1; i < 60; ++i)
-    EXPECT_GE(first.length().value_or(0), shell_->batch().table().row(i).length().value_or(0));
+  const auto length = [this](std::size_t row) {
+    return shell_->batch().table().row(row).number(BatchColumn::length).value_or(0);
+  };
+  const BatchRow first = shell_->batch().table().row(0);
+  for (std::size_t i = 1; i < 60; ++i) EXPECT_GE(length(i - 1), length(i));
   click(kFirstRow);
   EXPECT_FALSE(shell_->batch().open());
   const RunList list = engine();
@@ -248,7 +252,7 @@ TEST_F(BatchOfAFile, AClickOnAColumnSortsAndOneOnARowOpensItsRun) {
   const Decision* last = session_->run().decision_at(session_->run().timeline().cursor());
   ASSERT_NE(last, nullptr);
   EXPECT_EQ(last->state, MissionState::arrived);
-  EXPECT_DOUBLE_EQ(last->figures.travelled, first.length().value_or(0));
+  EXPECT_DOUBLE_EQ(last->figures.travelled, first.number(BatchColumn::length).value_or(0));
 }
 
 TEST_F(BatchTest, SavesAnExperimentThatMakesTheSameRunsElsewhere) {
@@ -264,6 +268,94 @@ TEST_F(BatchTest, SavesAnExperimentThatMakesTheSameRunsElsewhere) {
   EXPECT_EQ(shell_->batch().error(), "");
   EXPECT_EQ(text_of(results() + "/results.csv"), results_csv(test::results_of(*list)));
   EXPECT_EQ(list->digest(), list_in(results()).digest());
+}
+
+/// Opened in whichever way, an experiment is no document: the world that is open stays, and nobody is asked about it.
+TEST_F(BatchOfAFile, OpenedAsAFileIsShownInTheBatchDialog) {
+  open_hall();
+  sixty_ = folder_.with("sixty.json", kSixty);
+  ASSERT_TRUE(session_->apply(PaintCells{{{{3, 3}, true}}, 1}));
+  shell_->documents().open(*session_, sixty_);
+  frames(4);
+  ASSERT_TRUE(shell_->batch().open());
+  EXPECT_EQ(session_->scenario().name, "Hall");
+  EXPECT_TRUE(session_->modified());
+  EXPECT_EQ(shell_->told(), "");
+  press(key::kEnter);
+  EXPECT_EQ(shell_->batch().error(), "");
+  EXPECT_EQ(shell_->batch().table().count(), 60u);
+  EXPECT_EQ(text_of(out() + "/results.csv"), results_csv(test::results_of(engine())));
+}
+
+TEST_F(BatchOfAFile, DroppedOrChosenInTheOpenDialogIsShownInTheBatchDialog) {
+  open_hall();
+  sixty_ = folder_.with("sixty.json", kSixty);
+  shell_->documents().drop(*session_, {sixty_});
+  frames(4);
+  EXPECT_TRUE(shell_->batch().open());
+  press(key::kEscape);
+  ASSERT_FALSE(shell_->batch().open());
+  press('O', true);
+  choose(sixty_);
+  EXPECT_TRUE(shell_->batch().open());
+  press(key::kEnter);
+  EXPECT_EQ(shell_->batch().table().count(), 60u);
+}
+
+/// What was begun by the command line, in a folder of its own.
+TEST_F(BatchOfAFile, AFolderOfResultsGivesItsExperimentAndGoesOn) {
+  open_hall();
+  sixty_ = folder_.with("sixty.json", kSixty);
+  const std::string kept = folder_.file("kept");
+  {
+    const RunList list = engine();
+    auto results = ResultsFolder::open(kept, list, {});
+    ASSERT_TRUE(results);
+    for (const RunResult& each : test::results_of(list, {0, 1, 2, 3, 4, 5, 6}))
+      ASSERT_TRUE(results->add(each));
+  }
+  const std::string journal = text_of(kept + "/runs.jsonl");
+  show();
+  click(kChooseFolder);
+  frames(8);
+  ASSERT_EQ(shell_->documents().names_on_show().find("sixty.json") != std::string::npos, true)
+      << "the folder's dialog is not there";
+  type(kept);
+  click(kChoose);
+  frames(4);
+  EXPECT_EQ(shell_->batch().folder(), kept);
+  press(key::kEnter);
+  EXPECT_EQ(shell_->batch().error(), "");
+  EXPECT_EQ(shell_->batch().table().count(), 60u);
+  EXPECT_EQ(text_of(kept + "/results.csv"), results_csv(test::results_of(engine())));
+  EXPECT_EQ(text_of(kept + "/runs.jsonl").substr(0, journal.size()), journal) << "they are not made again";
+}
+
+TEST_F(BatchOfAFile, TheFileOfAFolderOfResultsOpensItsTable) {
+  open_sixty();
+  const std::string journal = text_of(out() + "/runs.jsonl");
+  close();
+  open_hall();
+  shell_->documents().open(*session_, out() + "/results.json");
+  frames(4);
+  ASSERT_TRUE(shell_->batch().open());
+  EXPECT_EQ(shell_->batch().folder(), out());
+  press(key::kEnter);
+  EXPECT_EQ(shell_->batch().table().count(), 60u);
+  EXPECT_EQ(text_of(out() + "/runs.jsonl"), journal);
+}
+
+TEST_F(BatchTest, APartOfAnExperimentIsRefusedWithTheMend) {
+  open_hall();
+  const std::string sixty = folder_.with("sixty.json", kSixty);
+  const RunList list = *RunList::load(*read_experiment(sixty));
+  { ASSERT_TRUE(ResultsFolder::open(folder_.file("part"), list, {1, 4})); }
+  show();
+  shell_->show_batch(*session_, folder_.file("part") + "/batch.json");
+  frames(4);
+  press(key::kEnter);
+  EXPECT_EQ(shell_->batch().table().count(), 0u);
+  EXPECT_NE(shell_->batch().why_not().find("--shard 2/4"), std::string::npos) << shell_->batch().why_not();
 }
 
 TEST_F(BatchTest, CopiesTheCommandThatMakesTheSameRuns) {

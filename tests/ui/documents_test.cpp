@@ -117,6 +117,8 @@ TEST(FileList, ReadsAFolderAndSaysWhyNot) {
   folder.with("presets.json", R"({"version": 3})");
   folder.with("world.json", R"({"name": "A", "replan": 1})");
   folder.with("ci.yaml", "on: push\n");
+  folder.with("sweep.json", R"({"format": "replan experiment", "version": 1})");
+  folder.with("batch.json", R"({"format": "replan batch", "experiment": {"format": "replan experiment"}})");
   folder.with("office.yaml", "image: office.png\nresolution: 0.05\n");
   const auto looked_into = read_folder(folder.path());
   ASSERT_TRUE(looked_into.ok());
@@ -126,6 +128,12 @@ TEST(FileList, ReadsAFolderAndSaysWhyNot) {
     }
     if (entry.name == "world.json") {
       EXPECT_EQ(entry.kind, FileKind::scenario);
+    }
+    if (entry.name == "sweep.json") {
+      EXPECT_EQ(entry.kind, FileKind::experiment);
+    }
+    if (entry.name == "batch.json") {
+      EXPECT_EQ(entry.kind, FileKind::results);
     }
     if (entry.name == "office.yaml") {
       EXPECT_EQ(entry.kind, FileKind::map);

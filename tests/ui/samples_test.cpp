@@ -11,8 +11,10 @@
 #include "tests/ui/panel_fixture.hpp"
 #include "ui/shell/actions.hpp"
 #include "ui/shell/conditions.hpp"
+#include "ui/shell/dialogs.hpp"
 #include "ui/tabs/cost_chart.hpp"
 #include "ui/tabs/debug.hpp"
+#include "ui/tabs/gain_chart.hpp"
 #include "ui/tabs/open_list.hpp"
 
 namespace replan::ui::samples_test {
@@ -187,6 +189,20 @@ TEST_F(SamplesTest, WhatIsOfferedToBreakOnIsOfThePlanner) {
   }
 }
 
+/// Expansions and children are no samples: such panes have no curve among those over samples.
+TEST_F(SamplesTest, TheCurveOverSamplesIsOfAPaneThatDrawsThem) {
+  for (const auto& [leads, other, strong] : {std::tuple{"rrt-star", "dstar-lite", 0u},
+                                             {"dstar-lite", "rrt-star", 1u},
+                                             {"improved-ga", "rrt-connect", 1u}}) {
+    Scenario scenario = scenario_of(leads);
+    scenario.planners.push_back({other, {}});
+    if (find_planner(other)->sampling) scenario.planners[1].settings.set("samples", 200);
+    open(scenario, tab("figures"));
+    EXPECT_EQ(gains_pane(*session_), strong) << leads;
+    EXPECT_TRUE(has_gains(*session_));
+  }
+}
+
 TEST_F(SamplesTest, AStepIsCalledAsThePlannerCallsIt) {
   const std::pair<const char*, const char*> kWords[] = {
       {"rrt", "Next sample"}, {"improved-ga", "Next child"}, {"dstar-lite", "Next expansion"}};
@@ -196,6 +212,10 @@ TEST_F(SamplesTest, AStepIsCalledAsThePlannerCallsIt) {
     const ActionContext context{*session_, view_, panels_, commands_, wish};
     EXPECT_EQ(action(ActionId::step_forward).words(context), words);
     EXPECT_FALSE(action(ActionId::step_forward).lesson(context).empty());
+    // And so does the page of keys.
+    EXPECT_EQ(words_on_keys_page(action(ActionId::step_forward).label, run().info().step), words);
+    EXPECT_EQ(words_on_keys_page(action(ActionId::fit).label, run().info().step),
+              action(ActionId::fit).label);
   }
 }
 

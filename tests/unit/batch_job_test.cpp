@@ -152,5 +152,25 @@ TEST(WorldExperiment, ItsCommandIsOneThatAShellTakes) {
             "replan batch '/my maps/it'\\''s.json' --out /out --jobs 4");
 }
 
+/// What a folder holds comes to who shows it a part at a time, and where nothing is missing nothing is written.
+TEST(BatchJob, OfACompleteFolderHandsOverPartByPartAndLeavesItsFilesAlone) {
+  const test::TemporaryFolder folder;
+  BatchJob first;
+  first.start({hall(), folder.file("out"), 1});
+  ASSERT_TRUE(first.take_end()->all);
+  const auto before = std::filesystem::last_write_time(folder.file("out/results.csv"));
+  BatchJob again;
+  again.start({hall(), folder.file("out"), 1});
+  std::vector<RunResult> all;
+  for (const std::size_t part : {15u, 15u, 10u, 0u}) {
+    const auto taken = again.take_results(15);
+    EXPECT_EQ(taken.size(), part);
+    all.insert(all.end(), taken.begin(), taken.end());
+  }
+  EXPECT_TRUE(again.take_end()->all);
+  EXPECT_EQ(results_csv(all), *read_file(folder.file("out/results.csv")));
+  EXPECT_EQ(std::filesystem::last_write_time(folder.file("out/results.csv")), before);
+}
+
 }  // namespace
 }  // namespace replan::batch_job_test

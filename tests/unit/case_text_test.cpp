@@ -84,6 +84,24 @@ TEST(CaseText, ShowsWorldValuesAndOpenList) {
   EXPECT_NE(region.find("cells     of the region from (0, 0)"), std::string::npos) << region;
 }
 
+/// Trees and populations have no open list, and cells no state of their own.
+TEST(CaseText, OfATreeOrAPopulationSaysWhatItKeeps) {
+  for (const auto& [planner, words] :
+       {std::pair{"rrt-star", "\ntree      "}, {"improved-ga", "\npaths     "}}) {
+    Scenario world = closing_gap();
+    world.surprises.clear();
+    world.planners = {{planner, {}}};
+    Driven driven(std::move(world), 0);
+    const std::string text = driven.text(driven.run.timeline().size(), {.pane = 0});
+    EXPECT_NE(text.find(words), std::string::npos) << text;
+    EXPECT_NE(text.find("the best path costs "), std::string::npos) << text;
+    EXPECT_EQ(text.find("\nU "), std::string::npos) << text;
+    EXPECT_EQ(text.find("unseen"), std::string::npos) << text;
+    EXPECT_EQ(text.find("settled"), std::string::npos) << text;
+    EXPECT_TRUE(parse_case_text(text, "the clipboard").ok());
+  }
+}
+
 TEST(CaseText, TheNextOfTheOpenListIsTheOneThatIsTaken) {
   for (const std::size_t pane : {0u, 1u}) {
     Driven driven(closing_gap(), pane);

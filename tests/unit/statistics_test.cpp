@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.hpp"
+#include "core/base/running_median.hpp"
 
 namespace replan::statistics_test {
 namespace {
@@ -117,6 +118,23 @@ TEST(Quantile, IsThatOfRAndNumPy) {
   EXPECT_EQ(quantile(sorted, 1), 8);
   EXPECT_EQ(median({8, 1, 4, 2}), 3);
   EXPECT_EQ(median({5}), 5);
+}
+
+TEST(RunningMedian, IsAtAnyMomentThatOfAllSoFar) {
+  for (const std::uint32_t different : {3u, 1000u, 4'000'000'000u}) {
+    Random random(different);
+    RunningMedian running;
+    std::vector<double> sorted;
+    EXPECT_TRUE(running.empty());
+    for (int i = 0; i < 600; ++i) {
+      // Rising, falling, and in no order.
+      const double value = i < 200 ? i / 7.0 : i < 400 ? -i / 3.0 : random.below(different) / 11.0;
+      running.add(value);
+      sorted.insert(std::upper_bound(sorted.begin(), sorted.end(), value), value);
+      ASSERT_EQ(running.count(), sorted.size());
+      ASSERT_EQ(running.median(), quantile(sorted, 0.5)) << "after " << i + 1;
+    }
+  }
 }
 
 TEST(BootstrapMedian, IsWhatAllResamplesSay) {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/debug/cost_words.hpp"
 #include "core/debug/path_gains.hpp"
 #include "core/debug/probe.hpp"
 #include "core/debug/sample_in_hand.hpp"
@@ -370,6 +371,33 @@ TEST(TreeDebug, TheSecondPhaseIsToldApart) {
   EXPECT_TRUE(hand->pulls);
   log.seek(gains[0].event);
   EXPECT_FALSE(sample_in_hand(run->log_view())->pulls);
+}
+
+/// A condition that is offered can come true: no path is shorter than the way as the crow flies.
+TEST(TreeDebug, ACostToFallBelowLiesBetweenTheLeastAndTheBest) {
+  for (const double least : {0.5, 7.0, 31.4})
+    for (const double above : {1e-2, 0.3, 2.0, 40.0}) {
+      const double best = least + above;
+      const double cost = std::stod(cost_to_fall_below(best, least));
+      EXPECT_GT(cost, least) << best;
+      EXPECT_LT(cost, best) << least;
+    }
+  EXPECT_EQ(cost_to_fall_below(60.0, 31.0), "54");
+  EXPECT_EQ(cost_to_fall_below(10.0, 9.9), "9.95");
+  // Without a path, or with the shortest: what a run from the beginning comes to.
+  EXPECT_EQ(cost_to_fall_below(std::nullopt, 31.0), "35");
+  EXPECT_EQ(cost_to_fall_below(31.0, 31.0), "35");
+}
+
+TEST(TreeDebug, WhatARewiringSavesIsNeverToldAsNothing) {
+  const auto cells = [](double length) {
+    return Cost{static_cast<std::int64_t>(std::llround(length * Cost::kScale))};
+  };
+  EXPECT_EQ(saving_text({}, cells(1.25)), "−1.2");
+  EXPECT_EQ(saving_text({}, cells(0.04)), "−0.04");
+  EXPECT_EQ(saving_text({}, cells(0.0004)), "−0.0004");
+  EXPECT_EQ(saving_text({0.05}, cells(20)), "−1.00 m");
+  EXPECT_EQ(saving_text({0.05}, cells(0.06)), "−0.003 m");
 }
 
 }  // namespace

@@ -399,6 +399,11 @@ TEST(Scenario, RefusesWhatIsOutOfPlace) {
             std::string::npos);
   EXPECT_EQ(error_of(json::array()),
             "s.json:1: not a Replan scenario: the key \"replan\" with the value 1 is missing");
+  // What else the program writes as JSON says what to do with it.
+  const std::string experiment = error_of({{"format", "replan experiment"}, {"version", 1}});
+  EXPECT_NE(experiment.find("'replan batch' runs it"), std::string::npos) << experiment;
+  EXPECT_NE(experiment.find("Run > Batch"), std::string::npos) << experiment;
+  EXPECT_NE(error_of({{"format", "replan batch"}}).find("the results of a batch"), std::string::npos);
   for (const char* key : {"map", "start", "goal", "planners"}) {
     json document = full_document();
     document.erase(key);

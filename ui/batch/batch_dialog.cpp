@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "core/base/deadline.hpp"
 #include "core/base/file.hpp"
 #include "ui/icons.hpp"
 #include "ui/shell/dialogs/parts.hpp"
@@ -15,8 +16,11 @@
 namespace replan::ui {
 namespace {
 
+/// Of one frame, for results that come to the table.
+constexpr double kKeepMs = 4;
+constexpr std::size_t kKeptAtOnce = 256;
 constexpr const char* kBatchPopup = "batch dialog";
-constexpr float kFormWidth = 760, kFormHeight = 300, kFormRest = 310, kResultsWidth = 1400,
+constexpr float kFormWidth = 760, kFormHeight = 300, kFormRest = 350, kResultsWidth = 1400,
                 kResultsHeight = 760;
 
 /// "40 s", "3 min", "2 h 5 min".
@@ -33,6 +37,20 @@ float form_height(const Look& look) {
   return std::clamp(ImGui::GetIO().DisplaySize.y - look.px(kFormRest), look.px(80), look.px(kFormHeight));
 }
 
+BatchDialog::Wish wish_of(BatchFormWish asked) {
+  switch (asked) {
+    case BatchFormWish::open_experiment:
+      return BatchDialog::Wish::open_experiment;
+    case BatchFormWish::save_experiment:
+      return BatchDialog::Wish::save_experiment;
+    case BatchFormWish::choose_folder:
+      return BatchDialog::Wish::choose_folder;
+    case BatchFormWish::none:
+      break;
+  }
+  return BatchDialog::Wish::none;
+}
+
 std::string runs_text(std::size_t count) {
   return count_text(static_cast<std::int64_t>(count), "run", "runs");
 }
@@ -44,6 +62,7 @@ void BatchDialog::show(const Session& session, std::string folder, const WorkPla
   note_.clear();
   if (job_ == nullptr) {
     job_ = std::make_unique<BatchJob>(place);
+    in_step_ = place.in_step;
     form_ = std::make_unique<BatchForm>(place);
     opening_ = std::make_unique<Background<Scenario>>(place);
   }
@@ -52,9 +71,20 @@ void BatchDialog::show(const Session& session, std::string folder, const WorkPla
   if (!job_->busy() && table().count() == 0) page_ = Page::form;
 }
 
+/// The batch that is at work, or its table, is not thrown away for another one: "New batch…" leads to the form.
 void BatchDialog::take_experiment(const std::string& path) {
   error_.clear();
   form_->take_experiment(path);
+  if (job_->busy())
+    note_ = file_name(path) + " is taken for the next batch: New batch… shows it once this one is done.";
+  else
+    page_ = Page::form;
+}
+
+void BatchDialog::take_folder(const std::string& folder) {
+  error_.clear();
+  form_->take_folder(folder);
+  if (!job_->busy()) page_ = Page::form;
 }
 
 void BatchDialog::save_experiment(const std::string& path) {
@@ -72,12 +102,12 @@ void BatchDialog::save_experiment(const std::string& path) {
   if (written) note_ = "Saved the experiment as " + file_name(path) + ", and its world beside it.";
 }
 
-void BatchDialog::exhibit(BatchRequest request, std::vector<RunResult> results,
+void BatchDialog::exhibit(BatchRequest request, const std::vector<RunResult>& results,
                           const BatchProgress& progress) {
   page_ = Page::results;
   request_ = std::move(request);
   view_.clear();
-  view_.table().add(std::move(results));
+  view_.table().add(results);
   exhibited_ = progress;
 }
 
@@ -103,13 +133,22 @@ std::optional<Scenario> BatchDialog::take_run() {
   return run;
 }
 
+/// A folder may hold a hundred thousand results: they come to the table over several frames.
 void BatchDialog::keep() {
   if (job_ == nullptr) return;
-  if (auto results = job_->take_results(); !results.empty()) view_.table().add(std::move(results));
+  const Deadline deadline = in_step_ ? Deadline::never() : Deadline(kKeepMs);
+  const auto take = [this] {
+    const auto results = job_->take_results(kKeptAtOnce);
+    view_.table().add(results);
+    return results.size() == kKeptAtOnce;
+  };
+  behind_ = take();
+  while (behind_ && !deadline.passed()) behind_ = take();
+  if (behind_) return;
   const auto end = job_->take_end();
   if (!end) return;
-  // What came between the two calls.
-  if (auto results = job_->take_results(); !results.empty()) view_.table().add(std::move(results));
+  while (take()) {
+  }  // what came between the two calls
   error_ = end->error;
   if (!error_.empty() && table().count() == 0) page_ = Page::form;
 }
@@ -130,6 +169,11 @@ bool BatchDialog::complete() const {
   return now.all > 0 && now.done == now.all;
 }
 
+std::string BatchDialog::why_not() const {
+  const auto request = form_ ? form_->request() : Result<BatchRequest>(Error{"nothing is chosen"});
+  return request ? "" : request.error();
+}
+
 std::string BatchDialog::words() const {
   return request_.folder + request_.what.experiment.name + (form_ ? form_->words() : "");
 }
@@ -139,6 +183,8 @@ std::string BatchDialog::progress_words() const {
   const std::string done = grouped(now.done) + " of " + runs_text(now.all);
   if (exhibited_ || job_->busy()) {
     if (now.all == 0) return "Reading the worlds…";
+    if (job_ && !exhibited_ && now.done == now.all)
+      return "All " + runs_text(now.all) + " are done: writing results.csv, results.json and times.csv.";
     if (job_ && job_->paused()) return "Paused: " + done + " are done.";
     if (!now.seconds_left) return done + " are done.";
     return done + " are done, and about " + duration_text(*now.seconds_left) + " are left.";
@@ -183,13 +229,21 @@ BatchDialog::Wish BatchDialog::draw(const Look& look) {
 /// What is wrong, what was done, or what there is to expect.
 void BatchDialog::draw_prospect(const Look& look) const {
   if (!error_.empty()) return paragraph(look.fonts.ui, look.theme.bad, as_sentence(error_) + ".");
-  if (const auto request = form_->request(); !request)
-    return paragraph(look.fonts.ui, look.theme.warning, as_sentence(request.error()) + ".");
+  if (const std::string why = why_not(); !why.empty())
+    return paragraph(look.fonts.ui, look.theme.warning, as_sentence(why) + ".");
   if (!note_.empty()) return paragraph(look.fonts.ui, look.theme.good, note_);
+  if (const HeldResults* held = form_->gone_on_with())
+    return paragraph(
+        look.fonts.ui, look.theme.dim,
+        held->complete()
+            ? "Nothing is made again: the table shows what is there."
+            : "The other " + runs_text(static_cast<std::size_t>(held->runs - held->done)) + " are made.");
   if (const auto runs = form_->runs())
     paragraph(look.fonts.ui, look.theme.dim,
-              "That makes " + runs_text(static_cast<std::size_t>(*runs)) +
-                  (*runs > 1 ? ". How long that takes is told after the first of them." : "."));
+              "That makes " + runs_text(static_cast<std::size_t>(*runs)) + "." +
+                  (form_->seeds_are_one() ? " Where nothing is drawn by chance, one seed says it all."
+                   : *runs > 1            ? " How long that takes is told after the first of them."
+                                          : ""));
 }
 
 void BatchDialog::draw_form(const Look& look) {
@@ -198,11 +252,14 @@ void BatchDialog::draw_form(const Look& look) {
   if (asked != BatchFormWish::none) {
     note_.clear();
     error_.clear();
-    wish_ = asked == BatchFormWish::open_experiment ? Wish::open_experiment : Wish::save_experiment;
+    wish_ = wish_of(asked);
   }
   ImGui::Dummy({0, look.px.xs});
   draw_prospect(look);
-  const Answer answer = confirm(look, "Start");
+  const HeldResults* held = form_->gone_on_with();
+  const Answer answer = confirm(look, held == nullptr    ? "Start"
+                                      : held->complete() ? "Show the results"
+                                                         : "Go on");
   if (answer == Answer::no) open_ = false;
   if (answer != Answer::yes) return;
   auto request = form_->request();

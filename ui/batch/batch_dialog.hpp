@@ -17,16 +17,20 @@ namespace replan::ui {
 
 class BatchDialog {
  public:
-  enum class Wish : std::uint8_t { none, open_experiment, save_experiment };
+  enum class Wish : std::uint8_t { none, open_experiment, save_experiment, choose_folder };
 
   /// Shows the batch that there is, else what a new one shall be made of. `folder` is where its results would go.
   void show(const Session& session, std::string folder, const WorkPlace& place);
   /// Takes an experiment's file for a new batch.
   void take_experiment(const std::string& path);
+  /// Takes a folder for the results, and the experiment that it holds some of.
+  void take_folder(const std::string& folder);
+  /// The folder that is chosen, as typed.
+  [[nodiscard]] std::string folder() const { return form_ ? form_->folder() : ""; }
   /// Writes what is chosen as an experiment, with its world beside it, and says so.
   void save_experiment(const std::string& path);
   /// Shows results that nobody has made, for pictures.
-  void exhibit(BatchRequest request, std::vector<RunResult> results, const BatchProgress& progress);
+  void exhibit(BatchRequest request, const std::vector<RunResult>& results, const BatchProgress& progress);
 
   [[nodiscard]] bool open() const { return open_; }
   void close() { open_ = false; }
@@ -34,6 +38,8 @@ class BatchDialog {
   Wish draw(const Look& look);
   /// Takes what has been done since, once a frame, whether it is drawn or not.
   void keep();
+  /// Whether there is more of it than one frame takes.
+  [[nodiscard]] bool behind() const { return behind_; }
   /// The run that the user wants to see in the debugger, once it is there; the dialog closes.
   std::optional<Scenario> take_run();
 
@@ -42,6 +48,8 @@ class BatchDialog {
   [[nodiscard]] const BatchTable& table() const { return view_.table(); }
   /// Why it cannot begin or go on; empty: it can.
   [[nodiscard]] const std::string& error() const { return error_; }
+  /// Why what is chosen cannot be begun; empty: it can.
+  [[nodiscard]] std::string why_not() const;
   /// Characters of it that the fonts may not hold.
   [[nodiscard]] std::string words() const;
 
@@ -61,6 +69,8 @@ class BatchDialog {
   void draw_work_buttons(const Look& look);
 
   bool open_ = false;
+  bool in_step_ = true;  // nobody waits for a frame
+  bool behind_ = false;
   Page page_ = Page::form;
   Wish wish_ = Wish::none;  // of this frame
   std::unique_ptr<BatchForm> form_;

@@ -42,6 +42,26 @@ void whole_number(const Look& look, const char* label, int& value, int low, int 
   value = static_cast<int>(number);
 }
 
+constexpr const char* kTakeHeld = "Take its settings";
+
+/// "This folder holds 12 of the 60 runs of Sixty.", and what to do where that cannot be gone on with here.
+std::string held_words(const HeldResults& held) {
+  const std::string name = held.name.empty() ? "an experiment" : held.name;
+  const std::string runs = count_text(held.runs, "run", "runs");
+  const std::string words = "This folder holds " +
+                            (held.complete() ? "all " + runs : grouped(held.done) + " of " + runs) + " of " +
+                            name + ".";
+  if (!held.file.empty()) return words;
+  return words + " The experiment's file is not beside it: open it above to go on with these results.";
+}
+
+/// Why what a folder holds cannot be gone on with here.
+std::string part_words(const Shard& shard) {
+  const std::string part = std::to_string(shard.index + 1) + "/" + std::to_string(shard.count);
+  return "this folder holds part " + part + " of an experiment: give another folder, or go on with it by " +
+         "'replan batch' with --shard " + part;
+}
+
 /// How many runs an experiment in one world makes.
 std::int64_t count_runs(const Experiment& experiment) {
   LoadedWorld world;
@@ -71,6 +91,8 @@ void BatchForm::take_world(const Session& session, std::string folder) {
   world_ = session.snapshot();
   name_ = session.file().empty() ? world_->name : file_stem(session.file());
   folder_ = std::move(folder);
+  looked_into_.clear();
+  takes_held_ = false;
   file_.clear();
   from_file_.reset();
   loaded_.reset();
@@ -84,6 +106,7 @@ void BatchForm::take_world(const Session& session, std::string folder) {
 
 void BatchForm::take_experiment(const std::string& path) {
   file_ = path;
+  takes_held_ = false;
   loaded_.reset();
   from_file_.reset();
   error_.clear();
@@ -101,6 +124,42 @@ void BatchForm::take_experiment(const std::string& path) {
     const auto list = RunList::load(experiment);
     return list ? Loaded{"", list->count()} : Loaded{list.error(), 0};
   });
+}
+
+void BatchForm::take_folder(const std::string& folder) {
+  folder_ = folder;
+  looked_into_.clear();  // also into the same one anew
+  takes_held_ = true;
+}
+
+/// What is typed is looked into as it comes to name a folder.
+void BatchForm::look_into_folder() {
+  const std::string folder = typed_path(folder_);
+  if (folder != looked_into_) {
+    looked_into_ = folder;
+    held_ = {};
+    looker_.start([folder](const std::stop_token&) {
+      auto held = held_results(folder);
+      return held ? Held{"", std::move(held.value())} : Held{held.error(), std::nullopt};
+    });
+  }
+  auto found = looker_.take();
+  if (!found) return;
+  held_ = std::move(*found);
+  if (std::exchange(takes_held_, false) && held_.results && !held_.results->file.empty()) take_held();
+}
+
+/// The experiment of the results in the folder, which goes on with them.
+void BatchForm::take_held() {
+  const std::string folder = folder_;
+  take_experiment(held_.results->file);
+  folder_ = folder;
+}
+
+const HeldResults* BatchForm::gone_on_with() const {
+  if (!held_.results || file_.empty() || held_.results->file.empty()) return nullptr;
+  std::error_code failed;
+  return std::filesystem::equivalent(held_.results->file, file_, failed) ? &*held_.results : nullptr;
 }
 
 Experiment BatchForm::experiment() const {
@@ -124,10 +183,19 @@ std::optional<std::int64_t> BatchForm::runs() const {
   return world_ ? std::optional(count_runs(experiment())) : std::nullopt;
 }
 
+bool BatchForm::seeds_are_one() const {
+  if (!file_.empty() || !world_) return false;
+  const Experiment wanted = experiment();
+  const std::size_t all = wanted.planners.size() * wanted.seeds.size();
+  return static_cast<std::size_t>(count_runs(wanted)) < all;
+}
+
 Result<BatchRequest> BatchForm::request() const {
   if (!error_.empty()) return Error{error_};
   if (loaded_ && !loaded_->error.empty()) return Error{loaded_->error};
   if (folder_.empty()) return Error{"the results need a folder: give one"};
+  if (held_.results && !held_.results->whole() && typed_path(folder_) == looked_into_)
+    return Error{part_words(held_.results->shard)};
   BatchRequest request{.what = {}, .folder = typed_path(folder_), .jobs = static_cast<std::size_t>(jobs_)};
   if (!file_.empty()) {
     request.what.experiment = *from_file_;
@@ -140,6 +208,7 @@ Result<BatchRequest> BatchForm::request() const {
 
 BatchFormWish BatchForm::draw(const Look& look, float height) {
   if (auto loaded = loader_.take()) loaded_ = std::move(*loaded);
+  look_into_folder();
   BatchFormWish wish = BatchFormWish::none;
   if (button(look, "Open an experiment…", ButtonKind::plain, icon::folder_open))
     wish = BatchFormWish::open_experiment;
@@ -165,7 +234,8 @@ BatchFormWish BatchForm::draw(const Look& look, float height) {
     ImGui::EndChild();
   }
   ImGui::Dummy({0, look.px.xs});
-  draw_folder(look);
+  if (draw_folder(look)) wish = BatchFormWish::choose_folder;
+  draw_held(look);
   return wish;
 }
 
@@ -231,13 +301,14 @@ void BatchForm::draw_file(const Look& look) {
   if (loader_.busy()) paragraph(look.fonts.ui, look.theme.dim, "Reading its worlds…");
 }
 
-void BatchForm::draw_folder(const Look& look) {
+/// True if the user wants to choose one.
+bool BatchForm::draw_folder(const Look& look) {
   const auto field_height = (look.px.control - look.fonts.mono->FontSize) * 0.5f;
   ImGui::AlignTextToFramePadding();
   text(look.fonts.ui, look.theme.dim, "Results go to");
   ImGui::SameLine(look.px(132));
-  const float jobs = look.px(116);
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - jobs);
+  const float jobs = look.px(116), choose = look.px(24) + look.px.s;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - jobs - choose);
   if (look.focus != nullptr) look.focus->offer_field("##folder");
   ImGui::PushFont(look.fonts.mono);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(10), field_height));
@@ -250,15 +321,47 @@ void BatchForm::draw_folder(const Look& look) {
       look,
       {"Folder of the results", "",
        "Each run is kept there as soon as it is done. A batch that was stopped goes on with what is there."});
+  ImGui::SameLine(0, look.px.s);
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (look.px.control - look.px(24)) * 0.5f);
+  const bool chooses =
+      small_button(look, "choose folder",
+                   {.icon = icon::folder_open,
+                    .hint = {"Choose the folder", "",
+                             "One that holds results gives its experiment, which goes on with them."}});
   ImGui::SameLine(0, look.px.m);
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - (look.px.control - look.px(24)) * 0.5f);
+  draw_jobs(look);
+  return chooses;
+}
+
+void BatchForm::draw_jobs(const Look& look) {
   text(look.fonts.ui, look.theme.dim, "Jobs");
   ImGui::SameLine(0, look.px.s);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px.s, field_height));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      ImVec2(look.px.s, (look.px.control - look.fonts.mono->FontSize) * 0.5f));
   if (number_field(look, "##jobs", ImGuiDataType_U64, &jobs_))
     jobs_ = std::clamp<std::uint64_t>(jobs_, 1, kMostJobs);
   ImGui::PopStyleVar();
   hint(look, {"Jobs", "", "Runs at a time. More than one are done sooner, but disturb each other's times."});
+}
+
+/// What the folder holds already, and how to go on with it.
+void BatchForm::draw_held(const Look& look) {
+  if (!held_.error.empty())
+    return paragraph(look.fonts.ui, look.theme.warning, as_sentence(held_.error) + ".");
+  if (!held_.results || !held_.results->whole()) return;  // of a part request() tells
+  const HeldResults& held = *held_.results;
+  const std::string words = held_words(held);
+  const bool other = gone_on_with() == nullptr && !held.file.empty();
+  if (!other) return paragraph(look.fonts.ui, look.theme.text, words);
+  ImGui::AlignTextToFramePadding();
+  const float room = ImGui::GetContentRegionAvail().x - button_width(look, kTakeHeld) - look.px.m;
+  text_line(look, look.fonts.ui, look.theme.text, words, room);
+  ImGui::SameLine();
+  align_right(button_width(look, kTakeHeld));
+  if (button(look, kTakeHeld, ButtonKind::plain)) take_held();
+  hint(look, {kTakeHeld, "", "Takes the experiment of these results, so that it goes on where it was."});
 }
 
 }  // namespace replan::ui

@@ -13,6 +13,7 @@ namespace replan::ui {
 namespace {
 
 constexpr std::size_t kMostSummaryRows = 6;
+constexpr const char* kOpensRuns = "; a click on one opens it in the debugger";
 
 struct SummaryColumn {
   SummaryFigure figure;
@@ -20,11 +21,11 @@ struct SummaryColumn {
   int decimals;
   bool main;
 };
-constexpr std::array kSummaryColumns = {SummaryColumn{SummaryFigure::length, "length", 3, true},
+constexpr std::array kSummaryColumns = {SummaryColumn{SummaryFigure::length, "length  cells", 3, true},
                                         SummaryColumn{SummaryFigure::turns, "turns", 1, false},
-                                        SummaryColumn{SummaryFigure::clearance, "clearance", 2, false},
+                                        SummaryColumn{SummaryFigure::clearance, "clearance  cells", 2, false},
                                         SummaryColumn{SummaryFigure::expansions, "expansions", 0, true},
-                                        SummaryColumn{SummaryFigure::time, "ms", 2, true}};
+                                        SummaryColumn{SummaryFigure::time, "time  ms", 2, true}};
 
 /// The median, and behind it its ratio to the first planner's.
 std::string summary_text(const PlannerSummary& planner, const PlannerSummary& first,
@@ -66,7 +67,7 @@ std::vector<Column> layout_of(std::span<const BatchColumn> columns) {
   return layout;
 }
 
-ImU32 colour_of(const Theme& theme, const RunResult& run, BatchColumn column) {
+ImU32 colour_of(const Theme& theme, const BatchRow& run, BatchColumn column) {
   if (column == BatchColumn::status && !run.succeeded) return theme.warning;
   return info_of(column).words || column == BatchColumn::run ? theme.dim : theme.text;
 }
@@ -93,7 +94,7 @@ void BatchView::clear() {
 
 void BatchView::draw_summaries(const Look& look) {
   const std::vector<SummaryColumn> figures = summary_columns(look);
-  std::vector<Column> columns = {{"planner", 300, Align::left}, {"found", 130}};
+  std::vector<Column> columns = {{"medians of each planner", 290, Align::left}, {"found", 160}};
   for (const SummaryColumn& each : figures) columns.push_back({each.name, 160});
   const std::span<const PlannerSummary> all = table_.summaries();
   table_header(look, columns);
@@ -130,17 +131,18 @@ void BatchView::draw_filters(const Look& look) {
   ImGui::AlignTextToFramePadding();
   text(look.fonts.ui, look.theme.dim,
        table_.shown() == table_.count()
-           ? count_text(static_cast<std::int64_t>(table_.count()), "run", "runs")
-           : grouped(table_.shown()) + " of " + grouped(table_.count()) + " runs");
+           ? count_text(static_cast<std::int64_t>(table_.count()), "run", "runs") + kOpensRuns
+           : grouped(table_.shown()) + " of " + grouped(table_.count()) + " runs" + kOpensRuns);
 }
 
 /// A click on a column's name sorts by it; the column in force has an arrow.
 void BatchView::draw_header(const Look& look) {
   const std::vector<BatchColumn> columns = batch_columns(look);
   std::vector<Column> layout = layout_of(columns);
-  const std::string marked = std::string(info_of(table_.order()).name) + (table_.descending() ? " ↓" : " ↑");
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    if (columns[i] == table_.order()) layout[i].name = marked.c_str();
+  std::vector<std::string> names;
+  for (const BatchColumn each : columns)
+    names.push_back(batch_heading(each) + (each != table_.order() ? "" : table_.descending() ? " ↓" : " ↑"));
+  for (std::size_t i = 0; i < columns.size(); ++i) layout[i].name = names[i].c_str();
   const int at = table_header(look, layout);
   if (at < 0) return;
   const BatchColumn column = columns[static_cast<std::size_t>(at)];
@@ -153,10 +155,11 @@ void BatchView::draw_header(const Look& look) {
 
 std::optional<std::int64_t> BatchView::take_keys(const Look& look, float height) {
   if (table_.shown() == 0 || open_lists() > 0 || ImGui::IsAnyItemActive()) return std::nullopt;
-  const auto at = selected_ ? table_.row_of(*selected_) : std::nullopt;
-  if (at && enter_pressed()) return selected_;
+  const bool enters = selected_ && enter_pressed();
   const int by = (ImGui::IsKeyPressed(key::kDown) ? 1 : 0) - (ImGui::IsKeyPressed(key::kUp) ? 1 : 0);
-  if (by == 0) return std::nullopt;
+  if (by == 0 && !enters) return std::nullopt;
+  const auto at = selected_ ? table_.row_of(*selected_) : std::nullopt;
+  if (enters) return at ? selected_ : std::nullopt;
   const auto last = static_cast<std::ptrdiff_t>(table_.shown()) - 1;
   const std::ptrdiff_t next =
       at ? std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(*at) + by, 0, last) : 0;
@@ -171,9 +174,9 @@ std::optional<std::int64_t> BatchView::draw_rows(const Look& look, float height)
   const std::vector<Column> layout = layout_of(columns);
   const auto [first, last] = begin_rows(look, "runs", table_.shown(), height, scroll_);
   for (std::size_t i = first; i < last; ++i) {
-    const RunResult& run = table_.row(i);
+    const BatchRow& run = table_.row(i);
     std::vector<std::string> texts;
-    for (const BatchColumn column : columns) texts.push_back(batch_text(run, column));
+    for (const BatchColumn column : columns) texts.push_back(table_.text(i, column));
     std::vector<TableCell> cells;
     for (std::size_t c = 0; c < columns.size(); ++c)
       cells.push_back({texts[c], colour_of(look.theme, run, columns[c])});

@@ -77,6 +77,25 @@ FileDialogSpec spec_for_experiment(bool saving) {
           }};
 }
 
+FileDialogSpec spec_for_batch_folder() {
+  return {.folders = true,
+          .title = "Folder of the results",
+          .action = "Choose",
+          .filters = {{"Folders", {"/"}}},  // which no file ends in
+          .path = {},
+          .places = {},
+          .losses = {},
+          .aside = [](const Look& look, const std::string& folder) {
+            text(look.fonts.title, look.theme.text, "Results go to");
+            paragraph(look.fonts.mono, look.theme.text, folder);
+            ImGui::Dummy({0, look.px.xs});
+            paragraph(
+                look.fonts.ui, look.theme.dim,
+                "A folder that is typed and not there yet is made when the batch begins. One that holds "
+                "results gives its experiment, which goes on with them.");
+          }};
+}
+
 FileDialogSpec spec_to_save_figures() {
   std::vector<FileFilter> filters;
   for (const FiguresFormatInfo& format : figures_formats())

@@ -13,6 +13,8 @@ FileDialogSpec spec_to_open();
 FileDialogSpec spec_to_save(std::shared_ptr<const Scenario> scenario);
 /// An experiment, for a batch.
 FileDialogSpec spec_for_experiment(bool saving);
+/// A folder for the results of a batch.
+FileDialogSpec spec_for_batch_folder();
 /// Of the Figures tab.
 FileDialogSpec spec_to_save_figures();
 

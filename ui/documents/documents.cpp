@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/file.hpp"
+#include "core/experiment/held_results.hpp"
 #include "ui/documents/files.hpp"
 #include "ui/documents/questions.hpp"
 #include "ui/shell/format.hpp"
@@ -161,6 +162,11 @@ void Documents::open(Session& session, const std::string& path) {
 
 /// Unsaved edits are asked about once it is known what takes their place, and not before one may look.
 void Documents::load_next(Session& session, Loading what) {
+  if (what.from == Loading::From::file && batch_paper(what.path) != BatchPaper::none) {
+    window_.dialogs.close();
+    remember(what.path);
+    return window_.show_batch(session, what.path);
+  }
   after_saving(session, [this, what = std::move(what)](Session& its) { load(its, what); });
 }
 

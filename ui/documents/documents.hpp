@@ -37,6 +37,8 @@ class Documents {
     Message& message;
     /// Takes over what a scenario says of its view.
     std::function<void(const ViewSetup& view)> show;
+    /// Shows an experiment, or results of one: such a file is no document.
+    std::function<void(const Session& session, const std::string& path)> show_batch;
   };
   using Deed = std::function<void(Session& session)>;
 

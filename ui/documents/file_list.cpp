@@ -63,18 +63,22 @@ bool begins(std::string_view text, std::string_view beginning) {
                                                        [](char x, char y) { return lower(x) == lower(y); });
 }
 
-/// Of files whose extension other programs use too: whether their beginning is that of a scenario, or of a ROS map.
-bool looks_right(const fs::path& path) {
+/// Of files whose extension other programs use too, or several of our own: what they are by their beginning.
+FileKind kind_inside(const fs::path& path, FileKind promised) {
   const std::string extension = file_extension(path.filename().string());
   const bool json = extension == ".json", yaml = extension == ".yaml" || extension == ".yml";
-  if (!json && !yaml) return true;
+  if (!json && !yaml) return promised;
   constexpr std::size_t kBeginning = 64 << 10;
   std::ifstream file(path, std::ios::binary);
   std::string text(kBeginning, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
   const auto has = [&text](const char* word) { return text.find(word) != std::string::npos; };
-  return json ? has("\"replan\"") : has("image") && has("resolution");
+  if (yaml) return has("image") && has("resolution") ? promised : FileKind::other;
+  // A folder's batch.json holds its experiment.
+  if (has("\"replan batch\"") || has("\"replan results\"")) return FileKind::results;
+  if (has("\"replan experiment\"")) return FileKind::experiment;
+  return has("\"replan\"") ? promised : FileKind::other;
 }
 
 /// The entry with what the system tells of it; links are followed. False if it is gone.
@@ -83,7 +87,7 @@ bool look_up(const fs::path& path, FileEntry& entry) {
   if (::stat(path.c_str(), &info) != 0 && ::lstat(path.c_str(), &info) != 0) return false;
   const bool folder = S_ISDIR(info.st_mode);
   entry.kind = folder ? FileKind::folder : kind_of(entry.name);
-  if (!folder && S_ISREG(info.st_mode) && !looks_right(path)) entry.kind = FileKind::other;
+  if (!folder && S_ISREG(info.st_mode)) entry.kind = kind_inside(path, entry.kind);
   entry.size = folder ? 0 : static_cast<std::uint64_t>(info.st_size);
   entry.modified = static_cast<std::int64_t>(info.st_mtime);
   return true;
@@ -108,6 +112,10 @@ std::string kind_text(const FileEntry& entry) {
       return "scenario";
     case FileKind::problems:
       return "problems";
+    case FileKind::experiment:
+      return "experiment";
+    case FileKind::results:
+      return "results of a batch";
     case FileKind::map:
     case FileKind::picture:
       return std::string(find_map_format(entry.name)->name);

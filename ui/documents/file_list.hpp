@@ -11,7 +11,7 @@
 
 namespace replan::ui {
 
-enum class FileKind : std::uint8_t { folder, scenario, map, picture, problems, other };
+enum class FileKind : std::uint8_t { folder, scenario, map, picture, problems, experiment, results, other };
 
 struct FileEntry {
   std::string name;

@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include "core/base/file.hpp"
+#include "core/experiment/experiment.hpp"
+#include "core/experiment/held_results.hpp"
 #include "core/world/choices.hpp"
 #include "core/world/map_file.hpp"
 #include "ui/documents/file_list.hpp"
@@ -118,6 +120,36 @@ Preview make_preview(const std::string& path, const MapReading& reading, const S
     preview.error = kind == FileKind::problems
                         ? "A list of problems, not a world: open the .map that it is for."
                         : "Not a world.";
+  }
+  return preview;
+}
+
+Preview preview_of_batch(const std::string& path) {
+  Preview preview;
+  if (batch_paper(path) == BatchPaper::results) {
+    const auto held = held_results(file_folder(path));
+    if (!held) preview.error = held.error();
+    if (!held || !*held) return preview;
+    preview.name = (*held)->name;
+    preview.notes.push_back("results of a batch: " + grouped(static_cast<std::size_t>((*held)->done)) +
+                            " of " + count_text((*held)->runs, "run is", "runs are") +
+                            " done; Open shows them in Run > Batch");
+    return preview;
+  }
+  const auto experiment = read_experiment(path);
+  if (!experiment) {
+    preview.error = experiment.error();
+    return preview;
+  }
+  preview.name = experiment->name;
+  preview.notes.push_back(
+      "an experiment in " +
+      count_text(static_cast<std::int64_t>(experiment->worlds.size()), "world", "worlds") +
+      ": Open shows it in Run > Batch");
+  for (const PlannerChoice& choice : experiment->planners) {
+    const std::string name(find_choice(choice.id)->name);
+    if (std::find(preview.planners.begin(), preview.planners.end(), name) == preview.planners.end())
+      preview.planners.push_back(name);
   }
   return preview;
 }

@@ -50,4 +50,7 @@ inline constexpr std::uint64_t kMostPreviewBytes = 48u << 20;
 /// Reads a scenario or a map for its preview. Slow for large files: not for the drawing thread.
 Preview make_preview(const std::string& path, const MapReading& reading, const StopToken& stop);
 
+/// Of an experiment, or of a file in a folder of results: no world, and opened it is shown in Run > Batch.
+Preview preview_of_batch(const std::string& path);
+
 }  // namespace replan::ui

@@ -76,6 +76,11 @@ void Dialogs::show_about(std::vector<AboutLine> lines) {
   show(DialogKind::about);
 }
 
+void Dialogs::show_keys(const StepWords& step) {
+  step_ = step;
+  show(DialogKind::keys);
+}
+
 void Dialogs::wait_for(std::string name) {
   name_ = std::move(name);
   since_ = -1;

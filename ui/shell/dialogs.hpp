@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/plan/step_words.hpp"
 #include "core/session/autosave.hpp"
 #include "ui/shell/dialogs/file_dialog.hpp"
 #include "ui/shell/dialogs/film_form.hpp"
@@ -39,6 +40,7 @@ struct DialogDecision {
     export_trace,
     open_experiment,
     save_experiment,
+    batch_folder,
     save_first,
     discard,
     overwrite,
@@ -57,6 +59,9 @@ struct DialogDecision {
   std::size_t index = 0;  ///< for recover and forget: which of those on offer
   bool map = false;       ///< for export_trace: its map too
 };
+
+/// What the page of keys calls an action of that label, with the words of the leading planner for its steps.
+std::string words_on_keys_page(const std::string& label, const StepWords& step);
 
 /// What there is to write of a run.
 struct TraceFacts {
@@ -103,6 +108,8 @@ class Dialogs {
                    DialogDecision::Kind decision = DialogDecision::Kind::none);
   void choose_world(WorldLibrary& library);
   void offer(std::vector<AutosaveNote> notes);
+  /// The page of keys; the planner that leads calls its steps so.
+  void show_keys(const StepWords& step);
   void show_about(std::vector<AboutLine> lines);
   // Each asks where it goes; `spec` says where to begin.
   void ask_picture(bool window, FileDialogSpec spec, const WorkPlace& place);
@@ -161,7 +168,8 @@ class Dialogs {
   DialogDecision::Kind file_decision_ = DialogDecision::Kind::none;
   FilmForm film_;
   TraceFacts trace_facts_;
-  bool trace_map_ = true;     // what was chosen last
+  bool trace_map_ = true;  // what was chosen last
+  StepWords step_ = kExpansionWords;
   float page_height_ = 2000;  // of the keys, as drawn last
 };
 

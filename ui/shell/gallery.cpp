@@ -115,7 +115,7 @@ void batch_results(const Room& room) {
   request.what.world = room.session.snapshot();
   request.folder = std::string(kFolder) + "/field-batch";
   room.batch.show(room.session, request.folder, {});
-  room.batch.exhibit(std::move(request), std::move(results), {36, 60, 95});
+  room.batch.exhibit(std::move(request), results, {36, 60, 95});
 }
 
 struct Exhibit {

@@ -42,7 +42,8 @@ bool is_quiet(const Command& command) {
 
 Shell::Shell(ImGuiRenderer& renderer)
     : panes_(renderer),
-      documents_({view_, panels_, dialogs_, message_, [this](const ViewSetup& view) { show(view); }}),
+      documents_({view_, panels_, dialogs_, message_, [this](const ViewSetup& view) { show(view); },
+                  [this](const Session& session, const std::string& path) { show_batch(session, path); }}),
       dialogs_(renderer) {}
 
 ActionContext context_of(Frame& frame) {
@@ -100,6 +101,7 @@ bool Shell::wants_frames(const Session& session) const {
   const bool debugging = session.checks().busy() || session.breakpoints().hunt();
   return busy || session.has_steps() || debugging || session.playback().direction != 0 ||
          session.revision() != drawn_ || held_ || panels_.animated || dialogs_.animated() || export_.busy() ||
+         batch_.behind() ||
          panels_.clipboard.busy() || awaited_ || panes_.animating();
 }
 

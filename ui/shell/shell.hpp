@@ -57,6 +57,8 @@ class Shell {
   void perform_next(ActionId id) { next_actions_.push_back(id); }
   /// Shows the dialog or menu of that name (gallery.hpp), for a picture; false if there is none.
   bool show_dialog(std::string_view name, const Session& session);
+  /// Shows the batch dialog with an experiment's file, or with the folder of results that a file is of.
+  void show_batch(const Session& session, const std::string& path);
   /// At the very first start: the first lesson, unless the user is asked something.
   void welcome();
   /// A sentence over the canvas for a while.
@@ -96,6 +98,7 @@ class Shell {
   void export_trace(const Session& session, const DialogDecision& decision);
   void draw_batch(const Look& look);
   void choose_experiment(bool saving);
+  void choose_batch_folder();
   void go_on_with_batch(Session& session);
   void go_to_pasted(Session& session);
   void await_moment(Session& session);

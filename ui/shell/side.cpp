@@ -1,10 +1,13 @@
 // The side panel: tabs, and below them which planner of several they are about.
 #include <vector>
 
+#include "ui/icons.hpp"
 #include "ui/shell/panels.hpp"
 
 namespace replan::ui {
 namespace {
+
+constexpr const char* kMoreTabs = "more tabs";
 
 /// Several planners run side by side: whose values shall the tabs show?
 void choose_pane(Frame& frame, std::size_t shown) {
@@ -35,24 +38,49 @@ void choose_pane(Frame& frame, std::size_t shown) {
   ImGui::SetCursorScreenPos({origin.x, origin.y + look.px.control + look.px.m});
 }
 
+/// Behind the last tab of the bar: those that have no place in it.
+void more_tabs(Frame& frame, std::span<const std::size_t> numbers, ImVec2 corner) {
+  const Look& look = frame.look;
+  ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.m, look.px(10)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px.s, look.px(7)));
+  const bool open = ImGui::BeginPopup(kMoreTabs, ImGuiWindowFlags_NoMove);
+  for (const std::size_t number : open ? numbers : std::span<const std::size_t>()) {
+    const Action& shows = action(tab_action(tab_kinds()[number].id));
+    if (menu_item(look, shows.label.c_str(), {.icon = shows.icon, .keys = shows.keys.c_str()}))
+      perform(frame, tab_action(tab_kinds()[number].id));
+    hint(look, shows.hint());
+  }
+  if (open) ImGui::EndPopup();
+  ImGui::PopStyleVar(2);
+}
+
 /// The number of the tab that shows; a click chooses another one.
 std::size_t choose_tab(Frame& frame) {
   const auto kinds = tab_kinds();
-  std::size_t shown = tab_number(frame.view.tab);
+  const std::size_t shown = tab_number(frame.view.tab);
   std::vector<Tab> all;
-  std::vector<std::size_t> numbers;
+  std::vector<std::size_t> numbers, others;
   int chosen = 0;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
-    if (i != shown && kinds[i].in_bar != nullptr && !kinds[i].in_bar(frame.session)) continue;
+    if (i != shown && kinds[i].in_bar != nullptr && !kinds[i].in_bar(frame.session)) {
+      others.push_back(i);
+      continue;
+    }
     if (i == shown) chosen = static_cast<int>(all.size());
     all.push_back({kinds[i].name, action(tab_action(kinds[i].id)).hint()});
     numbers.push_back(i);
   }
-  if (tabs(frame.look, "tabs", all, chosen)) {
-    shown = numbers[static_cast<std::size_t>(chosen)];
-    frame.view.tab = kinds[shown].id;
-  }
-  return shown;
+  if (!others.empty())
+    all.push_back({icon::ellipsis, {"More tabs", "", "Those that the bar has no room for."}});
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float right = origin.x + ImGui::GetContentRegionAvail().x;
+  const bool changed = tabs(frame.look, "tabs", all, chosen);
+  const auto place = static_cast<std::size_t>(chosen);
+  if (changed && place == numbers.size()) ImGui::OpenPopup(kMoreTabs);
+  more_tabs(frame, others, {right, ImGui::GetCursorScreenPos().y});
+  if (changed && place < numbers.size()) frame.view.tab = kinds[numbers[place]].id;
+  return tab_number(frame.view.tab);
 }
 
 }  // namespace

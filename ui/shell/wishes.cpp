@@ -23,7 +23,7 @@ void Shell::take_wish(Session& session, Wish wish) {
     case Wish::about:
       return dialogs_.show_about(panels_.about);
     case Wish::keys:
-      return dialogs_.show(DialogKind::keys);
+      return dialogs_.show_keys(session.run().info().step);
     case Wish::record_canvas:
     case Wish::record_window:
       return ask_for_capture(session, true, wish == Wish::record_window);
@@ -98,6 +98,8 @@ void Shell::take_decision(Session& session, const DialogDecision& decision) {
       return export_trace(session, decision);
     case DialogDecision::Kind::open_experiment:
       return batch_.take_experiment(decision.path);
+    case DialogDecision::Kind::batch_folder:
+      return batch_.take_folder(decision.path);
     case DialogDecision::Kind::save_experiment:
       return batch_.save_experiment(decision.path);
     default:

@@ -25,10 +25,19 @@ KindSet kinds_shown(const SearchValues& values, bool every_value) {
   return kinds;
 }
 
-std::string raw_text(const Run& run, const Field& field, std::uint64_t raw) {
+/// Costs of trees and populations are lengths, told as elsewhere in the tab.
+std::string raw_text(const Run& run, const Field& field, std::uint64_t raw, const LengthUnit& lengths) {
+  if (field.type == FieldType::cost && run.info().can_miss())
+    return lengths.text(Cost{static_cast<std::int64_t>(raw)}, 2);
   if (field.type == FieldType::visits) return std::to_string(raw >> 32) + "×";
   if (field.type == FieldType::queue && raw == 0) return "—";
   return value_text(run.lattice(), field, raw);
+}
+
+/// What the numbers of the history are in.
+const char* history_units(const PlannerInfo& info, bool metric) {
+  if (info.can_miss()) return metric ? "Costs are lengths, in metres." : "Costs are lengths, in cells.";
+  return "Costs are in moves: one over a side costs 1, a diagonal one 1.41, and a penalty comes on top.";
 }
 
 /// One change; a click goes to behind it. What lies after the cursor stands back.
@@ -38,8 +47,10 @@ void change_row(Frame& frame, std::size_t row, const ValueChange& change, std::s
   const std::size_t cursor = run.timeline().cursor();
   const bool ahead = change.event >= cursor, here = change.event + 1 == cursor;
   const Field& field = run.info().values.field(change.kind);
+  const LengthUnit lengths = shown_lengths(frame.view, frame.session.scenario().map);
   const std::string event = grouped(change.event + 1), what(field.label),
-                    before = raw_text(run, field, change.before), after = raw_text(run, field, change.after);
+                    before = raw_text(run, field, change.before, lengths),
+                    after = raw_text(run, field, change.after, lengths);
   const ImU32 words = ahead ? look.theme.faint : look.theme.dim;
   const std::array<TableCell, 4> cells = {{{event, ahead ? look.theme.faint : look.theme.accent},
                                            {what, words},
@@ -118,7 +129,9 @@ void CellPast::draw_rows(Frame& frame) {
   }
   static constexpr std::array<Column, 4> kColumns = {
       {{"event", 1.1f, Align::left}, {"what", 1.0f}, {"before", 1.1f}, {"after", 1.1f}}};
-  table_head(look, kColumns);
+  table_header(look, kColumns);
+  const bool metric = shown_lengths(frame.view, frame.session.scenario().map).metric();
+  hint(look, {"History", "", history_units(frame.run().info(), metric)});
   const std::size_t shown = std::min(history.size(), kRowsShown);
   keep_in_sight(frame, *this, shown);
   const RowsInSight sight =

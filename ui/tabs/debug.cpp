@@ -7,6 +7,7 @@
 
 #include <imgui_internal.h>
 
+#include "core/debug/cost_words.hpp"
 #include "core/plan/tree_values.hpp"
 #include "core/robots/drive_sense.hpp"
 #include "ui/icons.hpp"
@@ -75,7 +76,7 @@ bool entry_field(Frame& frame, const Entry& entry, std::string& draft) {
 }
 
 /// Examples that a click takes over into the field.
-void examples(const Look& look, std::span<const std::pair<std::string, const char*>> list,
+void examples(const Look& look, std::span<const std::pair<std::string, std::string>> list,
               std::string& draft) {
   for (const auto& [expression, meaning] : list) {
     if (link(look, expression.c_str(), expression, look.fonts.mono)) draft = expression;
@@ -89,15 +90,23 @@ Cell some_cell(const Frame& frame) {
   return frame.cell().value_or(frame.session.scenario().goal);
 }
 
-/// A cost that the best path soon falls below: nine tenths of what it costs now, or of the world's width.
-std::string some_cost(const Frame& frame) {
-  const std::uint64_t best = frame.run().timeline().state().scalar(Scalar::best);
-  const double cost = best != 0 ? Cost{static_cast<std::int64_t>(best)}.to_double()
-                                : static_cast<double>(frame.session.scenario().map.width);
-  return fixed(std::ceil(0.9 * cost), 0);
-}
+using Examples = std::vector<std::pair<std::string, std::string>>;
 
-using Examples = std::vector<std::pair<std::string, const char*>>;
+/// To stop where the best path has become shorter: conditions are in cells, whatever the window shows.
+std::pair<std::string, std::string> shorter_path(const Frame& frame, const std::string& what) {
+  const Scenario& scenario = frame.session.scenario();
+  const SearchState& state = frame.run().timeline().state();
+  const Box& world = frame.run().lattice();
+  const NodeId start = state.node(Scalar::start), goal = state.wanted_goal();
+  const double least = distance(start == kNoNode ? scenario.start : world.position(start),
+                                goal == kNoNode ? scenario.goal : world.position(goal));
+  const std::uint64_t best = state.scalar(Scalar::best);
+  const std::string cost = cost_to_fall_below(
+      best == 0 ? std::nullopt : std::optional(Cost{static_cast<std::int64_t>(best)}.to_double()), least);
+  const LengthUnit lengths = shown_lengths(frame.view, scenario.map);
+  const std::string length = lengths.metric() ? lengths.text(std::stod(cost), 2) : "that many cells";
+  return {"best < " + cost, what + " is shorter than " + length};
+}
 
 /// Breakpoints that are of use with the leading pane's planner.
 Examples breakpoints_to_take(const Frame& frame) {
@@ -106,13 +115,13 @@ Examples breakpoints_to_take(const Frame& frame) {
     const std::uint32_t goal = goal_vertex(frame.run().timeline().state());
     return {
         {"event(first_path)", "the tree has met the goal"},
-        {"best < " + some_cost(frame), "the path has become that short, in cells"},
+        shorter_path(frame, "the path"),
         {"rewired(" + std::to_string(goal == kNoNode ? 1 : goal) + ")", "the vertex is hung on another one"},
         {"event(replan)", "a replan begins"}};
   }
   if (values.breeds())
     return {{"event(first_path)", "a path hits nothing any more"},
-            {"best < " + some_cost(frame), "the fittest path has become that short, in cells"},
+            shorter_path(frame, "the fittest path"),
             {"generation == 10", "ten generations have ended"},
             {"event(replan)", "a replan begins"}};
   return {{"event(replan)", "a replan begins"},
@@ -208,7 +217,7 @@ void breakpoints_section(Frame& frame, std::string& draft) {
               "The playhead stops where a condition comes true. Click beside a line in the Code tab, or take "
               "one of "
               "these:");
-    std::vector<std::pair<std::string, const char*>> list = breakpoints_to_take(frame);
+    Examples list = breakpoints_to_take(frame);
     if (drives(frame.run().scenario(), frame.run().choice()))
       list.insert(list.end(), {{"score(winner) < 0.5", "the arc that it takes is poor"},
                                {"admissible == 0", "it may take none of its arcs"},
@@ -219,6 +228,8 @@ void breakpoints_section(Frame& frame, std::string& draft) {
   for (const Hit& hit : breakpoints.hits())
     if (hit.breakpoint < counts.size()) ++counts[hit.breakpoint];
   for (std::size_t i = 0; i < counts.size(); ++i) breakpoint_row(frame, i, counts[i]);
+  if (!counts.empty() && frame.session.runs().size() > 1)
+    paragraph(look.fonts.small, look.theme.dim, whose_stops(frame.run().info().name));
   if (entry_field(frame, {"breakpoint", "stop when …", false}, draft)) {
     frame.commands.push_back(AddBreakpoint{draft});
     draft.clear();
@@ -257,7 +268,7 @@ void watches_section(Frame& frame, std::string& draft) {
     paragraph(look.fonts.ui, look.theme.dim,
               "A watch draws a quantity over the whole run. Right click a value in the Cell tab, or take one "
               "of these:");
-    std::vector<std::pair<std::string, const char*>> suggestions = watches_to_take(frame);
+    Examples suggestions = watches_to_take(frame);
     if (drives(frame.run().scenario(), frame.run().choice()))
       suggestions.push_back({"score(winner)", "the score of the arc that it takes"});
     examples(look, suggestions, draft);
@@ -270,6 +281,11 @@ void watches_section(Frame& frame, std::string& draft) {
 }
 
 }  // namespace
+
+std::string whose_stops(std::string_view planner) {
+  return "The stops are those of " + std::string(planner) +
+         ", which leads; the other panes go along. Let another pane lead, and they are its own.";
+}
 
 void DebugTab::draw(Frame& frame) {
   breakpoints_section(frame, breakpoint);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 #include "ui/shell/frame.hpp"
 
@@ -26,6 +27,9 @@ class DebugTab final : public SideTab {
  private:
   Comparison comparison_;
 };
+
+/// Below the breakpoints where there are several panes: whose stops are counted.
+std::string whose_stops(std::string_view planner);
 
 // Its sections about the planners.
 void draw_checks(Frame& frame);

@@ -51,6 +51,14 @@ bool has_gains(const Session& session) {
                      [](const auto& run) { return run->info().sampling && !run->milestones().empty(); });
 }
 
+std::size_t gains_pane(const Session& session) {
+  const auto runs = session.runs();
+  if (runs[session.lead()]->info().sampling) return session.lead();
+  const auto first =
+      std::find_if(runs.begin(), runs.end(), [](const auto& run) { return run->info().sampling; });
+  return first == runs.end() ? session.lead() : static_cast<std::size_t>(first - runs.begin());
+}
+
 const GainChart::Curve& GainChart::curve_of(Frame& frame, std::size_t pane) {
   const Run& run = *frame.session.runs()[pane];
   if (curves_.size() <= pane) curves_.resize(pane + 1);
@@ -67,8 +75,7 @@ const GainChart::Curve& GainChart::curve_of(Frame& frame, std::size_t pane) {
   return curve;
 }
 
-std::optional<double> GainChart::optimum_of(Frame& frame, const Curve& curve) {
-  const Run& run = frame.run();
+std::optional<double> GainChart::optimum_of(Frame& frame, const Run& run, const Curve& curve) {
   const std::size_t at = plan_end(run, curve.begin, curve.end);
   const bool same = optimum_ && optimum_->log_id == curve.log_id && optimum_->begin == curve.begin;
   if (!same || (!optimum_->has_ends && optimum_->at != at)) begin_optimum(frame, curve, at);
@@ -94,51 +101,59 @@ void GainChart::begin_optimum(const Frame& frame, const Curve& curve, std::size_
   optimum_->job.start_slices([search = std::move(search)](const StopToken&) { return search->advance(); });
 }
 
+/// Expansions and children are no samples: only panes that draw samples have a curve, over samples.
 void GainChart::draw(Frame& frame, float height) {
   const Session& session = frame.session;
   const LengthUnit lengths = shown_lengths(frame.view, session.scenario().map);
+  const std::size_t main = gains_pane(session);
   CostChart chart(frame, "gains", height, CostScale::linear);
   for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
+    if (!session.runs()[pane]->info().sampling) continue;
     const Curve& curve = curve_of(frame, pane);
     chart.axes.reach(curve.samples);
     for (const PathGain& gain : curve.gains())
       if (!gain.cost.is_infinite()) chart.axes.take(gain.cost.to_double());
   }
-  const Curve& lead = curves_[session.lead()];
-  const auto optimum = optimum_of(frame, lead);
+  const Run& run = *session.runs()[main];
+  const Curve& curve = curves_[main];
+  const auto optimum = optimum_of(frame, run, curve);
   if (optimum) chart.axes.take(*optimum);
   const std::string end = count_text(static_cast<std::int64_t>(chart.axes.count), "sample", "samples");
   if (!chart.lay_out(lengths, 2, end)) return;
   const std::vector<CurveKey> keys = draw_curves(frame, chart, optimum);
-  const Run& run = session.run();
-  chart.playhead(expansions_between(run, lead.begin, run.timeline().cursor()));
+  chart.playhead(expansions_between(run, curve.begin, run.timeline().cursor()));
   tell_gain(frame, chart, optimum);
   chart.keys(keys);
 }
 
-/// What the mouse points at in the leading pane's curve, and where a click leads.
+/// What the mouse points at in the strong curve, and where a click leads.
 void GainChart::tell_gain(Frame& frame, const CostChart& chart, std::optional<double> optimum) {
   const auto pointed = chart.pointed();
   if (!pointed) return;
-  const std::span<const PathGain> gains = curves_[frame.session.lead()].gains();
+  const std::size_t main = gains_pane(frame.session);
+  const std::span<const PathGain> gains = curves_[main].gains();
   const LengthUnit lengths = shown_lengths(frame.view, frame.session.scenario().map);
   const auto after = std::partition_point(
       gains.begin(), gains.end(),
       [sample = *pointed](const PathGain& gain) { return static_cast<double>(gain.sample) <= sample; });
   if (after == gains.begin()) return;
   const PathGain& gain = *std::prev(after);
-  if (chart.asks()) frame.commands.push_back(Seek{gain.event + 1});
+  if (chart.asks()) {
+    if (main != frame.session.lead()) frame.commands.push_back(Lead{main});
+    frame.commands.push_back(Seek{gain.event + 1});
+  }
   const std::string best = gain.cost.is_infinite() ? "no path" : lengths.text(gain.cost);
   std::string words = "Since sample " + grouped(gain.sample) + " of this plan. Click to go there.";
   if (optimum) words += " The shortest of all ways is " + lengths.in_words(*optimum) + " long.";
   hint(frame.look, {best.c_str(), "", words.c_str()});
 }
 
-/// Every pane's curve with its key; the leading one's lies on top.
+/// Every curve with its key; the strong one lies on top.
 std::vector<CurveKey> GainChart::draw_curves(const Frame& frame, CostChart& chart,
                                              std::optional<double> optimum) const {
   const Session& session = frame.session;
   const Theme& theme = frame.look.theme;
+  const std::size_t main = gains_pane(session);
   std::vector<CurveKey> keys;
   if (optimum) chart.level(*optimum, theme.good);
   const auto draw = [&](std::size_t pane, CurveMark mark) {
@@ -147,13 +162,12 @@ std::vector<CurveKey> GainChart::draw_curves(const Frame& frame, CostChart& char
   };
   for (std::size_t pane = 0; pane < session.runs().size(); ++pane) {
     if (!session.runs()[pane]->info().sampling) continue;
-    const bool leads = pane == session.lead();
-    const CurveMark mark = leads ? CurveMark::thick : CurveMark::thin;
+    const CurveMark mark = pane == main ? CurveMark::thick : CurveMark::thin;
     keys.push_back({mark, curve_colour(frame, pane), curve_name(frame, pane)});
-    if (!leads) draw(pane, mark);
+    if (pane != main) draw(pane, mark);
   }
-  draw(session.lead(), CurveMark::thick);
-  const std::span<const PathGain> gains = curves_[session.lead()].gains();
+  draw(main, CurveMark::thick);
+  const std::span<const PathGain> gains = curves_[main].gains();
   for (std::size_t i = 0; i < gains.size(); ++i) {
     if (!is_first_path(gains, i)) continue;
     chart.dot({gains[i].sample, gains[i].cost.to_double()}, theme.accent);

@@ -14,11 +14,13 @@ namespace replan::ui {
 
 /// Whether there is anything to show: a pane whose planner draws samples.
 bool has_gains(const Session& session);
+/// The pane whose curve is the strong one: the leading one, or the first one that draws samples where that does not.
+std::size_t gains_pane(const Session& session);
 
 /// The plan that each pane's cursor stands in.
 class GainChart {
  public:
-  /// Draws every pane's curve with its key, the leading one's strong, its first path and the shortest of all marked, over the
+  /// Draws the curve of every pane that draws samples with its key, that of gains_pane() strong, its first path and the shortest of all marked, over the
   /// width that is left. A click goes to the gain.
   void draw(Frame& frame, float height);
 
@@ -42,7 +44,7 @@ class GainChart {
     explicit Optimum(const WorkPlace& place) : job(place) {}
   };
   const Curve& curve_of(Frame& frame, std::size_t pane);
-  std::optional<double> optimum_of(Frame& frame, const Curve& curve);
+  std::optional<double> optimum_of(Frame& frame, const Run& run, const Curve& curve);
   std::vector<CurveKey> draw_curves(const Frame& frame, CostChart& chart,
                                     std::optional<double> optimum) const;
   void tell_gain(Frame& frame, const CostChart& chart, std::optional<double> optimum);

@@ -29,6 +29,15 @@ std::string range_text(const Measure& measure, const ColumnRange& range) {
 
 }  // namespace
 
+std::string no_points_words(const PlannerInfo& planner) {
+  const char* points = planner.values.grows() ? "every vertex of the tree is a point here."
+                       : planner.values.breeds()
+                           ? "every cell that the paths of the population go through is a point here."
+                           : "every cell that the search comes to is a point here.";
+  return "Press " + action(ActionId::step_forward).keys + " for the first " + std::string(planner.step.one) +
+         "; " + points;
+}
+
 void ScatterView::choose(std::string x, std::string y) {
   x_.id = std::move(x);
   y_.id = std::move(y);
@@ -208,8 +217,8 @@ void ScatterView::tell(const Frame& frame, const PlotPicture& picture) const {
   if (columns.points.size() > kMarkedPoints)
     words += " Too many for marks: each square has those of its place, the fuller the stronger.";
   if (reader_.behind() && columns.position != frame.run().timeline().cursor())
-    words += " The playhead is further: reading, " +
-             grouped(static_cast<std::int64_t>(reader_.progress() * 100)) + " %.";
+    words += " The playhead is at another: reading, " +
+             grouped(static_cast<std::int64_t>(reader_.progress() * 100)) + "\u00A0%.";
   paragraph(look.fonts.small, look.theme.dim, words);
   std::array<bool, kPointStates> there{};
   for (const PlotBin& bin : picture.bins)
@@ -303,12 +312,8 @@ void ScatterView::draw(Frame& frame) {
     measures_ = measures_of(*planner_);
     brush_.reset();
   }
-  if (frame.run().timeline().cursor() == 0) {
-    empty_state(look, icon::bar_chart, "No search yet",
-                "Press " + action(ActionId::step_forward).keys +
-                    " for the first expansion; every cell that the search comes to is a point here.");
-    return;
-  }
+  if (frame.run().timeline().cursor() == 0)
+    return empty_state(look, icon::bar_chart, "No search yet", no_points_words(*planner_));
   choose_axes(frame);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, head = look.px(20), foot = look.px(20);

@@ -13,6 +13,9 @@
 
 namespace replan::ui {
 
+/// Before there are any: what will be points here, and how to come by the first.
+std::string no_points_words(const PlannerInfo& planner);
+
 class ScatterView {
  public:
   void draw(Frame& frame);

@@ -145,9 +145,11 @@ bool tabs(const Look& look, const char* id, std::span<const Tab> all, int& curre
   for (const Tab& tab : all) words += text_width(look.fonts.ui, tab.name);
   // As much space between them as there is room for; in a narrow panel they stand in two rows.
   const auto count = static_cast<float>(all.size());
-  const bool two = width - look.px(16) - words < 2 * count * look.px(3);
+  const float least = look.px(2.25f);
+  const bool two = width - look.px(16) - words < 2 * count * least;
   const float room = two ? 2 * width - look.px(64) - words : width - look.px(16) - words;
-  const float gap = std::clamp(std::floor(room / (2 * count)), look.px(3), look.px(10));
+  const float whole = std::floor(room / (2 * count));
+  const float gap = whole < look.px(3) ? std::max(room / (2 * count), least) : std::min(whole, look.px(10));
   const float bottom = origin.y + (two ? 2 * height : height);
   list.AddRectFilled({origin.x, bottom - look.px.hair}, {origin.x + width, bottom}, look.theme.line);
   const int before = current;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/debug/cost_words.hpp"
 #include "core/debug/sample_in_hand.hpp"
 #include "core/scene/overlay.hpp"
 #include "core/scene/solid_pen.hpp"
@@ -217,7 +218,7 @@ class SampleMarks {
         context_.add(Line{vertex(*hand_.added), at, context_.palette.good, context_.pixels(2.4)});
       if (at.z >= context_.slice && at.z < context_.slice + 1)
         context_.notes.push_back(
-            {cell_of(at), {"−" + context_.view.lengths.text(rewired.saves, 1)}, context_.palette.good});
+            {cell_of(at), {saving_text(context_.view.lengths, rewired.saves)}, context_.palette.good});
     }
   }
 

@@ -149,6 +149,26 @@ void FileDialog::accept() {
   }
 }
 
+/// What is typed, else the folder that is chosen in the list, else the one on show.
+std::string FileDialog::chosen_folder() const {
+  const FileEntry* entry = list_.selected();
+  const std::string typed = typed_path(text_);
+  if (!typed.empty() && (is_path(typed) || entry == nullptr)) return typed_from(folder_, typed);
+  return entry != nullptr ? typed_from(shown_, entry->name) : shown_;
+}
+
+/// Enter goes into the folder that is chosen in the list, as in every file dialog; the button takes it.
+void FileDialog::accept_folder(bool by_key) {
+  const std::string folder = chosen_folder();
+  const FileEntry* entry = list_.selected();
+  if (by_key && entry != nullptr && !is_path(typed_path(text_))) return go(folder);
+  std::error_code failed;
+  if (is_there(folder) && !is_folder(folder))
+    error_ = "'" + file_name(folder) + "' is a file: choose a folder.";
+  else
+    choice_ = {Answer::yes, folder, {}};
+}
+
 void FileDialog::choose(const std::string& path) {
   error_.clear();
   std::error_code failed;

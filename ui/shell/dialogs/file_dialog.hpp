@@ -29,6 +29,7 @@ struct FixedFolder {
 
 struct FileDialogSpec {
   bool saving = false;
+  bool folders = false;             ///< a folder is chosen: the one on show, one in it, or one that is typed
   std::string title;                ///< "Open"
   std::string action;               ///< on the button: "Open"
   std::vector<FileFilter> filters;  ///< at least one; the first that knows the path's extension is chosen
@@ -39,7 +40,8 @@ struct FileDialogSpec {
   /// What else there is to choose, drawn above the buttons for the name as it stands, and how high that is in the design.
   std::function<void(const Look& look, const std::string& name)> options = {};
   float options_height = 0;
-  /// What stands at the right in place of a look at the chosen file; when saving without it, nothing does.
+  /// What stands at the right in place of a look at the chosen file, for the name as it stands, or the folder that would
+  /// be chosen; when saving without it, nothing does.
   std::function<void(const Look& look, const std::string& name)> aside = {};
   std::optional<FixedFolder> fixed = {};  ///< in place of the disk
 };
@@ -75,6 +77,8 @@ class FileDialog {
   void set_text(std::string text);
   void open_entry(const FileEntry& entry);
   void accept();
+  void accept_folder(bool by_key);
+  [[nodiscard]] std::string chosen_folder() const;
   void choose(const std::string& path);
   void make_folder();
   [[nodiscard]] std::string with_extension(std::string path) const;

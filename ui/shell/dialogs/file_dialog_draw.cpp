@@ -32,6 +32,9 @@ const char* icon_of(FileKind kind) {
       return icon::picture;
     case FileKind::problems:
       return icon::list;
+    case FileKind::experiment:
+    case FileKind::results:
+      return icon::table;
     case FileKind::other:
       break;
   }
@@ -90,7 +93,7 @@ FileChoice FileDialog::draw(const Look& look, float height) {
     ImGui::SameLine(0, gap);
     pane(look, "preview", {preview, body}, look.theme.raised, {look.px.m, look.px.m}, [&] {
       if (spec_.aside)
-        spec_.aside(look, text_);
+        spec_.aside(look, spec_.folders ? chosen_folder() : text_);
       else if (spec_.saving)
         draw_losses(look);
       else
@@ -163,6 +166,7 @@ void FileDialog::draw_crumbs(const Look& look) {
 void FileDialog::draw_field(const Look& look) {
   const char* placeholder = mode_ == Mode::new_folder ? "Name of the new folder"
                             : spec_.saving            ? "Name of the file"
+                            : spec_.folders           ? "Type to filter, or a folder's path; Tab completes"
                                                       : "Type to filter, or a path; Tab completes";
   const std::string before = text_;
   ImGui::PushID(generation_);
@@ -243,6 +247,10 @@ void FileDialog::draw_list(const Look& look) {
   draw_header(look);
   if (list_.entries().empty()) {
     const bool waits = reader_.busy();
+    if (spec_.folders && !waits) {
+      empty_state(look, icon::folder_open, "No folders in it", "Choose takes this folder itself.");
+      return;
+    }
     const std::string out = list_.left_out() == 0 ? "Nothing is in this folder."
                                                   : count_text(static_cast<std::int64_t>(list_.left_out()),
                                                                "file is", "files are") +
@@ -368,7 +376,9 @@ void FileDialog::draw_foot(const Look& look) {
   align_right(button_width(look, "Cancel") + look.px.s + button_width(look, spec_.action.c_str()));
   const bool left = button(look, "Cancel", ButtonKind::quiet);
   ImGui::SameLine(0, look.px.s);
-  if (button(look, spec_.action.c_str(), ButtonKind::primary) || enter_pressed()) accept();
+  const bool pressed = button(look, spec_.action.c_str(), ButtonKind::primary), entered = enter_pressed();
+  if (spec_.folders && (pressed || entered)) accept_folder(!pressed);
+  if (!spec_.folders && (pressed || entered)) accept();
   if (!left && !escape_pressed()) return;
   // The first Escape takes back the filter, the next one leaves.
   if (!left && !spec_.saving && !text_.empty())

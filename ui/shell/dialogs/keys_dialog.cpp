@@ -13,6 +13,17 @@
 #include "ui/shell/menus.hpp"
 
 namespace replan::ui {
+
+std::string words_on_keys_page(const std::string& label, const StepWords& step) {
+  const StepWords& usual = kExpansionWords;
+  for (const auto& [words, own] : {std::pair{usual.next, step.next},
+                                   {usual.previous, step.previous},
+                                   {usual.next_ten, step.next_ten},
+                                   {usual.previous_ten, step.previous_ten}})
+    if (label == words) return std::string(own);
+  return label;
+}
+
 namespace {
 
 struct Line {
@@ -28,12 +39,13 @@ constexpr std::array kMenus = {Menu::run,  Menu::debug, Menu::view,   Menu::move
                                Menu::tabs, Menu::panes, Menu::pin,    Menu::size, Menu::file,
                                Menu::edit, Menu::world, Menu::record, Menu::help, Menu::overlays};
 
-std::vector<Section> sections() {
+std::vector<Section> sections(const StepWords& step) {
   std::vector<Section> all;
   for (const Menu menu : kMenus) {
     Section& section = all.emplace_back(Section{menu_kind(menu).name, {}});
     for (const Action& each : actions())
-      if (each.menu == menu && !each.keys.empty()) section.lines.push_back({each.keys, each.label});
+      if (each.menu == menu && !each.keys.empty())
+        section.lines.push_back({each.keys, words_on_keys_page(each.label, step)});
     if (section.lines.empty()) all.pop_back();
   }
   all.push_back({"On the canvas",
@@ -137,8 +149,8 @@ float column_height(std::span<const float> heights, std::size_t columns) {
 }
 
 /// All lines in columns of about equal height, no section torn apart.
-void draw_sections(const Look& look, std::size_t columns) {
-  const std::vector<Section> all = sections();
+void draw_sections(const Look& look, std::size_t columns, const StepWords& step) {
+  const std::vector<Section> all = sections(step);
   const float gap = column_gap(look), title = title_height(look);
   const float whole = ImGui::GetContentRegionAvail().x;
   const float width = (whole - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
@@ -192,7 +204,7 @@ DialogDecision Dialogs::keys_dialog(const Look& look) {
       static_cast<std::size_t>(std::clamp((whole + column_gap(look)) / look.px(kColumn), 1.0f, 5.0f));
   ImGui::BeginChild("page", {0, std::min(tallest, page_height_)});
   const float top = ImGui::GetCursorPosY();
-  draw_sections(look, columns);
+  draw_sections(look, columns, step_);
   draw_signs(look);
   page_height_ = ImGui::GetCursorPosY() - top;
   ImGui::EndChild();

@@ -19,6 +19,15 @@ bool is_world(const FileEntry& entry) {
   return entry.kind == FileKind::scenario || entry.kind == FileKind::map || entry.kind == FileKind::picture;
 }
 
+bool is_batch(FileKind kind) {
+  return kind == FileKind::experiment || kind == FileKind::results;
+}
+
+/// What there is something to be told of beforehand.
+bool is_read(const FileEntry& entry) {
+  return is_world(entry) || is_batch(entry.kind);
+}
+
 std::string joined(const std::vector<std::string>& words) {
   std::string line;
   for (const std::string& word : words) line += (line.empty() ? "" : ", ") + word;
@@ -51,13 +60,13 @@ void PreviewPane::show(const std::string& folder, const FileEntry* entry) {
   heights_.reset();
   picture_.clear();
   job_.cancel();
-  if (entry != nullptr && is_world(entry_)) begin();
+  if (entry != nullptr && is_read(entry_)) begin();
 }
 
 void PreviewPane::begin() {
   // Cannot be cut up; files above kMostPreviewBytes are not read.
-  job_.start([path = path_, reading = reading_](const StopToken& stop) {
-    return make_preview(path, reading, stop);
+  job_.start([path = path_, kind = entry_.kind, reading = reading_](const StopToken& stop) {
+    return is_batch(kind) ? preview_of_batch(path) : make_preview(path, reading, stop);
   });
 }
 
