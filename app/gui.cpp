@@ -68,18 +68,19 @@ Scenario built_in_world() {
 struct Opened {
   Scenario scenario;
   std::string file;
+  bool asked_for = true;  // somebody wants to see this one
 };
 
 Result<Opened> first_document(const std::optional<std::string>& file) {
   if (file) {
     const Result<Scenario> opened = ui::open_document(*file, built_in_world());
     if (!opened) return Error{opened.error()};
-    return Opened{*opened, *file};
+    return Opened{*opened, *file, true};
   }
   const std::filesystem::path demo = std::filesystem::path(assets_folder()) / "../maps/demo.json";
   // The demo is nobody's file: saving asks for a name.
   const Result<Scenario> opened = read_scenario(demo.lexically_normal().string());
-  return Opened{opened ? *opened : built_in_world(), {}};
+  return Opened{opened ? *opened : built_in_world(), {}, false};
 }
 
 /// Facts of the session for the tests of the window.
@@ -109,6 +110,7 @@ class Program {
  public:
   Program(Opened document, Remembered remembered)
       : remembered_(std::move(remembered)),
+        asked_for_(document.asked_for),
         session_(std::move(document.scenario), std::move(document.file)) {}
 
   Result<void> open();
@@ -128,6 +130,7 @@ class Program {
 
   Clock::time_point begun_ = Clock::now();
   Remembered remembered_;
+  bool asked_for_;   // Opened::asked_for
   Session session_;  // plans while the window is being opened
   std::unique_ptr<Window> window_;
   std::unique_ptr<ui::Shell> shell_;  // goes before the window: it holds textures
@@ -180,7 +183,7 @@ Result<void> Program::open() {
   window_->on_close([this] { return shell_->documents().may_close(session_); });
   shell_->documents().settle_in(session_,
                                 {state_folder(), library_folder(), {false, [] { Window::wake(); }}});
-  if (remembered_.first_start && session_.file().empty()) shell_->welcome();
+  if (remembered_.first_start && !asked_for_) shell_->welcome();
   return {};
 }
 
@@ -358,15 +361,23 @@ Result<void> Program::close() {
   return dump_state(session_, window_->stage().renderer().gl().es, dump);
 }
 
+Result<void> run_program(Opened document) {
+  Program program(std::move(document), read_settings(settings_path()));
+  if (const Result<void> opened = program.open(); !opened) return opened;
+  program.run();
+  return program.close();
+}
+
 }  // namespace
 
 Result<void> run_window(const std::optional<std::string>& file) {
   Result<Opened> document = first_document(file);
   if (!document) return Error{document.error()};
-  Program program(std::move(*document), read_settings(settings_path()));
-  if (const Result<void> opened = program.open(); !opened) return opened;
-  program.run();
-  return program.close();
+  return run_program(std::move(document.value()));
+}
+
+Result<void> run_window(Scenario world) {
+  return run_program({std::move(world), {}, true});
 }
 
 }  // namespace replan::app

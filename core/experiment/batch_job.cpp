@@ -35,11 +35,11 @@ class BatchJob::Shared {
     return paused_;
   }
 
-  void begin(std::shared_ptr<const RunList> list, std::span<const RunResult> kept) {
+  void begin(std::shared_ptr<const RunList> list, std::vector<RunResult> kept) {
     const std::lock_guard lock(mutex_);
     list_ = std::move(list);
-    fresh_.assign(kept.begin(), kept.end());
     done_ = kept.size();
+    fresh_ = std::move(kept);
     restart_clock();
   }
   /// Whether the window should be woken.
@@ -113,8 +113,10 @@ BatchEnd make_batch(const BatchRequest& request, S& shared, const std::function<
   const auto list = std::make_shared<const RunList>(std::move(loaded.value()));
   auto folder = ResultsFolder::open(request.folder, *list, {});
   if (!folder) return {false, folder.error()};
-  shared.begin(list, folder->results());
-  Result<void> kept;
+  std::vector<RunResult> before;
+  auto kept = folder->each([&](const RunResult& result) { before.push_back(result); });
+  if (!kept) return {false, kept.error()};
+  shared.begin(list, std::move(before));
   const auto take = [&](const RunResult& result) {
     kept = folder->add(result);
     if (!kept) return false;
