@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/result.hpp"
+#include "core/world/scenario.hpp"
 
 namespace replan::app {
 
@@ -16,5 +17,7 @@ namespace replan::app {
 /// each that comes late what it took and what was asked for;
 /// REPLAN_STATE_DUMP=FILE writes facts of the session as JSON when the window closes.
 Result<void> run_window(const std::optional<std::string>& file, bool in_step);
+/// The same on a world that is in no file: saving asks for a name.
+Result<void> run_window(Scenario world);
 
 }  // namespace replan::app

@@ -70,17 +70,18 @@ Result<FirstDocument> first_document(const std::optional<std::string>& file) {
   if (file && !batch) {
     const Result<Scenario> opened = ui::open_document(*file, built_in_world());
     if (!opened) return Error{opened.error()};
-    return FirstDocument{*opened, *file, {}};
+    return FirstDocument{*opened, *file};
   }
   const std::filesystem::path demo = std::filesystem::path(assets_folder()) / "../maps/demo.json";
   // The demo is nobody's file: saving asks for a name.
   const Result<Scenario> opened = read_scenario(demo.lexically_normal().string());
-  return FirstDocument{opened ? *opened : built_in_world(), {}, batch ? *file : ""};
+  return FirstDocument{opened ? *opened : built_in_world(), {}, batch ? *file : "", false};
 }
 
 GuiProgram::GuiProgram(FirstDocument document, Remembered remembered, WorkPlace work)
     : remembered_(std::move(remembered)),
       batch_(std::move(document.batch)),
+      asked_for_(document.asked_for),
       session_(std::move(document.scenario), std::move(document.file), {}, std::move(work)),
       timing_(is_set("REPLAN_TIMING")) {}
 
@@ -121,7 +122,7 @@ Result<void> GuiProgram::open() {
   shell_->documents().settle_in(session_, surroundings(session_.work()));
   if (!batch_.empty())
     shell_->show_batch(session_, batch_);
-  else if (remembered_.first_start && session_.file().empty())
+  else if (remembered_.first_start && !asked_for_)
     shell_->welcome();
   return {};
 }

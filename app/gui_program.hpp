@@ -22,6 +22,7 @@ struct FirstDocument {
   Scenario scenario;
   std::string file;        ///< empty: nobody's yet
   std::string batch = {};  ///< an experiment, or results of one, to be shown over the scenario; empty: none
+  bool asked_for = true;   ///< somebody wants to see this one
 };
 /// That file, else the demo; where the program was copied without its files, a small world in code.
 Result<FirstDocument> first_document(const std::optional<std::string>& file);
@@ -59,7 +60,8 @@ class GuiProgram {
   Clock::time_point begun_ = Clock::now();
   Remembered remembered_;
   std::string batch_;  // what the window begins with, if that is no world
-  Session session_;  // plans while the window is being opened
+  bool asked_for_;     // FirstDocument::asked_for
+  Session session_;    // plans while the window is being opened
   std::unique_ptr<Window> window_;
   std::unique_ptr<ui::Shell> shell_;  // goes before the window: it holds textures
   Clock::time_point last_ = Clock::now();

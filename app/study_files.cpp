@@ -3,20 +3,19 @@
 #include <filesystem>
 
 #include "app/film/child_process.hpp"
-#include "app/render.hpp"
 #include "core/base/file.hpp"
 #include "core/study/study_charts.hpp"
-#include "core/world/choices.hpp"
 
 namespace replan::app {
 namespace {
 
-constexpr int kPictureSide = 320;  // design pixels: small, so that paths are thick beside what they pass
-constexpr double kPictureScale = 3;
 constexpr const char* kGnuplot = "gnuplot";
 constexpr const char* kNoGnuplot =
     "The diagrams are not drawn, since gnuplot is not installed; the files that end in .gp draw them once it "
     "is.";
+constexpr const char* kNoPen =
+    "The pictures are not drawn, since this replan was built without its window; one that has it opens their "
+    "worlds, ID-PICTURE.json.";
 
 /// Has gnuplot draw into the folder.
 Result<void> draw_chart(const std::string& script, const std::string& folder) {
@@ -47,55 +46,19 @@ Result<void> write_charts(StudySection& section, const std::string& folder) {
   return {};
 }
 
-RenderRequest request_of(const StudyPicture& picture, const std::string& output) {
-  RenderRequest request;
-  request.scenario = picture.scenario;
-  request.output = output;
-  request.theme = "light";
-  request.legend = false;
-  request.at = picture.at_end ? Moment::end : Moment::plan;
-  request.overlays = *parse_overlays(picture.overlays);
-  return request;
-}
-
-/// All planners of a picture side by side.
-Result<void> write_png(const StudyPicture& picture, const std::string& path) {
-  RenderRequest request = request_of(picture, path);
-  request.panes = picture.scenario.planners.size();
-  const int columns = static_cast<int>(std::min<std::size_t>(*request.panes, 2));
-  const int rows = static_cast<int>((*request.panes + 1) / 2);
-  request.scale = kPictureScale;
-  request.width = static_cast<int>(columns * kPictureSide * kPictureScale);
-  request.height = static_cast<int>(rows * kPictureSide * kPictureScale);
-  return render(request);
-}
-
-Result<StudyDrawing> write_picture(const StudyPicture& picture, const std::string& stem) {
-  Scenario alone = picture.scenario;
-  alone.map_file.clear();  // its map goes with it into the folder
-  if (const auto written = write_scenario(alone, stem + ".json"); !written) return Error{written.error()};
-  if (const auto written = write_png(picture, stem + ".png"); !written) return Error{written.error()};
-  StudyDrawing drawing{picture.caption, {}};
-  for (const PlannerChoice& choice : picture.scenario.planners) {
-    const std::string path = stem + "-" + std::to_string(drawing.parts.size() + 1) + ".svg";
-    RenderRequest request = request_of(picture, path);
-    request.scenario.planners = {choice};
-    request.width = request.height = kPictureSide;
-    if (const auto written = render(request); !written) return Error{written.error()};
-    auto svg = read_file(path);
-    if (!svg) return Error{svg.error()};
-    drawing.parts.push_back({std::string(info_of(choice).name), std::move(*svg)});
-  }
-  return drawing;
-}
-
-Result<void> write_pictures(StudySection& section, const std::string& folder) {
+Result<void> write_pictures(StudySection& section, const std::string& folder, const DrawPicture& draw) {
   if (section.info->pictures == nullptr) return {};
   const auto pictures = section.info->pictures();
   if (!pictures) return Error{pictures.error()};
+  if (!draw && !pictures->empty()) section.notes.emplace_back(kNoPen);
   for (const StudyPicture& picture : *pictures) {
     const std::string name = std::string(section.info->id) + "-" + std::string(picture.id);
-    auto drawing = write_picture(picture, (std::filesystem::path(folder) / name).string());
+    const std::string stem = (std::filesystem::path(folder) / name).string();
+    Scenario alone = picture.scenario;
+    alone.map_file.clear();  // its map goes with it into the folder
+    if (const auto written = write_scenario(alone, stem + ".json"); !written) return written;
+    if (!draw) continue;
+    auto drawing = draw(picture, stem);
     if (!drawing) return Error{drawing.error()};
     section.drawings.push_back(std::move(*drawing));
   }
@@ -104,7 +67,8 @@ Result<void> write_pictures(StudySection& section, const std::string& folder) {
 
 }  // namespace
 
-Result<StudySection> write_study(const StudyInfo& info, StudyReport report, const std::string& folder) {
+Result<StudySection> write_study(const StudyInfo& info, StudyReport report, const std::string& folder,
+                                 const DrawPicture& draw) {
   StudySection section{&info, std::move(report), {}, {}};
   const std::string stem = (std::filesystem::path(folder) / info.id).string();
   for (const auto& [ending, text] : {std::pair{".md", study_markdown(info, section.report)},
@@ -112,7 +76,7 @@ Result<StudySection> write_study(const StudyInfo& info, StudyReport report, cons
                                      {".json", study_json(info, section.report)}})
     if (const auto written = write_file_atomically(stem + ending, text); !written)
       return Error{written.error()};
-  if (const auto written = write_pictures(section, folder); !written) return Error{written.error()};
+  if (const auto written = write_pictures(section, folder, draw); !written) return Error{written.error()};
   if (const auto written = write_charts(section, folder); !written) return Error{written.error()};
   return section;
 }

@@ -11,6 +11,7 @@
 #include "app/cli/output.hpp"
 #include "core/base/file.hpp"
 #include "core/plan/common_parameters.hpp"
+#include "core/plan/nth_name.hpp"
 #include "core/plan/registry.hpp"
 #include "core/planners/rrt_parameters.hpp"
 #include "core/study/anytime.hpp"
@@ -61,9 +62,9 @@ Result<void> check_planners(std::span<const PlannerChoice> planners) {
 Result<std::vector<AnytimeRun>> plan_all(const Scenario& world, std::int64_t seeds, double most_ms) {
   std::vector<AnytimeRun> runs;
   ProgressBar bar("plans", world.planners.size() * static_cast<std::size_t>(seeds));
-  std::map<std::string, int> met;
+  std::map<std::string, std::size_t> met;
   for (const PlannerChoice& choice : world.planners) {
-    const int nth = ++met[choice.id];
+    const std::size_t nth = ++met[choice.id];
     const double first = choice.settings.get(parameters::kSeed);
     if (first + static_cast<double>(seeds - 1) > parameters::kSeed.high)
       return Error{"there are not so many seeds from that of '" + choice.id +
@@ -72,7 +73,7 @@ Result<std::vector<AnytimeRun>> plan_all(const Scenario& world, std::int64_t see
       PlannerChoice seeded = choice;
       seeded.settings.set(parameters::kSeed.key, first + static_cast<double>(i));
       runs.push_back(plan_anytime(world.map, world.start, world.goal, seeded, world.robot.radius, most_ms));
-      if (nth > 1) runs.back().planner += "#" + std::to_string(nth);
+      runs.back().planner = nth_name(choice.id, nth);
       bar.show(runs.size());
     }
   }

@@ -10,6 +10,7 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/interrupt.hpp"
 #include "app/cli/output.hpp"
+#include "app/cli/window.hpp"
 #include "core/experiment/run_experiment.hpp"
 #include "core/world/formats/text_lines.hpp"
 
@@ -38,7 +39,7 @@ Result<bool> make(const RunList& list, std::span<const std::int64_t> runs, std::
 /// How a batch that was interrupted stands.
 std::string stopped_text(const ResultsFolder* folder, const std::string& path) {
   if (folder == nullptr) return "stopped: nothing is kept; with --out DIR the same command would go on";
-  return "stopped: " + counted(folder->results().size(), "run") + " done and kept in '" + path + "', " +
+  return "stopped: " + counted(folder->done(), "run") + " done and kept in '" + path + "', " +
          std::to_string(folder->missing().size()) + " to go; the same command goes on";
 }
 
@@ -68,36 +69,54 @@ Result<std::optional<std::vector<BatchReport>>> reports_in_folder(const RunList&
                                                                   std::size_t threads) {
   auto folder = ResultsFolder::open(path, list, part);
   if (!folder) return Error{folder.error()};
-  const auto made = make(list, folder->missing(), threads,
-                         [&](RunResult result) { return folder->add(std::move(result)); });
+  const auto made =
+      make(list, folder->missing(), threads, [&](const RunResult& result) { return folder->add(result); });
   if (!made) return Error{made.error()};
   if (!*made) {
     complain(stopped_text(&folder.value(), path));
     return std::optional<std::vector<BatchReport>>();
   }
-  if (const auto written = folder->write_results(); !written) return Error{written.error()};
-  return std::optional(batch_reports(folder->results()));
+  BatchSums sums;
+  const auto written = folder->write_results([&](const RunResult& result) { sums.add(result); });
+  if (!written) return Error{written.error()};
+  return std::optional(sums.reports());
 }
 
-/// Writes the scenario that a run is.
+/// The scenario that a run is, whose number was typed.
+Result<Scenario> scenario_of(const RunList& list, const std::string& option, const std::string& number) {
+  const auto run = number_from<std::int64_t>(number);
+  if (run && *run >= 0 && *run < list.count()) return list.scenario(list.parts(*run));
+  if (list.count() == 0) return Error{option + " has nothing to show: the experiment has no runs"};
+  return Error{option + " cannot be '" + number + "': give a run's number, from 0 to " +
+               std::to_string(list.count() - 1)};
+}
+
 Result<int> write_run(const RunList& list, const BatchArguments& arguments) {
-  const auto run = number_from<std::int64_t>(arguments.scenario);
-  if (!run || *run < 0 || *run >= list.count())
-    return Error{"--scenario cannot be '" + arguments.scenario + "': give a run's number, from 0 to " +
-                 std::to_string(list.count() - 1)};
+  const auto scenario = scenario_of(list, "--scenario", arguments.scenario);
+  if (!scenario) return Error{scenario.error()};
   if (arguments.output.empty()) return Error{"--scenario needs -o FILE.json, the scenario's file"};
-  const auto written = write_scenario(list.scenario(list.parts(*run)), arguments.output);
-  if (!written) return Error{written.error()};
+  if (const auto written = write_scenario(*scenario, arguments.output); !written)
+    return Error{written.error()};
+  return kDone;
+}
+
+Result<int> show_run(const RunList& list, const BatchArguments& arguments) {
+  auto scenario = scenario_of(list, "--open", arguments.open);
+  if (!scenario) return Error{scenario.error()};
+  if (const auto closed = open_window(std::move(scenario.value())); !closed) return Error{closed.error()};
   return kDone;
 }
 
 Result<int> batch(const BatchArguments& arguments) {
-  auto experiment = arguments.experiment();
-  if (!experiment) return Error{experiment.error()};
-  const auto list = RunList::load(std::move(experiment.value()));
+  if (!arguments.open.empty() && !has_window())
+    return Error{
+        "--open needs the window, which this replan was built without: write the run by '--scenario " +
+        arguments.open + " -o run.json', and open that where there is one"};
+  const auto list = arguments.runs();
   if (!list) return Error{list.error()};
   for (const LoadedWorld& world : list->worlds()) tell_notes(world.notes);
   if (!arguments.scenario.empty()) return write_run(*list, arguments);
+  if (!arguments.open.empty()) return show_run(*list, arguments);
   if (!arguments.output.empty()) return Error{"-o goes with --scenario; results are kept by --out DIR"};
   const auto threads = arguments.threads();
   if (!threads) return Error{threads.error()};
@@ -134,7 +153,9 @@ std::string batch_footer() {
          "  replan batch experiment.json --out part3 --shard 3/8\n"
          "      The third of eight parts, for a cluster; 'replan merge part*' puts them together.\n"
          "  replan batch experiment.json --scenario 1284 -o run.json\n"
-         "      Run 1284 as a scenario, to look at in the window.\n\n"
+         "      Run 1284 as a scenario, for another program or another machine.\n"
+         "  replan batch experiment.json --open 1284\n"
+         "      Run 1284 in the window, with the debugger.\n\n"
          "A mismatch is a length that is not the listed one to the precision printed in the file. The listed "
          "lengths\n"
          "judge planners that find shortest paths on the grid; for the others the ratio to them is told. "
@@ -177,6 +198,10 @@ Command add_batch(CLI::App& program) {
   app->add_option("--scenario", arguments->scenario, "Make no runs, but write run K as a scenario (-o)")
       ->type_name("K");
   app->add_option("-o,--output", arguments->output, "The scenario's file")->type_name("FILE");
+  app->add_option("--open", arguments->open, "Make no runs, but open run K in the window")
+      ->type_name("K")
+      ->excludes("--scenario")
+      ->excludes("--output");
   app->add_flag("--json", arguments->json, "Print the results of each planner as JSON");
   app->footer(batch_footer);
   return {app, [arguments] { return batch(*arguments); }};

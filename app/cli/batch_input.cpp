@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/base/file.hpp"
-#include "core/experiment/run_list.hpp"
 #include "core/world/formats/movingai.hpp"
 #include "core/world/formats/text_lines.hpp"
 #include "core/world/map_file.hpp"
@@ -30,7 +29,7 @@ Result<ExperimentWorld> world_of(const std::string& file, const BatchArguments& 
   return world;
 }
 
-Result<Experiment> problems_experiment(const BatchArguments& arguments) {
+Result<RunList> runs_of_problems(const BatchArguments& arguments) {
   Experiment experiment;
   experiment.surprises = {{ExperimentSurprises::Kind::none, {}}};
   const auto asked = arguments.planners.choose();
@@ -43,13 +42,14 @@ Result<Experiment> problems_experiment(const BatchArguments& arguments) {
     experiment.worlds.push_back(std::move(world.value()));
   }
   // "all" are those that can plan in the first file's world.
-  std::uint64_t digest = 0;
-  const auto first = load_world(experiment, experiment.worlds.front(), digest);
+  auto first = load_world(experiment, experiment.worlds.front());
   if (!first) return Error{first.error()};
   auto planners = arguments.planners.choose({}, &first->scenario.map);
   if (!planners) return Error{planners.error()};
   experiment.planners = std::move(planners.value());
-  return experiment;
+  std::vector<LoadedWorld> loaded;
+  loaded.push_back(std::move(first.value()));
+  return RunList::load(std::move(experiment), std::move(loaded));
 }
 
 /// An experiment's file says everything itself.
@@ -72,14 +72,16 @@ bool BatchArguments::of_problems() const {
   return std::all_of(files.begin(), files.end(), is_problems);
 }
 
-Result<Experiment> BatchArguments::experiment() const {
-  if (of_problems()) return problems_experiment(*this);
+Result<RunList> BatchArguments::runs() const {
+  if (of_problems()) return runs_of_problems(*this);
   if (files.size() > 1)
     return Error{"give one experiment (.json), or files of problems (.scen, .3dscen) alone"};
   if (file_extension(files.front()) != ".json")
     return Error{"'" + files.front() + "' is no experiment (.json) and no file of problems (.scen, .3dscen)"};
   if (const auto fine = check_nothing_else(*this); !fine) return Error{fine.error()};
-  return read_experiment(files.front());
+  auto experiment = read_experiment(files.front());
+  if (!experiment) return Error{experiment.error()};
+  return RunList::load(std::move(experiment.value()));
 }
 
 Result<Shard> BatchArguments::part() const {

@@ -8,6 +8,7 @@
 #include "app/cli/arguments.hpp"
 #include "core/experiment/experiment.hpp"
 #include "core/experiment/results_folder.hpp"
+#include "core/experiment/run_list.hpp"
 
 namespace replan::cli {
 
@@ -22,11 +23,12 @@ struct BatchArguments {
   std::string jobs;
   std::string shard;
   std::string scenario;
+  std::string open;
   std::string output;
   bool json = false;
 
-  /// The experiment of an experiment's file; or of problems, with the planners that were asked for.
-  [[nodiscard]] Result<Experiment> experiment() const;
+  /// The runs of an experiment's file; or of problems, with the planners that were asked for.
+  [[nodiscard]] Result<RunList> runs() const;
   /// The whole of it unless a part was asked for.
   [[nodiscard]] Result<Shard> part() const;
   [[nodiscard]] Result<std::size_t> threads() const;

@@ -16,11 +16,12 @@ struct MergeArguments {
 };
 
 Result<int> merge(const MergeArguments& arguments) {
-  const auto merged = merge_results(arguments.folders, arguments.out);
+  BatchSums sums;
+  const auto merged =
+      merge_results(arguments.folders, arguments.out, [&](const RunResult& result) { sums.add(result); });
   if (!merged) return Error{merged.error()};
-  print(counted(merged->results.size(), "run") + " of " + counted(arguments.folders.size(), "part") +
-        " in '" + arguments.out + "'\n\n" +
-        batch_table(batch_reports(merged->results), BatchKind::experiment));
+  print(counted(*merged, "run") + " of " + counted(arguments.folders.size(), "part") + " in '" +
+        arguments.out + "'\n\n" + batch_table(sums.reports(), BatchKind::experiment));
   return kDone;
 }
 

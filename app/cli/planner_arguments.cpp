@@ -6,6 +6,7 @@
 #include "app/cli/arguments.hpp"
 #include "app/cli/output.hpp"
 #include "core/base/words.hpp"
+#include "core/plan/nth_name.hpp"
 #include "core/plan/stage.hpp"
 #include "core/world/choices.hpp"
 #include "core/world/json_reader.hpp"
@@ -40,7 +41,7 @@ struct Settable {
 
   /// Whether "ID", or "ID#N" for the N-th of several, names it.
   [[nodiscard]] bool is_named(std::string_view owner) const {
-    return owner == id || owner == std::string(id) + "#" + std::to_string(number);
+    return owner == id || owner == nth_name(id, number);
   }
 };
 

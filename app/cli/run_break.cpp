@@ -8,6 +8,7 @@
 
 #include "app/cli/output.hpp"
 #include "core/debug/event_words.hpp"
+#include "core/plan/nth_name.hpp"
 #include "core/session/lockstep.hpp"
 #include "core/session/session.hpp"
 
@@ -32,11 +33,17 @@ struct Stop {
   std::vector<Value> values;  // that the condition reads
 };
 
+/// A condition that never came true.
+struct Missed {
+  std::string condition;
+  bool held = false;  // before the first event: it cannot come true then
+};
+
 struct BreakReport {
   std::string planner;
-  std::size_t events = 0;  // that were looked through
-  std::optional<Stop> stop;
-  std::vector<std::string> held;  // conditions that hold before the first event: they cannot come true then
+  std::size_t events = 0;   // that were looked through
+  std::vector<Stop> stops;  // the first of each condition that has one, in the order of their events
+  std::vector<Missed> missed;
 };
 
 Json value_json(const Box& lattice, const TermValue& value) {
@@ -80,20 +87,18 @@ Stop stop_of(const Session& session, const Hit& hit) {
   return stop;
 }
 
-std::vector<std::string> held_from_the_beginning(const Session& session) {
-  std::vector<std::string> held;
+/// Those that are still looked for.
+std::vector<Missed> missed_in(const Session& session) {
+  std::vector<Missed> missed;
   const Breakpoints& breakpoints = session.breakpoints();
   for (std::size_t i = 0; i < breakpoints.list().size(); ++i)
-    if (Probe(session.run().log_view(), breakpoints.condition(i), 0).value().truth)
-      held.push_back(breakpoints.list()[i].condition);
-  return held;
+    if (breakpoints.list()[i].enabled)
+      missed.push_back({breakpoints.list()[i].condition,
+                        Probe(session.run().log_view(), breakpoints.condition(i), 0).value().truth});
+  return missed;
 }
 
-/// The session does all of it: running the mission on as far as it takes, and asking the checkers.
-Result<BreakReport> find_stop(Scenario world, const std::vector<std::string>& conditions, bool only_plan) {
-  BreakReport report{.planner = world.planners.front().id, .events = 0, .stop = {}, .held = {}};
-  world.debug = {};
-  Session session(std::move(world));
+Result<void> look_for(Session& session, const std::vector<std::string>& conditions) {
   bool laws = false, oracle = false;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     if (const auto added = session.apply(AddBreakpoint{conditions[i]}); !added)
@@ -101,21 +106,50 @@ Result<BreakReport> find_stop(Scenario world, const std::vector<std::string>& co
     laws |= session.breakpoints().condition(i).uses(Happening::invariant);
     oracle |= session.breakpoints().condition(i).uses(Happening::oracle);
   }
-  if (laws || oracle)
-    if (const auto set = session.apply(SetChecks{laws, oracle}); !set) return Error{set.error()};
+  return laws || oracle ? session.apply(SetChecks{laws, oracle}) : Result<void>();
+}
+
+/// The first stop of those that are looked for; nothing: there is none. The session does all of it: running the mission on
+/// as far as it takes, and asking the checkers.
+Result<std::optional<Hit>> next_stop(Session& session, bool only_plan) {
+  const auto first = [&session]() -> std::optional<Hit> {
+    const auto hits = session.breakpoints().hits();
+    return hits.empty() ? std::nullopt : std::optional(hits.front());
+  };
   session.settle();
-  const auto& hits = session.breakpoints().hits();
-  if (hits.empty() && !only_plan) {
+  if (!first() && !only_plan && session.breakpoints().wants_any()) {
     if (const auto gone = session.apply(GoToBreakpoint{1}); !gone) return Error{gone.error()};
     session.settle();
   }
   if (const std::string failure = session.failure(); !failure.empty()) return Error{failure};
+  return first();
+}
+
+/// One condition after the other, in the order in which they come true: each is no longer looked for once it has.
+Result<BreakReport> find_stops(Scenario world, const std::vector<std::string>& conditions, bool only_plan) {
+  BreakReport report;
+  world.debug = {};
+  Session session(std::move(world));
+  if (const auto set = look_for(session, conditions); !set) return Error{set.error()};
+  for (;;) {
+    const auto hit = next_stop(session, only_plan);
+    if (!hit) return Error{hit.error()};
+    if (!hit->has_value()) break;
+    report.stops.push_back(stop_of(session, **hit));
+    if (const auto off = session.apply(SwitchBreakpoint{(*hit)->breakpoint, false}); !off)
+      return Error{off.error()};
+  }
   report.events = session.run().timeline().size();
-  if (!session.breakpoints().hits().empty())
-    report.stop = stop_of(session, session.breakpoints().hits().front());
-  else
-    report.held = held_from_the_beginning(session);
+  report.missed = missed_in(session);
   return report;
+}
+
+/// What a stop's row in the table has no room for.
+std::string details_of(const std::string& planner, const Stop& stop) {
+  std::string text =
+      "\n" + planner + ": " + stop.line_name + (stop.line_text.empty() ? "" : ": " + stop.line_text) + "\n";
+  for (const Stop::Value& value : stop.values) text += "  " + value.name + " is " + value.text + "\n";
+  return text;
 }
 
 std::string table_of(const std::vector<BreakReport>& reports) {
@@ -129,45 +163,48 @@ std::string table_of(const std::vector<BreakReport>& reports) {
                {"what happened", left}});
   std::string details;
   for (const BreakReport& report : reports) {
-    if (!report.stop) {
-      table.add({report.planner, "not reached", "", "", "", "",
+    for (const Stop& stop : report.stops) {
+      table.add({report.planner, stop.condition, std::to_string(stop.position), std::to_string(stop.clock),
+                 std::to_string(stop.expansions), stop.line_name, stop.event});
+      details += details_of(report.planner, stop);
+    }
+    for (const Missed& missed : report.missed) {
+      table.add({report.planner, "not reached: " + missed.condition, "", "", "", "",
                  counted(report.events, "event") + " looked through"});
-      for (const std::string& condition : report.held)
+      if (missed.held)
         details +=
-            "\n" + report.planner + ": " + condition +
+            "\n" + report.planner + ": " + missed.condition +
             "\n  holds from the beginning, and a stop is where a condition comes true. Give each event "
             "a --break of its own.\n";
-      continue;
     }
-    const Stop& stop = *report.stop;
-    table.add({report.planner, stop.condition, std::to_string(stop.position), std::to_string(stop.clock),
-               std::to_string(stop.expansions), stop.line_name, stop.event});
-    details += "\n" + report.planner + ": " + stop.line_name +
-               (stop.line_text.empty() ? "" : ": " + stop.line_text) + "\n";
-    for (const Stop::Value& value : stop.values) details += "  " + value.name + " is " + value.text + "\n";
   }
   return table.text() + details;
+}
+
+Json json_of(const std::string& planner, const Stop& stop) {
+  Json one = {{"planner", planner},
+              {"stopped", true},
+              {"condition", stop.condition},
+              {"event", stop.position},
+              {"clock", stop.clock},
+              {"expansions", stop.expansions},
+              {"line", {{"number", stop.line}, {"name", stop.line_name}, {"text", stop.line_text}}},
+              {"what", stop.event},
+              {"values", Json::object()}};
+  for (const Stop::Value& value : stop.values) one["values"][value.name] = value.json;
+  return one;
 }
 
 std::string json_of(const std::vector<BreakReport>& reports) {
   Json document = {{"stops", Json::array()}};
   for (const BreakReport& report : reports) {
-    Json one = {{"planner", report.planner}, {"stopped", report.stop.has_value()}};
-    if (report.stop) {
-      const Stop& stop = *report.stop;
-      one["condition"] = stop.condition;
-      one["event"] = stop.position;
-      one["clock"] = stop.clock;
-      one["expansions"] = stop.expansions;
-      one["line"] = {{"number", stop.line}, {"name", stop.line_name}, {"text", stop.line_text}};
-      one["what"] = stop.event;
-      one["values"] = Json::object();
-      for (const Stop::Value& value : stop.values) one["values"][value.name] = value.json;
-    } else {
-      one["events"] = report.events;
-      one["held_from_the_beginning"] = report.held;
-    }
-    document["stops"].push_back(std::move(one));
+    for (const Stop& stop : report.stops) document["stops"].push_back(json_of(report.planner, stop));
+    for (const Missed& missed : report.missed)
+      document["stops"].push_back({{"planner", report.planner},
+                                   {"stopped", false},
+                                   {"condition", missed.condition},
+                                   {"events", report.events},
+                                   {"held_from_the_beginning", missed.held}});
   }
   return document.dump(2) + "\n";
 }
@@ -178,8 +215,8 @@ void BreakArguments::declare(CLI::App& command) {
   command
       .add_option(
           "--break", conditions,
-          "Stop where this condition comes true first and tell where that is; several times for several "
-          "conditions")
+          "Stop where this condition comes true first and tell where that is; several times for the first "
+          "stop of each of several conditions")
       ->type_name("EXPR")
       ->allow_extra_args(false);
 }
@@ -187,12 +224,16 @@ void BreakArguments::declare(CLI::App& command) {
 Result<int> BreakArguments::run(const Scenario& world, bool only_plan, bool json) const {
   std::vector<BreakReport> reports;
   bool all = true;
-  for (const PlannerChoice& choice : world.planners) {
+  std::vector<std::string> names;
+  for (const PlannerChoice& choice : world.planners) names.push_back(choice.id);
+  names = told_apart(names);
+  for (std::size_t i = 0; i < names.size(); ++i) {
     Scenario one = world;
-    one.planners = {choice};
-    auto report = find_stop(std::move(one), conditions, only_plan);
+    one.planners = {world.planners[i]};
+    auto report = find_stops(std::move(one), conditions, only_plan);
     if (!report) return Error{report.error()};
-    all &= report->stop.has_value();
+    report->planner = names[i];
+    all &= !report->stops.empty();
     reports.push_back(std::move(report.value()));
   }
   print(json ? json_of(reports) : table_of(reports));

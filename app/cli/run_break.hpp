@@ -1,4 +1,4 @@
-// `replan run --break`: where the runs of a world come to stop first.
+// `replan run --break`: where the runs of a world come to stop.
 #pragma once
 
 #include <string>
@@ -19,9 +19,9 @@ struct BreakArguments {
 
   void declare(CLI::App& command);
   [[nodiscard]] bool given() const { return !conditions.empty(); }
-  /// Runs each planner of the world to the first place where one of the conditions stops, and prints where
-  /// that is, as a table or as JSON. With `only_plan` the robot does not set out. Returns kDone if every run
-  /// stopped, else kFailed.
+  /// Runs each planner of the world to the first place where each of the conditions stops, and prints where
+  /// these are, as a table or as JSON. With `only_plan` the robot does not set out. Returns kDone if every run
+  /// stopped at one at least, else kFailed.
   [[nodiscard]] Result<int> run(const Scenario& world, bool only_plan, bool json) const;
 };
 

@@ -230,13 +230,13 @@ std::string run_footer() {
          "  replan run maps/demo.json --trace demo.trace.yaml --trace-map demo.map\n"
          "      The search for the Posthoc visualiser, and the map to lay under it.\n"
          "  replan run maps/demo.json --break 'changed(rhs(12, 40))' --break 'km > 5 && size(U) >= 100'\n"
-         "      Where each run comes to that first: event, line of the pseudo-code, values.\n"
+         "      Where each run comes to each of them first: event, line of the pseudo-code, values.\n"
          "  replan run maps/fusion-boxes.json --break 'score(winner) < 0.5 || admissible == 0'\n"
          "      Where a robot that drives finds no good arc.\n\n"
          "Status, path and the figures of its shape are those of the first plan; times and counters are of "
          "the whole\n"
          "run. Exit code 0 if every planner found a path (and its robot arrived), 1 if not, 2 for bad "
-         "input. With --break: 0 if every run stopped, 1 if not.\n\n" +
+         "input. With --break: 0 if every run stopped at one condition at least, 1 if not.\n\n" +
          settings_help() + "\n" + conditions_help();
 }
 

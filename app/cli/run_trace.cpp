@@ -7,6 +7,7 @@
 
 #include "app/cli/output.hpp"
 #include "core/export/posthoc.hpp"
+#include "core/plan/nth_name.hpp"
 #include "core/session/trace_export.hpp"
 #include "core/world/map_file.hpp"
 
@@ -87,8 +88,8 @@ std::string trace_name(const std::string& file, const Scenario& scenario, std::s
   const auto same = [&](const PlannerChoice& choice) { return choice.id == id; };
   const auto before = std::count_if(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(planner), same);
   const std::string_view ending = trace_ending(file);
-  return file.substr(0, file.size() - ending.size()) + "." + id +
-         (before == 0 ? "" : "-" + std::to_string(before + 1)) + std::string(ending);
+  return file.substr(0, file.size() - ending.size()) + "." +
+         nth_name(id, static_cast<std::size_t>(before) + 1) + std::string(ending);
 }
 
 Result<void> TraceArguments::write(const Scenario& scenario, bool plan_alone) const {

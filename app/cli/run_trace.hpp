@@ -26,7 +26,7 @@ struct TraceArguments {
 };
 
 /// FILE where there is one planner; else with the planner's id, and where an id comes more than once its
-/// number too, before the ending: "run.astar.trace.yaml", "run.astar-2.trace.yaml".
+/// number too, before the ending: "run.astar.trace.yaml", "run.astar#2.trace.yaml".
 std::string trace_name(const std::string& file, const Scenario& scenario, std::size_t planner);
 
 }  // namespace replan::cli

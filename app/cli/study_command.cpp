@@ -9,6 +9,7 @@
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
+#include "app/cli/window.hpp"
 #include "app/study_files.hpp"
 #include "core/base/file.hpp"
 #include "core/base/folders.hpp"
@@ -108,7 +109,7 @@ Result<int> study(const StudyArguments& arguments) {
     else if (chosen->size() == 1 || !kept)
       print(study_markdown(*info, *report) + (chosen->size() > 1 ? "\n" : ""));
     if (!kept) continue;
-    auto section = app::write_study(*info, std::move(*report), arguments.folder);
+    auto section = app::write_study(*info, std::move(*report), arguments.folder, study_pen());
     if (!section) return Error{section.error()};
     for (const std::string& note : section->notes) tell_notes(std::span(&note, 1));
     sections.push_back(std::move(*section));

@@ -35,7 +35,7 @@ _replan_settings() {
 _replan_options() {
   case "$1" in
     run) echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --json --csv --markdown --latex --cells --check --trace --trace-map --break" ;;
-    batch) echo "-h --help --map --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --limit --out --jobs --shard --scenario -o --output --json" ;;
+    batch) echo "-h --help --map --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --limit --out --jobs --shard --scenario --open -o --output --json" ;;
     merge) echo "-h --help -o --output" ;;
     compare) echo "-h --help --times --any-settings --alpha --fail-on-loss --tolerate --all --json" ;;
     anytime) echo "-h --help --map --start --goal --unreachable-goal --robot --radius --threshold --invert --unknown --occupied --height-map --layers --heights --reduce --planner --set --stage --seeds --time --csv --svg" ;;
@@ -89,7 +89,7 @@ _replan() {
     --out) _replan_files; return ;;
     --dialog) COMPREPLY=($(compgen -W "new_world open worlds opening save_as figures film film_window film_run picture trace unsaved changed overwrite recover generate resize batch batch_results edits keys about menu_file menu_edit menu_world menu_planner menu_run menu_view menu_overlays menu_tabs menu_panes menu_record menu_help" -- "$cur")); return ;;
     --action) _replan_list "$(_replan_ids actions)"; return ;;
-    --start | --goal | --radius | --world | --break | --cell | --pin | --arc | --orbit | --camera | --size | --scale | --limit | --jobs | --shard | --scenario | --alpha | --tolerate | --threshold | --occupied | --layers | --heights | --reduce | --slice | --fps | --hold) return ;;
+    --start | --goal | --radius | --world | --break | --cell | --pin | --arc | --orbit | --camera | --size | --scale | --limit | --jobs | --shard | --scenario | --open | --alpha | --tolerate | --threshold | --occupied | --layers | --heights | --reduce | --slice | --fps | --hold) return ;;
     --panes) COMPREPLY=($(compgen -W "1 2 4 all" -- "$cur")); return ;;
     --colours) COMPREPLY=($(compgen -W "viridis cividis grey" -- "$cur")); return ;;
     --range) COMPREPLY=($(compgen -W "whole-run so-far" -- "$cur")); return ;;

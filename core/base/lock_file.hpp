@@ -6,11 +6,16 @@
 #include <string>
 #include <utility>
 
+#include "core/base/result.hpp"
+
 namespace replan {
 
 class LockFile {
  public:
-  /// Makes the file if need be and locks it; nothing if another process holds it, or if it cannot be made.
+  /// Makes the file if need be and locks it; nothing if another process holds it. The error is the reason why there can
+  /// be no such file.
+  static Result<std::optional<LockFile>> take(const std::string& path);
+  /// The same for those who leave alone what they cannot lock, whatever the reason.
   static std::optional<LockFile> try_lock(const std::string& path);
   LockFile(LockFile&& other) noexcept
       : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}

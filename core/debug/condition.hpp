@@ -56,6 +56,7 @@ enum class Op : std::uint8_t {
   moves,
   replans,
   expansions,
+  samples,  ///< the same of a planner that draws samples; 0 of others
   robot,
   start,
   goal,
@@ -131,6 +132,8 @@ struct Condition {
   [[nodiscard]] const Term& root() const { return terms.back(); }
   [[nodiscard]] bool uses(Op op) const;
   [[nodiscard]] bool uses(Happening happening) const;
+  /// Whether it asks for expansions, under whatever name.
+  [[nodiscard]] bool counts_expansions() const { return uses(Op::expansions) || uses(Op::samples); }
   friend bool operator==(const Condition&, const Condition&) = default;
 };
 

@@ -26,6 +26,9 @@ std::span<const ConditionName> condition_names() {
        "The robot's clock: its moves, turns on the spot and waits so far."},
       {Op::replans, number, "replans", "replans", "How often it has replanned."},
       {Op::expansions, number, "expansions", "expansions", "Expansions so far, all plans together."},
+      {Op::samples, number, "samples", "samples",
+       "Samples drawn so far, all plans together: the expansions of a planner that grows a tree of them; 0 "
+       "of others."},
       {Op::robot, cell, "robot", "robot", "Where the robot stands."},
       {Op::start, cell, "start", "start", "Where the present search plans from, s_start."},
       {Op::goal, cell, "goal", "goal", "Where it plans to, s_goal."},

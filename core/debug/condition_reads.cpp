@@ -40,6 +40,7 @@ KindSet kinds_of(Op op) {
 }
 
 KindSet kinds_of(const Term& term, const SearchValues& values) {
+  if (term.op == Op::samples) return values.grows() ? KindSet{EventKind::visit} : KindSet();
   if (term.field.empty()) return kinds_of(term.op);
   const Field* field = values.find(term.field);
   return field == nullptr ? KindSet() : KindSet{field->kind};

@@ -47,7 +47,7 @@ void Probe::collect(const Term& term) {
     for_kinds(kinds_of(term, *values_), [&](EventKind kind) { collect_slot(kind, node_of(term)); });
   if (const auto scalar = scalar_of(term.op)) collect_slot(EventKind::scalar, static_cast<NodeId>(*scalar));
   if (term.op == Op::queue_size) walked_.add(EventKind::queue);
-  if (term.op == Op::expansions) noted_.add(EventKind::visit);
+  if (term.op == Op::expansions || term.op == Op::samples) noted_.add(EventKind::visit);
   if (term.op == Op::taken || term.op == Op::taken_any) noted_.add(EventKind::pop);
   if (term.op == Op::rewired) noted_.add(EventKind::rewired);
   if (term.op != Op::event) return;
@@ -78,7 +78,7 @@ void Probe::collect_slot(EventKind kind, NodeId node) {
 void Probe::load(std::optional<std::int64_t> expansions_before) {
   if (expansions_before)
     expansions_ = *expansions_before;
-  else if (condition_.uses(Op::expansions))
+  else if (condition_.counts_expansions())
     for (std::size_t i = 0; i < position_; ++i)
       expansions_ += log_->event(i).kind == EventKind::visit ? 1 : 0;
   read_values();

@@ -146,6 +146,8 @@ Probe::Number Probe::number(const Term& term) {
       return {static_cast<double>(state_.queue_size()), {}};
     case Op::expansions:
       return {static_cast<double>(expansions_), {}};
+    case Op::samples:
+      return {values_->grows() ? static_cast<double>(expansions_) : 0, {}};
     case Op::line:
       return count(line());
     case Op::opposite:

@@ -43,13 +43,4 @@ Result<KeptResults> read_batch_file(const std::string& folder) {
   return kept;
 }
 
-Result<void> write_result_files(const std::string& folder, const ResultsHead& head,
-                                std::span<const RunResult> results) {
-  for (const auto& [file, text] : {std::pair{"results.csv", results_csv(results)},
-                                   {"results.json", results_json(head, results)},
-                                   {"times.csv", times_csv(results)}})
-    if (const auto written = write_file_atomically(batch_path(folder, file), text); !written) return written;
-  return {};
-}
-
 }  // namespace replan

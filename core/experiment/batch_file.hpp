@@ -9,18 +9,15 @@
 
 namespace replan {
 
-inline constexpr const char *kBatchFile = "batch.json", *kJournalFile = "runs.jsonl";
+inline constexpr const char *kBatchFile = "batch.json", *kJournalFile = "runs.jsonl",
+                            *kCsvFile = "results.csv", *kJsonFile = "results.json", *kTimesFile = "times.csv";
 /// Written once all runs are done.
-inline constexpr std::array kResultFiles = {"results.csv", "results.json", "times.csv"};
+inline constexpr std::array kResultFiles = {kCsvFile, kJsonFile, kTimesFile};
 std::string batch_path(const std::string& folder, const char* file);
 
 /// batch.json; read back it has no results yet.
 Result<void> write_batch_file(const std::string& folder, const ResultsHead& head, const Shard& shard,
                               const std::string& experiment);
 Result<KeptResults> read_batch_file(const std::string& folder);
-
-/// results.csv, results.json and times.csv, of results in the order of their numbers.
-Result<void> write_result_files(const std::string& folder, const ResultsHead& head,
-                                std::span<const RunResult> results);
 
 }  // namespace replan

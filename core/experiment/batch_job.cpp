@@ -38,11 +38,11 @@ class BatchJob::Shared {
     return paused_;
   }
 
-  void begin(std::shared_ptr<const RunList> list, std::vector<RunResult> kept) {
+  void begin(std::shared_ptr<const RunList> list, std::deque<RunResult> kept) {
     const std::lock_guard lock(mutex_);
     list_ = std::move(list);
-    fresh_.assign(std::make_move_iterator(kept.begin()), std::make_move_iterator(kept.end()));
     done_ = kept.size();
+    fresh_ = std::move(kept);
     restart_clock();
   }
   /// Whether the window should be woken.

@@ -8,78 +8,65 @@
 #include "core/world/json_reader.hpp"
 
 namespace replan {
-namespace {
 
-/// Adds up the runs of one planner.
-class ReportSum {
- public:
-  explicit ReportSum(const RunName& name) {
-    report_.planner = name.planner;
-    report_.label = planner_label(name);
+void BatchSums::Sum::add(const RunResult& run) {
+  ++report.problems;
+  if (run.skipped()) {
+    ++report.skipped;
+    return;
   }
+  report.found += run.succeeded ? 1 : 0;
+  report.expansions += static_cast<std::int64_t>(run.figure("expansions").value_or(0));
+  if (!run.plan_ms.empty()) report.total_ms += median(run.plan_ms) + median(run.replan_ms);
+  if (run.mismatch) report.comparable = true;
+  if (run.mismatch.value_or(false)) mismatch(run);
+  if (run.succeeded && run.expected) compare(run);
+}
 
-  [[nodiscard]] const std::string& label() const { return report_.label; }
+void BatchSums::Sum::compare(const RunResult& run) {
+  const auto ratio = run.ratio();
+  // The way from a cell to itself: any length is an error as it stands.
+  const double error = ratio ? std::abs(*ratio - 1) : run.length().value_or(0);
+  report.max_relative_error = std::max(report.max_relative_error, error);
+  if (!ratio) return;
+  ratios += *ratio;
+  ++compared;
+}
 
-  void add(const RunResult& run) {
-    ++report_.problems;
-    if (run.skipped()) {
-      ++report_.skipped;
-      return;
-    }
-    report_.found += run.succeeded ? 1 : 0;
-    report_.expansions += static_cast<std::int64_t>(run.figure("expansions").value_or(0));
-    if (!run.plan_ms.empty()) report_.total_ms += median(run.plan_ms) + median(run.replan_ms);
-    if (run.mismatch) report_.comparable = true;
-    if (run.mismatch.value_or(false)) mismatch(run);
-    if (run.succeeded && run.expected) compare(run);
+void BatchSums::Sum::mismatch(const RunResult& run) {
+  ++report.mismatches;
+  if (report.first_mismatches.size() < BatchReport::kMismatchesKept)
+    report.first_mismatches.push_back(
+        {run.name.world, run.name.line, run.length().value_or(0), run.expected.value_or(0)});
+}
+
+void BatchSums::add(const RunResult& run) {
+  const std::string label = planner_label(run.name);
+  // Runs of one planner follow each other.
+  auto sum =
+      std::find_if(sums_.rbegin(), sums_.rend(), [&](const Sum& each) { return each.report.label == label; });
+  if (sum == sums_.rend()) {
+    sums_.emplace_back();
+    sum = sums_.rbegin();
+    sum->report.planner = run.name.planner;
+    sum->report.label = label;
   }
+  sum->add(run);
+}
 
-  BatchReport report() {
-    report_.mean_ratio = ratios_ > 0 ? ratio_sum_ / static_cast<double>(ratios_) : 0;
-    return std::move(report_);
+std::vector<BatchReport> BatchSums::reports() const {
+  std::vector<BatchReport> reports;
+  for (const Sum& sum : sums_) {
+    reports.push_back(sum.report);
+    if (sum.compared > 0) reports.back().mean_ratio = sum.ratios / static_cast<double>(sum.compared);
   }
-
- private:
-  void compare(const RunResult& run) {
-    const auto ratio = run.ratio();
-    // The way from a cell to itself: any length is an error as it stands.
-    const double error = ratio ? std::abs(*ratio - 1) : run.length().value_or(0);
-    report_.max_relative_error = std::max(report_.max_relative_error, error);
-    if (!ratio) return;
-    ratio_sum_ += *ratio;
-    ++ratios_;
-  }
-
-  void mismatch(const RunResult& run) {
-    ++report_.mismatches;
-    if (report_.first_mismatches.size() < BatchReport::kMismatchesKept)
-      report_.first_mismatches.push_back(
-          {run.name.world, run.name.line, run.length().value_or(0), run.expected.value_or(0)});
-  }
-
-  BatchReport report_;
-  double ratio_sum_ = 0;
-  std::int64_t ratios_ = 0;
-};
-
-}  // namespace
+  return reports;
+}
 
 std::vector<BatchReport> batch_reports(std::span<const RunResult> results) {
-  std::vector<ReportSum> sums;
-  for (const RunResult& run : results) {
-    const std::string label = planner_label(run.name);
-    // Runs of one planner follow each other.
-    auto sum = std::find_if(sums.rbegin(), sums.rend(),
-                            [&](const ReportSum& each) { return each.label() == label; });
-    if (sum == sums.rend()) {
-      sums.emplace_back(run.name);
-      sum = sums.rbegin();
-    }
-    sum->add(run);
-  }
-  std::vector<BatchReport> reports;
-  for (ReportSum& sum : sums) reports.push_back(sum.report());
-  return reports;
+  BatchSums sums;
+  for (const RunResult& run : results) sums.add(run);
+  return sums.reports();
 }
 
 std::string batch_json(std::span<const BatchReport> reports) {
@@ -112,10 +99,14 @@ BatchReport solve_problems(const GridMap& map, const LengthFormat& lengths,
   worlds.push_back(std::move(world));
   const RunList list(std::move(experiment), std::move(worlds), 0);
   ExperimentWorker worker(list);
-  ReportSum sum(list.name({}));
+  BatchSums sums;
   for (std::int64_t run = 0; run < list.count(); ++run)
-    if (const auto result = worker.make(run, {})) sum.add(*result);
-  return sum.report();
+    if (const auto result = worker.make(run, {})) sums.add(*result);
+  std::vector<BatchReport> reports = sums.reports();
+  if (!reports.empty()) return std::move(reports.front());
+  BatchReport nothing;
+  nothing.planner = nothing.label = choice.id;
+  return nothing;
 }
 
 }  // namespace replan

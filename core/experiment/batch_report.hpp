@@ -43,7 +43,25 @@ struct BatchReport {
   [[nodiscard]] bool passed() const { return mismatches == 0 && unsolved() == 0; }
 };
 
-/// One for each planner of the results, in their order.
+/// Adds runs up, as they come or all at once: one report for each planner, in the order of its first run.
+class BatchSums {
+ public:
+  void add(const RunResult& run);
+  [[nodiscard]] std::vector<BatchReport> reports() const;
+
+ private:
+  /// Of one planner.
+  struct Sum {
+    BatchReport report = {};
+    double ratios = 0;          // of those that have one, together ...
+    std::int64_t compared = 0;  // ... and how many
+    void add(const RunResult& run);
+    void compare(const RunResult& run);
+    void mismatch(const RunResult& run);
+  };
+
+  std::vector<Sum> sums_;
+};
 std::vector<BatchReport> batch_reports(std::span<const RunResult> results);
 /// `{"planners": [...]}`.
 std::string batch_json(std::span<const BatchReport> reports);

@@ -9,19 +9,17 @@
 namespace replan {
 namespace {
 
-/// Folds the bytes of a file into the digest.
-Result<void> fold_file(const std::string& path, std::uint64_t& digest) {
-  const auto bytes = read_file(path);
-  if (!bytes) return Error{bytes.error()};
-  digest = hash_combine(digest, hash_bytes(*bytes));
-  return {};
-}
-
-/// A map's file may name others (a ROS map its picture), so its cells count besides its bytes.
-void fold_map(const GridMap& map, std::uint64_t& digest) {
+/// Of the bytes of the files. A map's file may name others (a ROS map its picture), so its cells count besides.
+Result<std::uint64_t> digest_of(std::span<const std::string> files, const GridMap& map) {
+  std::uint64_t digest = 0;
+  for (const std::string& file : files) {
+    const auto bytes = read_file(file);
+    if (!bytes) return Error{bytes.error()};
+    digest = hash_combine(digest, hash_bytes(*bytes));
+  }
   std::uint64_t cells = hash_bytes({});
   for (const std::uint8_t cell : map.blocked) cells = (cells ^ cell) * 0x100000001B3ull;
-  digest = hash_combine(digest, cells);
+  return hash_combine(digest, cells);
 }
 
 Cell cell_of_coordinates(const std::vector<int>& coordinates) {
@@ -107,8 +105,7 @@ std::vector<ScenProblem> even_sample(const std::vector<ScenProblem>& problems, s
   return sample;
 }
 
-Result<LoadedWorld> load_world(const Experiment& experiment, const ExperimentWorld& world,
-                               std::uint64_t& digest) {
+Result<LoadedWorld> load_world(const Experiment& experiment, const ExperimentWorld& world) {
   const std::string extension = file_extension(world.file);
   LoadedWorld named;
   named.file = world.file;
@@ -117,10 +114,12 @@ Result<LoadedWorld> load_world(const Experiment& experiment, const ExperimentWor
                 : extension == ".json" ? load_scenario(experiment, world, std::move(named))
                                        : load_map(experiment, world, std::move(named));
   if (!loaded) return loaded;
-  for (const std::string& path : {path_in(experiment, world.file), loaded->map_file})
-    if (const auto read = is_generator_spec(world.file) ? Result<void>() : fold_file(path, digest); !read)
-      return Error{read.error()};
-  fold_map(loaded->scenario.map, digest);
+  std::vector<std::string> files;
+  if (!is_generator_spec(world.file)) files = {path_in(experiment, world.file)};
+  if (!files.empty() && loaded->map_file != files.front()) files.push_back(loaded->map_file);
+  const auto digest = digest_of(files, loaded->scenario.map);
+  if (!digest) return Error{digest.error()};
+  loaded->digest = *digest;
   return loaded;
 }
 

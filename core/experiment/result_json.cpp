@@ -75,7 +75,10 @@ RunResult read_result(const JsonNode& node) {
   result.expected = number_of(node, "expected_length_cells");
   if (const auto mismatch = given(node, "mismatch")) result.mismatch = mismatch->whole(0, 1) != 0;
   result.metres_per_cell = number_of(node, "metres_per_cell");
-  for (const ResultColumn& column : result_columns()) result.figures.push_back(number_of(node, column.name));
+  for (const ResultColumn& column : result_columns()) {
+    const bool lacks = column.newer && !node.find(column.name);
+    result.figures.push_back(lacks ? std::nullopt : number_of(node, column.name));
+  }
   return result;
 }
 

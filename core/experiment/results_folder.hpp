@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <unordered_set>
@@ -14,6 +15,7 @@
 
 #include "core/base/lock_file.hpp"
 #include "core/base/result.hpp"
+#include "core/experiment/journal.hpp"
 #include "core/experiment/results_text.hpp"
 #include "core/experiment/run_list.hpp"
 #include "core/experiment/run_result.hpp"
@@ -29,45 +31,43 @@ struct Shard {
 };
 inline constexpr std::int64_t kMostShards = 1'000'000;
 
+/// Takes results one after the other, which are not all held at once.
+using TakeResult = std::function<void(const RunResult&)>;
+
 /// A folder that this process alone writes to.
 class ResultsFolder {
  public:
   /// Makes the folder, or takes up what an earlier process has left there. Refused: results of another experiment or of
   /// another part of it, a folder that another process is at work in, a file of another kind in the way.
   static Result<ResultsFolder> open(const std::string& path, const RunList& list, const Shard& shard);
-  ResultsFolder(ResultsFolder&& other) noexcept;
+  ResultsFolder(ResultsFolder&& other) noexcept = default;
   ResultsFolder& operator=(ResultsFolder&&) = delete;
   ResultsFolder(const ResultsFolder&) = delete;
   ResultsFolder& operator=(const ResultsFolder&) = delete;
   ~ResultsFolder();
 
-  /// Of the runs that are done, in the order in which they ended; after write_results() in that of their numbers.
-  [[nodiscard]] std::span<const RunResult> results() const { return results_; }
-  /// The same, given away: from then on the folder keeps their numbers alone, and results() has none. Of many runs they
-  /// would be in memory twice.
-  std::vector<RunResult> hand_over();
+  /// How many runs of this part are done.
+  [[nodiscard]] std::size_t done() const { return kept_.size(); }
+  /// Reads what is done, in the order of the runs' numbers.
+  [[nodiscard]] Result<void> each(const TakeResult& take) const;
   /// The numbers of the runs of this part that are not done.
   [[nodiscard]] std::vector<std::int64_t> missing() const;
   /// Writes a result down.
-  Result<void> add(RunResult result);
-  /// Writes results.csv, results.json and times.csv of all that is done; what was given away is read back for that.
-  Result<void> write_results();
+  Result<void> add(const RunResult& result);
+  /// Writes results.csv, results.json and times.csv of all that is done, and shows each result to `also`.
+  Result<void> write_results(const TakeResult& also = {}) const;
   /// Whether these are there.
   [[nodiscard]] bool has_result_files() const;
 
  private:
-  ResultsFolder(std::string path, LockFile lock, ResultsHead head, Shard shard)
-      : path_(std::move(path)), lock_(std::move(lock)), head_(std::move(head)), shard_(shard) {}
-  Result<void> take_up();
-  [[nodiscard]] std::vector<RunResult> own_results(std::vector<RunResult> all) const;
+  ResultsFolder(std::string path, LockFile lock, Journal journal, ResultsHead head, const Shard& shard);
 
   std::string path_;
   LockFile lock_;
+  Journal journal_;
   ResultsHead head_;
   Shard shard_;
-  int journal_ = -1;
-  bool keeps_results_ = true;
-  std::vector<RunResult> results_;
+  std::vector<Journal::Line> kept_;        // of the journal, each run once
   std::unordered_set<std::int64_t> done_;  // their numbers
 };
 
@@ -82,7 +82,9 @@ Result<KeptResults> read_results_folder(const std::string& path);
 
 /// The results of all parts together, in a folder of their own: the same bytes as the results of the whole experiment made
 /// at once. Refused: parts of different experiments, runs that are missing or there twice, a folder that has results.
-Result<KeptResults> merge_results(std::span<const std::string> folders, const std::string& out);
+/// Shows each result to `also`, and returns how many there are.
+Result<std::size_t> merge_results(std::span<const std::string> folders, const std::string& out,
+                                  const TakeResult& also = {});
 
 /// "3, 5-8 and 12 more": some numbers, in ascending order, as a sentence has them.
 std::string numbers_text(std::span<const std::int64_t> numbers);

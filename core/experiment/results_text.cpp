@@ -39,41 +39,47 @@ ResultsHead results_head(const RunList& list) {
           .repeats = list.experiment().repeats()};
 }
 
-std::string results_csv(std::span<const RunResult> results) {
+std::string results_csv_head() {
   std::string text;
   const Json names = result_json({});
   for (auto name = names.begin(); name != names.end(); ++name) text += (text.empty() ? "" : ",") + name.key();
-  text += '\n';
-  for (const RunResult& result : results) {
-    std::string line;
-    for (const Json& value : result_json(result)) line += (line.empty() ? "" : ",") + field_of(value);
-    text += line + '\n';
-  }
+  return text + '\n';
+}
+
+std::string results_csv_row(const RunResult& result) {
+  std::string line;
+  for (const Json& value : result_json(result)) line += (line.empty() ? "" : ",") + field_of(value);
+  return line + '\n';
+}
+
+std::string results_csv(std::span<const RunResult> results) {
+  std::string text = results_csv_head();
+  for (const RunResult& result : results) text += results_csv_row(result);
   return text;
 }
 
-std::string results_json(const ResultsHead& head, std::span<const RunResult> results) {
-  Json document = {{"format", "replan results"}, {"version", 1},
-                   {"name", head.name},          {"digest", head.digest},
-                   {"runs_in_all", head.runs},   {"repeats", head.repeats}};
+std::string results_json_head(const ResultsHead& head) {
+  const Json document = {{"format", "replan results"}, {"version", 1},
+                         {"name", head.name},          {"digest", head.digest},
+                         {"runs_in_all", head.runs},   {"repeats", head.repeats}};
   std::string text = document.dump();
   text.back() = ',';
-  text += "\n\"runs\": [";
-  for (const RunResult& result : results)
-    text += (&result == results.data() ? "\n" : ",\n") +
-            result_json(result).dump(-1, ' ', false, Json::error_handler_t::replace);
-  return text + "\n]}\n";
+  return text + "\n\"runs\": [";
 }
 
-std::string times_csv(std::span<const RunResult> results) {
-  std::string text =
-      "run,times,plan_ms,plan_ms_lower_quartile,plan_ms_upper_quartile,replan_ms,replan_ms_lower_quartile,"
-      "replan_ms_upper_quartile,memory_bytes\n";
-  for (const RunResult& result : results)
-    text += std::to_string(result.run) + "," + std::to_string(result.plan_ms.size()) +
-            spread_fields(result.plan_ms) + spread_fields(result.replan_ms) + "," +
-            std::to_string(result.memory_bytes) + "\n";
-  return text;
+std::string results_json_row(const RunResult& result) {
+  return result_json(result).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string times_csv_head() {
+  return "run,times,plan_ms,plan_ms_lower_quartile,plan_ms_upper_quartile,replan_ms,replan_ms_lower_quartile,"
+         "replan_ms_upper_quartile,memory_bytes\n";
+}
+
+std::string times_csv_row(const RunResult& result) {
+  return std::to_string(result.run) + "," + std::to_string(result.plan_ms.size()) +
+         spread_fields(result.plan_ms) + spread_fields(result.replan_ms) + "," +
+         std::to_string(result.memory_bytes) + "\n";
 }
 
 Result<ReadResults> parse_results(const std::string& text, const std::string& origin) {

@@ -21,8 +21,8 @@ std::optional<double> figure_named(std::span<const NamedFigure> figures, std::st
 std::vector<std::optional<double>> figures_of(const RunReport& report) {
   std::vector<NamedFigure> all = named_figures(report);
   if (report.robot)
-    for (const auto& more :
-         {named_figures(*report.robot), drive_figures(*report.robot), kept_figures(*report.robot)})
+    for (const auto& more : {named_figures(*report.robot), drive_figures(*report.robot),
+                             kept_figures(*report.robot), surprise_figures(*report.robot)})
       all.insert(all.end(), more.begin(), more.end());
   std::vector<std::optional<double>> figures;
   for (const ResultColumn& column : result_columns()) figures.push_back(figure_named(all, column.figure));

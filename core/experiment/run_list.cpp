@@ -13,7 +13,7 @@ namespace replan {
 namespace {
 
 /// To be counted up when the same run comes to other figures, or figures mean something else.
-constexpr std::uint64_t kFiguresVersion = 1;
+constexpr std::uint64_t kFiguresVersion = 2;
 
 std::string cell_words(Cell cell, bool solid) {
   return std::to_string(cell.x) + " " + std::to_string(cell.y) + (solid ? " " + std::to_string(cell.z) : "");
@@ -70,16 +70,18 @@ bool lengths_apply(const PlannerChoice& choice) {
          rules.corners == MoveRules{}.corners;
 }
 
-Result<RunList> RunList::load(Experiment experiment) {
+Result<RunList> RunList::load(Experiment experiment, std::vector<LoadedWorld> worlds) {
+  for (std::size_t i = 0; i < experiment.worlds.size(); ++i) {
+    if (i == worlds.size()) {
+      auto loaded = load_world(experiment, experiment.worlds[i]);
+      if (!loaded) return Error{loaded.error()};
+      worlds.push_back(std::move(loaded.value()));
+    }
+    if (const auto fit = check_fits(experiment, worlds[i]); !fit) return Error{fit.error()};
+  }
   std::uint64_t digest = folded(kFiguresVersion, experiment_text(experiment));
   digest = settings_digest(experiment, digest);
-  std::vector<LoadedWorld> worlds;
-  for (const ExperimentWorld& world : experiment.worlds) {
-    auto loaded = load_world(experiment, world, digest);
-    if (!loaded) return Error{loaded.error()};
-    if (const auto fit = check_fits(experiment, *loaded); !fit) return Error{fit.error()};
-    worlds.push_back(std::move(loaded.value()));
-  }
+  for (const LoadedWorld& world : worlds) digest = hash_combine(digest, world.digest);
   RunList list(std::move(experiment), std::move(worlds), digest);
   if (list.count() > kMostRuns)
     return Error{"the experiment has " + std::to_string(list.count()) + " runs, and can have at most " +

@@ -24,13 +24,12 @@ struct LoadedWorld {
   Scenario scenario;     ///< the map; of a scenario its robot, surprises and moving obstacles besides
   std::vector<std::string> notes;  ///< what there is to say of the map, a sentence each
   std::string map_file;            ///< its map's file, as opened
+  std::uint64_t digest = 0;        ///< of the bytes of its files and the cells of its map
 
   /// Whether it is a file of problems.
   [[nodiscard]] bool lengths_are_listed() const { return !problems.empty() && problems.front().line > 0; }
 };
-/// Loads one world, and folds the bytes of its files into `digest`.
-Result<LoadedWorld> load_world(const Experiment& experiment, const ExperimentWorld& world,
-                               std::uint64_t& digest);
+Result<LoadedWorld> load_world(const Experiment& experiment, const ExperimentWorld& world);
 
 /// `limit` problems spread evenly over the file in its order, the first and the last among them; all if there
 /// are no more than that. 0: all.
@@ -69,8 +68,9 @@ std::string planner_label(const RunName& name);
 /// the run of the first seed alone: the others would be the same once more.
 class RunList {
  public:
-  /// Loads the worlds and checks that every planner can plan in each of them for every robot.
-  static Result<RunList> load(Experiment experiment);
+  /// Loads the worlds and checks that every planner can plan in each of them for every robot. `loaded` are the first of
+  /// them where they have been loaded already.
+  static Result<RunList> load(Experiment experiment, std::vector<LoadedWorld> loaded = {});
   /// The runs in worlds that are there already, unchecked.
   RunList(Experiment experiment, std::vector<LoadedWorld> worlds, std::uint64_t digest);
 

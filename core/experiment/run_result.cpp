@@ -38,6 +38,7 @@ constexpr ResultColumn kColumns[] = {
     {"turning_seconds", "turning_s", lower},
     {"course_turned_deg", "course_turned_deg", lower},
     {"way_min_clearance", "way_min_clearance_cells", higher},
+    {.figure = "surprises_noticed", .name = "surprises_noticed", .newer = true},
 };
 
 }  // namespace

@@ -18,6 +18,8 @@ struct ResultColumn {
   std::string_view figure;  ///< NamedFigure::key
   std::string_view name;    ///< with its unit: "length_cells"
   Better better = Better::neither;
+  bool newer =
+      false;  ///< there are results without it, of an older version: in these it is read as not known
 };
 /// All of them, in the order of their columns.
 std::span<const ResultColumn> result_columns();

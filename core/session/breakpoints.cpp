@@ -66,7 +66,7 @@ StopSearch Breakpoints::search(const Run& run, const CheckedLog& checked, std::s
   for (std::size_t i = 0; i < list_.size(); ++i) {
     if (!is_wanted(i)) continue;
     wanted.push_back({i, *read_[i].condition});
-    counts |= read_[i].condition->uses(Op::expansions);
+    counts |= read_[i].condition->counts_expansions();
   }
   const std::int64_t expansions = counts ? expansions_until(run, position) : 0;
   return {run.log_view(), std::move(wanted), position, checked.verdicts(), expansions};

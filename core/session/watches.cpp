@@ -151,7 +151,7 @@ void Watches::forget(Pane& pane, std::size_t common) {
 
 Probe Watches::probe_at(const Run& run, std::size_t watch, std::size_t position) const {
   const Condition& quantity = *read_[watch];
-  const std::int64_t expansions = quantity.uses(Op::expansions) ? expansions_until(run, position) : 0;
+  const std::int64_t expansions = quantity.counts_expansions() ? expansions_until(run, position) : 0;
   return {run.log_view(), quantity, position, {}, expansions};
 }
 

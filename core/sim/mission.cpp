@@ -245,6 +245,7 @@ void Mission::happen(std::size_t index) {
     now_.waited = 0;
   }
   if (surprise.robot) look_ahead();
+  if (surprise.robot || surprise.goal) notice(index);
   if (!told.empty() || surprise.robot || surprise.goal)
     learn(told, EventKind::sensed, surprise.goal ? std::optional(goal_) : std::nullopt);
 }
@@ -285,6 +286,7 @@ void Mission::learn(const std::vector<CellEdit>& edits, EventKind how, std::opti
     tr_.note(how, edit.node, edit.blocked ? 1 : 0);
     tr_.change(EventKind::known, edit.node, std::uint64_t{!edit.blocked}, std::uint64_t{edit.blocked});
   }
+  if (how == EventKind::sensed) notice_surprises(edits);
   if (!crowd_.empty())
     now_.sightings = std::make_shared<const Sightings>(noted(*now_.sightings, edits, truth_));
   const Stopwatch watch(now_.figures.replan_ms);

@@ -91,10 +91,11 @@ struct Drive {
 /// A moment at which the robot can decide something, and how the mission stands then: it can be taken up again from
 /// there.
 struct Decision {
-  std::size_t event = 0;    ///< position in the event log
-  std::int64_t clock = 0;   ///< steps of the robot: moves, turns on the spot, and waits
-  SimTime time = 0;         ///< that these took
-  std::vector<bool> fired;  ///< which surprises have happened
+  std::size_t event = 0;      ///< position in the event log
+  std::int64_t clock = 0;     ///< steps of the robot: moves, turns on the spot, and waits
+  SimTime time = 0;           ///< that these took
+  std::vector<bool> fired;    ///< which surprises have happened
+  std::vector<bool> noticed;  ///< and of which of them the robot knows; shorter where it knows of no more
   MissionState state = MissionState::driving;
   MissionFigures figures;
   Counters before_goal;  ///< of the figures' counters: the planner's work for earlier goals
@@ -248,6 +249,8 @@ class Mission {
   [[nodiscard]] std::size_t due_surprise() const;
   void happen(std::size_t index);
   [[nodiscard]] std::vector<CellEdit> write_cells(const Surprise& surprise);
+  void notice(std::size_t index);
+  void notice_surprises(const std::vector<CellEdit>& edits);
   [[nodiscard]] bool blocked(NodeId node) const { return navigator_->known()[node] != 0; }
   [[nodiscard]] Point point(NodeId node) const { return centre_of(box_.position(node)); }
   [[nodiscard]] Senses senses() const {

@@ -1,8 +1,10 @@
-// What a robot does once it has decided: it takes a step, waits, or gives up; and with each the time that goes by.
+// What a robot does once it has decided: it takes a step, waits, or gives up; and with each the time that goes by. And which
+// surprises it knows of.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/lattice/inflation.hpp"
 #include "core/sim/body.hpp"
@@ -220,6 +222,27 @@ void Mission::enter(std::size_t on_route, std::span<const Point> along, std::opt
 void Mission::put_robot(NodeId cell) {
   tr_.change(Scalar::robot, std::uint64_t{robot_ + 1u}, std::uint64_t{cell + 1u});
   robot_ = cell;
+}
+
+void Mission::notice(std::size_t index) {
+  if (now_.noticed.size() <= index) now_.noticed.resize(surprises_.size());
+  now_.noticed[index] = true;
+}
+
+/// It knows of a surprise once one cell comes onto its map as that has left it.
+void Mission::notice_surprises(const std::vector<CellEdit>& edits) {
+  for (std::size_t i = 0; i < surprises_.size(); ++i) {
+    if (!now_.fired[i] || (i < now_.noticed.size() && now_.noticed[i])) continue;
+    const std::vector<CellChange>& cells = std::as_const(surprises_)[i].cells;
+    const auto is_its_own = [&](const CellEdit& edit) {
+      const Cell cell = box_.position(edit.node);
+      const auto at = std::lower_bound(
+          cells.begin(), cells.end(), cell,
+          [](const CellChange& change, Cell sought) { return in_node_order(change.cell, sought); });
+      return at != cells.end() && at->cell == cell && at->blocked == edit.blocked;
+    };
+    if (std::any_of(edits.begin(), edits.end(), is_its_own)) notice(i);
+  }
 }
 
 }  // namespace replan

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/plan/nth_name.hpp"
 #include "core/world/choices.hpp"
 
 namespace replan {
@@ -152,15 +153,11 @@ bool can_be_compared(const RunReport& report, FigureGroup group, Progress progre
 
 std::vector<std::string> names_of(std::span<const RunReport> reports) {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < reports.size(); ++i) {
-    const PlannerInfo* info = find_choice(reports[i].planner);
-    const auto same = [&](const RunReport& each) { return each.planner == reports[i].planner; };
-    const auto before =
-        std::count_if(reports.begin(), reports.begin() + static_cast<std::ptrdiff_t>(i), same);
-    names.push_back(info == nullptr ? reports[i].planner : std::string(info->name));
-    if (before > 0) names.back() += " (" + std::to_string(before + 1) + ")";
+  for (const RunReport& report : reports) {
+    const PlannerInfo* info = find_choice(report.planner);
+    names.push_back(info == nullptr ? report.planner : std::string(info->name));
   }
-  return names;
+  return told_apart(names);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "core/study/run_report.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -50,6 +51,7 @@ RobotReport robot_report(const Decision& decision) {
           .travelled = decision.figures.travelled,
           .collisions = decision.figures.collisions,
           .replans = decision.figures.replans,
+          .noticed = std::count(decision.noticed.begin(), decision.noticed.end(), true),
           .seconds = static_cast<double>(decision.time) / static_cast<double>(kSecond),
           .last_plan = decision.plan->status,
           .drive = decision.drive.begun || decision.figures.drive.time > 0
@@ -287,6 +289,10 @@ std::vector<NamedFigure> kept_figures(const RobotReport& robot) {
       of_way("way_min_clearance", [](const KeptWay& way) { return way.clearance; })};
   figures.front().whole = true;
   return figures;
+}
+
+std::vector<NamedFigure> surprise_figures(const RobotReport& robot) {
+  return {{"surprises_noticed", static_cast<double>(robot.noticed), true}};
 }
 
 std::vector<NamedFigure> in_metres(std::span<const NamedFigure> figures, const MapFrame& frame) {

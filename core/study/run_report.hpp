@@ -28,7 +28,9 @@ struct RobotReport {
   double travelled = 0;  ///< cells, along the route
   std::int64_t collisions = 0;
   std::int64_t replans = 0;
-  double seconds = 0;                            ///< of the world's time, waiting counted
+  std::int64_t noticed =
+      0;               ///< surprises that it came to know of: by their cells, a new goal, or being put down
+  double seconds = 0;  ///< of the world's time, waiting counted
   PlanStatus last_plan = PlanStatus::searching;  ///< how the latest plan stands
   std::optional<DriveFigures> drive = {};        ///< of a robot on wheels
   std::optional<KeptWay> kept = {};              ///< of a robot that turns no faster than it can
@@ -114,6 +116,8 @@ std::vector<NamedFigure> drive_figures(const RobotReport& robot);
 /// stops, turning_seconds, course_turned_deg and way_min_clearance: how a robot that keeps to its plan has gone (KeptWay).
 /// Without values for one that turns in no time.
 std::vector<NamedFigure> kept_figures(const RobotReport& robot);
+/// surprises_noticed.
+std::vector<NamedFigure> surprise_figures(const RobotReport& robot);
 /// Those of the figures that are lengths, in metres: length_m, min_clearance_m ...
 std::vector<NamedFigure> in_metres(std::span<const NamedFigure> figures, const MapFrame& frame);
 

@@ -72,6 +72,7 @@ std::string runs_json(std::span<const RunReport> reports) {
                       {"last_status", status_name(report.robot->last_plan)}};
       if (report.robot->short_of_goal) run["robot"]["short_of_goal"] = *report.robot->short_of_goal;
       run["robot"].update(figures_json(named_figures(*report.robot)));
+      run["robot"].update(figures_json(surprise_figures(*report.robot)));
       if (report.robot->drive) run["robot"].update(figures_json(drive_figures(*report.robot)));
       if (report.robot->kept) run["robot"].update(figures_json(kept_figures(*report.robot)));
       if (report.frame)

@@ -1,5 +1,7 @@
 // The contract of 'replan batch': what is counted, exit codes, JSON.
 #include <gtest/gtest.h>
+#include <sys/inotify.h>
+#include <unistd.h>
 
 #include "tests/cli/child.hpp"
 #include "tests/support/shared_data.hpp"
@@ -82,6 +84,45 @@ TEST_F(BatchCommand, takesAnEvenSample) {
   EXPECT_EQ(problems("100"), 7);
   expect_complaint({"batch", scen, "--planner", "astar", "--limit", "0"}, {"--limit cannot be '0'"});
   expect_complaint({"batch", scen, "--planner", "astar", "--limit", "ten"}, {"--limit cannot be 'ten'"});
+}
+
+/// How often a file was opened while the watch lived.
+class OpenWatch {
+ public:
+  explicit OpenWatch(const std::string& file) : queue_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
+    // Equal events that follow each other are told once: closing stands between two openings.
+    EXPECT_GE(inotify_add_watch(queue_, file.c_str(), IN_OPEN | IN_CLOSE), 0);
+  }
+  ~OpenWatch() { close(queue_); }
+  OpenWatch(const OpenWatch&) = delete;
+  OpenWatch& operator=(const OpenWatch&) = delete;
+
+  [[nodiscard]] int count() const {
+    int opened = 0;
+    inotify_event events[256];  // without names: the file itself is watched
+    for (ssize_t got = 0; (got = read(queue_, events, sizeof events)) > 0;)
+      for (std::size_t i = 0; i < static_cast<std::size_t>(got) / sizeof *events; ++i)
+        opened += (events[i].mask & IN_OPEN) != 0 ? 1 : 0;
+    return opened;
+  }
+
+ private:
+  int queue_;
+};
+
+TEST_F(BatchCommand, loadsEachMapOnce) {
+  const std::string scen = folder_.with("one.scen", "version 1\n0\troom.map\t8\t6\t0\t0\t2\t0\t2\n");
+  const json experiment = {{"format", "replan experiment"},
+                           {"version", 1},
+                           {"worlds", {"one.scen"}},
+                           {"planners", json::array({{{"id", "astar"}}})}};
+  const std::string file = folder_.with("one.json", experiment.dump());
+  const OpenWatch watch(map_);
+  ASSERT_EQ(run_program({"batch", file}).code, 0);
+  const int once = watch.count();
+  EXPECT_GT(once, 0);
+  ASSERT_EQ(run_program({"batch", scen, "--planner", "astar"}).code, 0);
+  EXPECT_EQ(watch.count(), once) << "as often as for an experiment that has its planners written out";
 }
 
 TEST_F(BatchCommand, refusesAnotherMap) {

@@ -7,8 +7,8 @@ namespace {
 const std::string kDemo = std::string(REPLAN_SOURCE_DIR) + "/maps/demo.json";
 
 TEST(RunBreak, tellsWhereEachRunStopsFirst) {
-  const Outcome outcome = run_program({"run", kDemo, "--planner", "astar,dld-star-lite", "--break",
-                                       "event(replan)", "--break", "moves >= 100000", "--json"});
+  const Outcome outcome =
+      run_program({"run", kDemo, "--planner", "astar,dld-star-lite", "--break", "event(replan)", "--json"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   const auto stops = outcome.json()["stops"];
   ASSERT_EQ(stops.size(), 2u);
@@ -27,6 +27,60 @@ TEST(RunBreak, tellsWhereEachRunStopsFirst) {
   }
   EXPECT_EQ(stops[1]["line"]["name"], "line 109 of Algorithm 1: main");
   EXPECT_EQ(stops[1]["line"]["text"], "if any edge costs changed");
+}
+
+TEST(RunBreak, tellsTheFirstStopOfEachCondition) {
+  const std::vector<std::string> all = {"run",     kDemo,           "--planner", "astar",
+                                        "--break", "event(replan)", "--break",   "moves >= 100000",
+                                        "--break", "moves == 2"};
+  std::vector<std::string> as_json = all;
+  as_json.emplace_back("--json");
+  const Outcome outcome = run_program(as_json);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto stops = outcome.json()["stops"];
+  ASSERT_EQ(stops.size(), 3u);
+  EXPECT_EQ(stops[2]["stopped"], false);
+  EXPECT_EQ(stops[2]["condition"], "moves >= 100000");
+  EXPECT_LT(stops[0]["event"], stops[1]["event"]) << "in the order in which they come true";
+  for (const std::size_t i : {0u, 1u}) {
+    const std::string condition = stops[i]["condition"];
+    const auto alone =
+        run_program({"run", kDemo, "--planner", "astar", "--break", condition, "--json"}).json();
+    EXPECT_EQ(stops[i], alone["stops"][0]) << condition;
+  }
+  EXPECT_NE(stops[0]["condition"], stops[1]["condition"]);
+  const Outcome table = run_program(all);
+  for (const char* row :
+       {"astar    event(replan)", "astar    moves == 2", "astar    not reached: moves >= 100000"})
+    EXPECT_NE(table.out.find(row), std::string::npos) << row << "\n" << table.out;
+}
+
+TEST(RunBreak, stopsAtTwoConditionsOfOneEvent) {
+  const Outcome outcome = run_program({"run", kDemo, "--planner", "astar", "--break", "event(replan)",
+                                       "--break", "replans == 1 && event(replan)", "--json"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto stops = outcome.json()["stops"];
+  ASSERT_EQ(stops.size(), 2u);
+  EXPECT_EQ(stops[0]["event"], stops[1]["event"]);
+}
+
+TEST(RunBreak, countsSamplesByTheirName) {
+  const std::string gap = std::string(REPLAN_SOURCE_DIR) + "/maps/gap-for-samples.json";
+  const auto stop = [&](const char* planner, const char* condition) {
+    return run_program({"run", gap, "--planner", planner, "--break", condition, "--json"}).json()["stops"][0];
+  };
+  const auto named = stop("rrt-star", "samples == 100");
+  EXPECT_EQ(named["values"]["samples"], 100);
+  EXPECT_EQ(named["event"], stop("rrt-star", "expansions == 100")["event"]);
+  EXPECT_EQ(stop("astar", "samples > 0")["stopped"], false) << "it draws none";
+}
+
+TEST(RunBreak, tellsPlannersOfOneKindApart) {
+  const auto stops = run_program({"run", kDemo, "--planner", "astar,astar", "--set",
+                                  "astar#2.heuristic=euclidean", "--break", "event(replan)", "--json"})
+                         .json()["stops"];
+  EXPECT_EQ(stops[0]["planner"], "astar");
+  EXPECT_EQ(stops[1]["planner"], "astar#2");
 }
 
 TEST(RunBreak, tellsTheValuesThatTheConditionReads) {
@@ -60,7 +114,8 @@ TEST(RunBreak, saysWhatIsNotReached) {
   const Outcome outcome =
       run_program({"run", kDemo, "--planner", "astar,dstar-lite", "--break", "km > 0 && replans == 1"});
   EXPECT_EQ(outcome.code, 1) << outcome.err;
-  EXPECT_NE(outcome.out.find("astar       not reached"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("astar       not reached: km > 0 && replans == 1"), std::string::npos)
+      << outcome.out;
   EXPECT_NE(outcome.out.find("dstar-lite  km > 0 && replans == 1"), std::string::npos) << outcome.out;
 }
 

@@ -122,6 +122,13 @@ TEST_F(ExperimentCommand, writesARunAsAScenario) {
   expect_complaint({"batch", experiment_, "--scenario", "180", "-o", file}, {"from 0 to 179"});
 }
 
+TEST_F(ExperimentCommand, opensARunThatThereIs) {
+  expect_complaint({"batch", experiment_, "--open", "180"}, {"--open cannot be '180'", "from 0 to 179"});
+  expect_complaint({"batch", experiment_, "--open", "-1"}, {"--open cannot be '-1'", "from 0 to 179"});
+  expect_complaint({"batch", experiment_, "--open", "1", "--scenario", "1"}, {"--open", "--scenario"});
+  expect_complaint({"batch", experiment_, "--open", "1", "-o", folder_.file("run.json")}, {"--open", "-o"});
+}
+
 TEST_F(ExperimentCommand, comparesTwoResults) {
   ASSERT_EQ(run("before").code, 0);
   ASSERT_EQ(run("after").code, 0);

@@ -43,7 +43,7 @@ TEST_F(TraceCommand, writesAFileForEachPlanner) {
   const json rules = json::parse(whole_file(REPLAN_SOURCE_DIR "/assets/trace.schema.json"));
   const SchemaCheck check(rules);
   const std::pair<const char*, const char*> files[] = {
-      {"t.dstar-lite.jsonl", "dstar-lite"}, {"t.astar.jsonl", "astar"}, {"t.astar-2.jsonl", "astar"}};
+      {"t.dstar-lite.jsonl", "dstar-lite"}, {"t.astar.jsonl", "astar"}, {"t.astar#2.jsonl", "astar"}};
   for (const auto& [file, planner] : files) {
     std::istringstream lines(whole_file(folder_.file(file)));
     std::string line;

@@ -38,8 +38,8 @@ struct Writer {
     if (random.chance(0.7)) return pick({"g", "rhs", "dist", "k1", "k2", "order", "times"}) + cell();
     if (random.chance(0.3))
       return pick({"vertex_x", "vertex_cost", "vertex_parent", "vertex_side"}) + vertex();
-    return pick({"km", "size(U)", "moves", "replans", "expansions", "admissible", "score(winner)", "best",
-                 "vertices", "generation"});
+    return pick({"km", "size(U)", "moves", "replans", "expansions", "samples", "admissible", "score(winner)",
+                 "best", "vertices", "generation"});
   }
   std::string vertex() { return "(" + std::to_string(random.below(6)) + ")"; }
   std::string value_cell() {
@@ -386,6 +386,8 @@ class Plain {
         return state.scalar(Scalar::score) == 0 ? HUGE_VAL : score_of(state.scalar(Scalar::score));
       case Op::expansions:
         return static_cast<double>(at.expansions);
+      case Op::samples:
+        return log_.info->sampling ? static_cast<double>(at.expansions) : 0;
       case Op::line:
         return line_;
       case Op::opposite:

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The window itself, on a display of its own: it opens, a stroke by the mouse paints, a key steps, an edit is saved
-# before it closes, it remembers what it should, and it records films.
+# before it closes, it remembers what it should, it opens on a run of a batch, and it records films.
 #   window_test.sh PROGRAM
 # Exit code 77: skipped, with the reason.
 program=${1:?usage: window_test.sh PROGRAM}
@@ -62,7 +62,20 @@ xdotool key ctrl+q
 end_program "after a change of theme"
 grep -q '"dark": false' "$scratch/config/replan/window.json" || fail "the theme was not remembered"
 
-# 6. A film of the canvas while the run plays, one of the window that is still on when it closes, and pictures.
+# 6. A run of a batch opens, and is in no file.
+cat >"$scratch/experiment.json" <<'JSON'
+{"format": "replan experiment", "version": 1, "worlds": ["world.json"], "planners": [{"id": "astar"}, {"id": "dstar-lite"}]}
+JSON
+planned=$(fact events)
+start_program batch "$scratch/experiment.json" --open 1
+xdotool key ctrl+q
+end_program "on a run of a batch"
+expect file "" "a run of a batch"
+expect modified false "a run of a batch"
+expect obstacles "$painted" "a run of a batch"
+expect events "$planned" "the run of the world's own planner"
+
+# 7. A film of the canvas while the run plays, one of the window that is still on when it closes, and pictures.
 name_file() { sleep 1; xdotool type --delay 30 "$scratch/$1"; settle; xdotool key Return; settle; }
 film_facts() {
   ffprobe -v error -count_frames -of csv=p=0 -show_entries stream=width,height,avg_frame_rate,nb_read_frames "$scratch/$1"
@@ -97,4 +110,4 @@ if command -v ffmpeg >/dev/null && command -v ffprobe >/dev/null; then
   ls "$scratch" | grep -q 'gif\.\|mp4\.' && fail "something was left beside the films"
 fi
 
-echo "the window opens, paints, steps, saves, asks, remembers and records"
+echo "the window opens, paints, steps, saves, asks, remembers, shows a run and records"

@@ -223,6 +223,80 @@ TEST_F(Experiments, GiveEachRunAsAScenarioThatComesToTheSame) {
   }
 }
 
+TEST_F(Experiments, CountTheSurprisesThatTheRobotCameToKnowOf) {
+  folder_.with("field.map", [] {
+    std::string map = "type octile\nheight 20\nwidth 40\nmap\n";
+    for (int y = 0; y < 20; ++y) map += std::string(40, '.') + "\n";
+    return map;
+  }());
+  const RunList runs = list(
+      R"("worlds": [{"file": "field.map", "start": [1, 10], "goal": [38, 10]}], "drive": true,
+         "planners": [{"id": "dstar-lite"}], "seeds": {"from": 1, "count": 20},
+         "robots": [{"sensor_radius": 2}, {"sensor_radius": 12}, {"knowledge": "all"}],
+         "surprises": ["none", {"blocks": 3, "side": 2, "ahead": 6}])");
+  double seen[3] = {};
+  for (const RunResult& result : test::results_of(runs)) {
+    const RunParts parts = runs.parts(result.run);
+    const auto noticed = result.figure("surprises_noticed");
+    ASSERT_TRUE(noticed) << result.run;
+    EXPECT_LE(*noticed, parts.surprises == 0 ? 0 : 3) << result.run;
+    EXPECT_EQ(*noticed == 0, result.figure("replans") == 0) << "it learns of nothing else";
+    seen[parts.robot] += *noticed;
+    // The drive told by its events: which blocks are on the robot's map in the end.
+    const Scenario scenario = runs.scenario(parts);
+    double on_map = 0;
+    drive(scenario, scenario.planners.front(), [&](const Mission& mission) {
+      on_map = 0;
+      for (const Surprise& surprise : scenario.surprises)
+        on_map += std::any_of(surprise.cells.begin(), surprise.cells.end(), [&](const CellChange& change) {
+          return mission.navigator().known()[scenario.map.index(change.cell)] != 0;
+        });
+    });
+    EXPECT_EQ(*noticed, on_map) << result.run;
+  }
+  for (const double each : seen) EXPECT_GT(each, 0);
+}
+
+TEST(Surprises, AreNoticedWhereTheRobotLooksOrIsTold) {
+  Scenario world;
+  world.map = GridMap(30, 30);
+  world.start = {1, 2};
+  world.goal = {28, 2};
+  world.planners = {{"dstar-lite", {}}};
+  const auto block = [](Cell cell, bool announced) {
+    return Surprise{
+        .at = {.move = 3, .near = {}, .within = 0}, .cells = {{cell, true}}, .announced = announced};
+  };
+  const auto noticed = [&](double sees, bool told, std::optional<Cell> goal) {
+    world.robot.sensor_radius = sees;
+    std::vector<Surprise> all = {block({15, 2}, false), block({15, 20}, told)};
+    if (goal) all.push_back({.at = {.move = 5, .near = {}, .within = 0}, .cells = {}, .goal = goal});
+    world.surprises = all;
+    const RunReport report = drive(world, world.planners.front());
+    EXPECT_TRUE(report.succeeded());
+    return report.robot->noticed;
+  };
+  EXPECT_EQ(noticed(2, false, {}), 1) << "the other one dropped where it never looked";
+  EXPECT_EQ(noticed(25, false, {}), 2);
+  EXPECT_EQ(noticed(2, true, {}), 2);
+  EXPECT_EQ(noticed(2, false, Cell{28, 4}), 2) << "a new goal is no secret";
+}
+
+TEST_F(Experiments, TakeWorldsThatAreLoadedAlreadyAsTheyAre) {
+  const std::string keys = R"("worlds": ["room.map.scen", "other.map.scen"], "planners": [{"id": "astar"}])";
+  const std::string digest = list(keys).digest();
+  Experiment asked = experiment(keys);
+  auto first = load_world(asked, asked.worlds.front());
+  ASSERT_TRUE(first) << first.error();
+  std::vector<LoadedWorld> loaded;
+  loaded.push_back(std::move(first.value()));
+  folder_.with("room.map.scen", "nobody reads this again");
+  const auto runs = RunList::load(std::move(asked), std::move(loaded));
+  ASSERT_TRUE(runs) << runs.error();
+  EXPECT_EQ(runs->digest(), digest);
+  EXPECT_EQ(runs->count(), 8);
+}
+
 TEST(RandomBlocks, LeaveAWayAndDropAheadOfTheRobot) {
   Scenario world;
   world.map = GridMap(60, 40);

@@ -119,7 +119,7 @@ TEST(FiguresTable, ComparesWholeDrivesAndNotWhatIsUnderWay) {
 TEST(FiguresTable, NumbersAPlannerThatIsThereTwice) {
   const RunReport reports[] = {report_of("astar", 50, 1), report_of("dstar-lite", 50, 1),
                                report_of("astar", 50, 1)};
-  EXPECT_EQ(figures_table(reports).names, (std::vector<std::string>{"A*", "D* Lite", "A* (2)"}));
+  EXPECT_EQ(figures_table(reports).names, (std::vector<std::string>{"A*", "D* Lite", "A*#2"}));
 }
 
 TEST(FiguresTable, HasTheLatestPlanAndTheRobotOnlyWhereThereIsOne) {

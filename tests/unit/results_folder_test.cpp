@@ -63,7 +63,7 @@ TEST_F(ResultsFolders, GoOnWhereTheyWereAndDropATornLine) {
     const RunList runs = list();
     const auto opened = ResultsFolder::open(folder_.file("halted"), runs, {});
     ASSERT_TRUE(opened) << opened.error();
-    EXPECT_EQ(opened->results().size(), 5u);
+    EXPECT_EQ(opened->done(), 5u);
     EXPECT_EQ(opened->missing().front(), 5);
   }
   EXPECT_EQ(bytes("halted/runs.jsonl").find("{\"run\": 5"), std::string::npos);
@@ -105,6 +105,92 @@ TEST_F(ResultsFolders, RefuseAnotherExperimentAChangedMapAnotherPartAndAnotherPr
   map[map.find('@')] = '.';
   folder_.with("room.map", map);
   EXPECT_NE(refused(list(), {}).find(other), std::string::npos);
+}
+
+TEST_F(ResultsFolders, SayWhyTheyCannotBeLocked) {
+  std::filesystem::create_directories(folder_.file("odd/lock"));
+  const RunList runs = list();
+  const auto opened = ResultsFolder::open(folder_.file("odd"), runs, {});
+  ASSERT_FALSE(opened);
+  EXPECT_NE(opened.error().find("its file 'lock' cannot be made: Is a directory; give a folder"),
+            std::string::npos)
+      << opened.error();
+  EXPECT_EQ(opened.error().find("another process"), std::string::npos) << opened.error();
+}
+
+/// As an older version wrote it.
+std::string without_newer_columns(std::string text) {
+  for (const ResultColumn& column : result_columns()) {
+    if (!column.newer) continue;
+    const std::string key = ",\"" + std::string(column.name) + "\":";
+    for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key))
+      text.erase(at, text.find_first_of(",}", at + key.size()) - at);
+  }
+  return text;
+}
+
+TEST_F(ResultsFolders, OfAnOlderVersionAreReadWithoutItsColumns) {
+  make("old");
+  const std::string journal = bytes("old/runs.jsonl"), older = without_newer_columns(journal);
+  ASSERT_NE(older, journal);
+  std::ofstream(folder_.file("old/runs.jsonl")) << older;
+  const auto kept = read_results_folder(folder_.file("old"));
+  ASSERT_TRUE(kept) << kept.error();
+  ASSERT_FALSE(kept->results.empty());
+  for (const RunResult& result : kept->results) EXPECT_FALSE(result.figure("surprises_noticed"));
+  const std::string json = without_newer_columns(bytes("old/results.json"));
+  ASSERT_TRUE(parse_results(json, "old.json")) << parse_results(json, "old.json").error();
+  const auto merged = merge_results(std::vector<std::string>{folder_.file("old")}, folder_.file("merged"));
+  ASSERT_TRUE(merged) << merged.error();
+  EXPECT_EQ(*merged, kept->results.size());
+  std::string without_another = older;
+  without_another.erase(without_another.find(",\"turns\":"), 13);
+  std::ofstream(folder_.file("old/runs.jsonl")) << without_another;
+  EXPECT_FALSE(read_results_folder(folder_.file("old"))) << "columns that have always been there";
+}
+
+TEST_F(ResultsFolders, AreWrittenBesideTheOldFilesAndReadBackRunByRun) {
+  make("kept", {}, 5);
+  const std::string before = bytes("kept/results.csv");
+  const RunList runs = list();
+  const auto opened = ResultsFolder::open(folder_.file("kept"), runs, {});
+  ASSERT_TRUE(opened) << opened.error();
+  std::vector<std::int64_t> shown;
+  ASSERT_TRUE(opened->write_results([&](const RunResult& result) {
+    shown.push_back(result.run);
+    EXPECT_EQ(bytes("kept/results.csv"), before) << "until all is written";
+  }));
+  EXPECT_EQ(shown, (std::vector<std::int64_t>{0, 1, 2, 3, 4}));
+  std::filesystem::remove(folder_.file("kept/times.csv"));
+  std::filesystem::create_directories(folder_.file("kept/times.csv"));
+  const auto refused = opened->write_results();
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().find("it is a folder"), std::string::npos) << refused.error();
+  EXPECT_EQ(bytes("kept/results.csv"), before);
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.file("kept")))
+    EXPECT_EQ(entry.path().filename().string().find('-'), std::string::npos) << "nothing is left beside them";
+}
+
+TEST_F(ResultsFolders, ReadLinesOfAnyLengthInTheOrderOfTheirRuns) {
+  const RunList runs = list();
+  std::vector<RunResult> results = results_of(runs);
+  std::reverse(results.begin(), results.end());
+  // Longer than what is read at a time, and lines that lie across its bounds.
+  results.front().plan_ms.assign(10'000, 0.123456789012345);
+  results[2].plan_ms.assign(10'000, 0.987654321098765);
+  results[2].replan_ms.assign(10'000, 1.98765432109876);
+  {
+    auto opened = ResultsFolder::open(folder_.file("long"), runs, {});
+    ASSERT_TRUE(opened) << opened.error();
+    for (const RunResult& result : results) ASSERT_TRUE(opened->add(result));
+  }
+  const auto again = ResultsFolder::open(folder_.file("long"), runs, {});
+  ASSERT_TRUE(again) << again.error();
+  EXPECT_TRUE(again->missing().empty());
+  std::reverse(results.begin(), results.end());
+  std::vector<RunResult> read;
+  ASSERT_TRUE(again->each([&](const RunResult& result) { read.push_back(result); }));
+  EXPECT_EQ(read, results);
 }
 
 TEST_F(ResultsFolders, AreMergedToTheSameBytesAndTellWhatIsMissingOrDoubled) {

@@ -138,7 +138,7 @@ void BatchForm::look_into_folder() {
   if (folder != looked_into_) {
     looked_into_ = folder;
     held_ = {};
-    looker_.start([folder](const std::stop_token&) {
+    looker_.start([folder](const StopToken&) {
       auto held = held_results(folder);
       return held ? Held{"", std::move(held.value())} : Held{held.error(), std::nullopt};
     });
