@@ -67,6 +67,7 @@ TEST(BatchJob, InStepHasAllResultsAtOnceAndTheFolderRepeatsByItself) {
 }
 
 TEST(BatchJob, StoppedAndBegunAgainComesToTheSameResults) {
+  if (!kThreads) GTEST_SKIP() << "in step a job is at work when somebody does it: steps_test.cpp";
   const test::TemporaryFolder folder;
   std::size_t kept = 0;
   {
@@ -90,6 +91,7 @@ TEST(BatchJob, StoppedAndBegunAgainComesToTheSameResults) {
 }
 
 TEST(BatchJob, PausedMakesNoMoreRunsUntilItGoesOn) {
+  if (!kThreads) GTEST_SKIP() << "in step a job is at work when somebody does it: steps_test.cpp";
   const test::TemporaryFolder folder;
   BatchJob job({.in_step = false, .wake = {}});
   job.pause();  // nothing is at work: nothing happens
@@ -109,6 +111,7 @@ TEST(BatchJob, PausedMakesNoMoreRunsUntilItGoesOn) {
 }
 
 TEST(BatchJob, EndsWhilePaused) {
+  if (!kThreads) GTEST_SKIP() << "in step a job is at work when somebody does it: steps_test.cpp";
   const test::TemporaryFolder folder;
   BatchJob job({.in_step = false, .wake = {}});
   job.start({hall(), folder.file("out"), 2});
