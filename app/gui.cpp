@@ -20,6 +20,7 @@
 #include "app/render.hpp"
 #include "core/base/file.hpp"
 #include "core/base/folders.hpp"
+#include "core/link/link.hpp"
 #include "core/plan/pages.hpp"
 #include "core/world/library.hpp"
 #include "ui/documents/files.hpp"
@@ -68,9 +69,16 @@ Scenario built_in_world() {
 struct Opened {
   Scenario scenario;
   std::string file;
+  std::optional<Link> link = {};  ///< that the scenario came with
 };
 
 Result<Opened> first_document(const std::optional<std::string>& file) {
+  if (file && is_link(*file)) {
+    Result<Link> link = parse_link(*file);
+    if (!link) return Error{link.error()};
+    Scenario scenario = link->scenario;
+    return Opened{std::move(scenario), {}, std::move(link.value())};
+  }
   if (file) {
     const Result<Scenario> opened = ui::open_document(*file, built_in_world());
     if (!opened) return Error{opened.error()};
@@ -109,6 +117,7 @@ class Program {
  public:
   Program(Opened document, Remembered remembered)
       : remembered_(std::move(remembered)),
+        link_(std::move(document.link)),
         session_(std::move(document.scenario), std::move(document.file)) {}
 
   Result<void> open();
@@ -116,6 +125,7 @@ class Program {
   Result<void> close();
 
  private:
+  void open_link();
   bool frame();
   void follow();
   void capture();
@@ -128,7 +138,8 @@ class Program {
 
   Clock::time_point begun_ = Clock::now();
   Remembered remembered_;
-  Session session_;  // plans while the window is being opened
+  const std::optional<Link> link_;  // that the program was begun with
+  Session session_;                 // plans while the window is being opened
   std::unique_ptr<Window> window_;
   std::unique_ptr<ui::Shell> shell_;  // goes before the window: it holds textures
   Clock::time_point last_ = Clock::now();
@@ -165,6 +176,7 @@ Result<void> Program::open() {
   shell_->panels().side_width = remembered_.side_width;
   shell_->panels().unit = remembered_.unit;
   shell_->panels().caption = remembered_.caption;
+  if (!remembered_.link_address.empty()) shell_->panels().link_address = remembered_.link_address;
   shell_->panels().notices = window_->stage().notices();
   shell_->panels().about = about_lines();
   shell_->show(session_.scenario().view);
@@ -180,8 +192,20 @@ Result<void> Program::open() {
   window_->on_close([this] { return shell_->documents().may_close(session_); });
   shell_->documents().settle_in(session_,
                                 {state_folder(), library_folder(), {false, [] { Window::wake(); }}});
-  if (remembered_.first_start && session_.file().empty()) shell_->welcome();
+  if (link_)
+    open_link();
+  else if (remembered_.first_start && session_.file().empty())
+    shell_->welcome();
   return {};
+}
+
+/// The session has its world already.
+void Program::open_link() {
+  shell_->follow_link(session_, link_->view);
+  if (link_->notes.empty()) return;
+  std::vector<std::string>& notices = shell_->panels().notices;
+  notices.insert(notices.end(), link_->notes.begin(), link_->notes.end());
+  shell_->tell(link_->notes.front(), false);
 }
 
 void Program::run() {
@@ -350,6 +374,7 @@ Result<void> Program::close() {
   remembered_.side_width = shell_->panels().side_width;
   remembered_.unit = shell_->panels().unit;
   remembered_.caption = shell_->panels().caption;
+  remembered_.link_address = shell_->panels().link_address;
   remembered_.speed = session_.playback().expansions_per_second;
   if (const Result<void> written = write_settings(remembered_, settings_path()); !written)
     std::fprintf(stderr, "replan: %s\n", written.error().c_str());

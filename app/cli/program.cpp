@@ -12,6 +12,7 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
 #include "app/cli/window.hpp"
+#include "core/link/link.hpp"
 
 namespace replan::cli {
 namespace {
@@ -20,6 +21,8 @@ std::string footer() {
   return std::string("Examples:\n") +
          (has_window() ? "  replan maps/demo.json\n"
                          "      Opens the demo in the window.\n"
+                         "  replan 'replan.html#v=1&at=1200&world=...'\n"
+                         "      Opens the world of a link at its event (Help > Copy a link to this moment).\n"
                        : "") +
          "  replan run maps/demo.json\n"
          "      Its figures, without a window.\n" +
@@ -75,7 +78,7 @@ Error unexpected(const CLI::App& program, const std::string& argument) {
 /// CLI11's errors as one sentence in our words.
 Error sentence(const CLI::App& program, const std::string& file, const CLI::ParseError& error) {
   const bool window = program.get_subcommands().empty();
-  if (window && !file.empty() && !exists(file)) return no_such_file(program, file);
+  if (window && !file.empty() && !is_link(file) && !exists(file)) return no_such_file(program, file);
   const auto extra = program.remaining(true);
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !extra.empty())
     return unexpected(program, extra.front());
@@ -83,7 +86,7 @@ Error sentence(const CLI::App& program, const std::string& file, const CLI::Pars
 }
 
 Result<int> show(const CLI::App& program, const std::string& file) {
-  if (!file.empty() && !exists(file)) return no_such_file(program, file);
+  if (!file.empty() && !is_link(file) && !exists(file)) return no_such_file(program, file);
   const auto closed = open_window(file.empty() ? std::nullopt : std::optional(file));
   if (!closed) return Error{closed.error()};
   return kDone;
@@ -119,7 +122,7 @@ int run_program(int argc, char** argv) {
   program.get_formatter()->label("Positionals", "Arguments");
   program.get_formatter()->label("TEXT", "");
   std::string file;
-  program.add_option("FILE", file, "A scenario or a map to open in the window");
+  program.add_option("FILE", file, "A scenario, a map or a link to open in the window");
   std::vector<Command> commands = {add_run(program),     add_batch(program),   add_merge(program),
                                    add_compare(program), add_anytime(program), add_barn(program),
                                    add_study(program)};
