@@ -6,6 +6,7 @@
 #include "core/link/link.hpp"
 #include "core/trace/log_hash.hpp"
 #include "tests/ui/shell_fixture.hpp"
+#include "ui/shell/format.hpp"
 
 namespace replan::ui::links_test {
 namespace {
@@ -158,7 +159,9 @@ TEST_F(LinksTest, AnotherPlanIsSaid) {
   link.replace(link.find("at=20"), 5, "at=999999");
   shell_->open_link(*session_, link);
   rest();
-  EXPECT_NE(shell_->told().find("before event 999,999 of the link"), std::string::npos) << shell_->told();
+  EXPECT_NE(shell_->told().find("before event " + grouped(std::size_t{999999}) + " of the link"),
+            std::string::npos)
+      << shell_->told();
 }
 
 TEST_F(LinksTest, TheWayThereCanBeStopped) {

@@ -351,7 +351,7 @@ TEST(Links, WrongOnesAreToldInASentence) {
   expect_sentence("#v=1&v=1" + world, "twice");
   expect_sentence("#v=1&pin=%2" + world, "%");
   for (const std::string& cut : {text.substr(0, text.size() - 1), text.substr(0, text.size() / 2) + "!",
-                                text.substr(0, text.size() - 9), text + "A", text + "AAAA", text + "="})
+                                 text.substr(0, text.size() - 9), text + "A", text + "AAAA", text + "="})
     if (cut.find("world=") != std::string::npos) expect_sentence(cut, "its world is damaged or cut off");
   const std::pair<const char*, const char*> wrong[] = {
       {"at", "-1"},          {"at", "1.5"},        {"at", "99999999999999999999"},

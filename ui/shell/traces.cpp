@@ -38,6 +38,7 @@ void Shell::go_to_pasted(Session& session) {
 void Shell::follow_link(Session& session, const LinkView& view) {
   static_cast<void>(session.apply(Lead{view.lead}));  // the pane is one of the link's world
   if (view.lockstep) static_cast<void>(session.apply(SetLockstep{*view.lockstep}));
+  panes_.take_over(session.run().lattice(), view_);
   show_link(view, view_);
   if (view.event) arrival_.begin(session, {Arrival::Moment::From::link, *view.event, {}, view.log});
 }
