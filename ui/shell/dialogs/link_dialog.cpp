@@ -1,5 +1,9 @@
 // A link to the moment that shows: the address that stands before it, how long it is, and the way to the clipboard.
 #include <algorithm>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
 
 #include <imgui_stdlib.h>
 
