@@ -4,7 +4,6 @@
 #include <vector>
 
 #include <imgui.h>
-
 #include <imgui_stdlib.h>
 
 #include "core/link/link.hpp"
