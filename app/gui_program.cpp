@@ -66,6 +66,12 @@ Scenario built_in_world() {
 }  // namespace
 
 Result<FirstDocument> first_document(const std::optional<std::string>& file) {
+  if (file && is_link(*file)) {
+    Result<Link> link = parse_link(*file);
+    if (!link) return Error{link.error()};
+    Scenario scenario = link->scenario;
+    return FirstDocument{.scenario = std::move(scenario), .file = {}, .link = std::move(link.value())};
+  }
   const bool batch = file && batch_paper(*file) != BatchPaper::none;
   if (file && !batch) {
     const Result<Scenario> opened = ui::open_document(*file, built_in_world());
@@ -82,6 +88,7 @@ GuiProgram::GuiProgram(FirstDocument document, Remembered remembered, WorkPlace 
     : remembered_(std::move(remembered)),
       batch_(std::move(document.batch)),
       asked_for_(document.asked_for),
+      link_(std::move(document.link)),
       session_(std::move(document.scenario), std::move(document.file), {}, std::move(work)),
       timing_(is_set("REPLAN_TIMING")) {}
 
@@ -106,6 +113,7 @@ Result<void> GuiProgram::open() {
   shell_->panels().side_width = remembered_.side_width;
   shell_->panels().unit = remembered_.unit;
   shell_->panels().caption = remembered_.caption;
+  if (!remembered_.link_address.empty()) shell_->panels().link_address = remembered_.link_address;
   shell_->panels().notices = window_->stage().notices();
   shell_->panels().about = about_lines();
   shell_->show(session_.scenario().view);
@@ -120,11 +128,22 @@ Result<void> GuiProgram::open() {
   });
   window_->on_close([this] { return shell_->documents().may_close(session_); });
   shell_->documents().settle_in(session_, surroundings(session_.work()));
-  if (!batch_.empty())
+  if (link_)
+    begin_with_link();
+  else if (!batch_.empty())
     shell_->show_batch(session_, batch_);
   else if (remembered_.first_start && !asked_for_)
     shell_->welcome();
   return {};
+}
+
+/// The session has its world already.
+void GuiProgram::begin_with_link() {
+  shell_->follow_link(session_, link_->view);
+  if (link_->notes.empty()) return;
+  std::vector<std::string>& notices = shell_->panels().notices;
+  notices.insert(notices.end(), link_->notes.begin(), link_->notes.end());
+  shell_->tell(link_->notes.front(), false);
 }
 
 void GuiProgram::run() {
@@ -311,6 +330,7 @@ void GuiProgram::remember() {
   remembered_.side_width = shell_->panels().side_width;
   remembered_.unit = shell_->panels().unit;
   remembered_.caption = shell_->panels().caption;
+  remembered_.link_address = shell_->panels().link_address;
   remembered_.speed = session_.playback().expansions_per_second;
   if (const Result<void> written = write_settings(remembered_, settings_path()); !written)
     std::fprintf(stderr, "replan: %s\n", written.error().c_str());

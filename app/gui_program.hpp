@@ -11,6 +11,7 @@
 #include "app/gui_settings.hpp"
 #include "app/platform/window.hpp"
 #include "app/recording.hpp"
+#include "core/link/link.hpp"
 #include "core/session/session.hpp"
 #include "core/world/scenario.hpp"
 #include "ui/shell/shell.hpp"
@@ -23,6 +24,7 @@ struct FirstDocument {
   std::string file;        ///< empty: nobody's yet
   std::string batch = {};  ///< an experiment, or results of one, to be shown over the scenario; empty: none
   bool asked_for = true;   ///< somebody wants to see this one
+  std::optional<Link> link = {};  ///< that the scenario came with
 };
 /// That file, else the demo; where the program was copied without its files, a small world in code.
 Result<FirstDocument> first_document(const std::optional<std::string>& file);
@@ -45,6 +47,7 @@ class GuiProgram {
   [[nodiscard]] std::string facts() const;
 
  private:
+  void begin_with_link();
   bool frame();
   void follow();
   void capture();
@@ -59,9 +62,10 @@ class GuiProgram {
 
   Clock::time_point begun_ = Clock::now();
   Remembered remembered_;
-  std::string batch_;  // what the window begins with, if that is no world
-  bool asked_for_;     // FirstDocument::asked_for
-  Session session_;    // plans while the window is being opened
+  std::string batch_;               // what the window begins with, if that is no world
+  bool asked_for_;                  // FirstDocument::asked_for
+  const std::optional<Link> link_;  // that the program was begun with
+  Session session_;                 // plans while the window is being opened
   std::unique_ptr<Window> window_;
   std::unique_ptr<ui::Shell> shell_;  // goes before the window: it holds textures
   Clock::time_point last_ = Clock::now();

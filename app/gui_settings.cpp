@@ -1,5 +1,6 @@
 #include "app/gui_settings.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
@@ -47,6 +48,17 @@ ui::FieldColours colours(const Json& json) {
   return ui::field_colours_named(found->get<std::string>()).value_or(ui::FieldColours::viridis);
 }
 
+/// Of a page; empty if it is none that could stand before a link.
+std::string link_address(const Json& json) {
+  constexpr std::size_t kLongest = 1000;
+  const auto found = json.find("link_address");
+  if (found == json.end() || !found->is_string()) return "";
+  const auto address = found->get<std::string>();
+  const bool sound = std::all_of(address.begin(), address.end(),
+                                 [](char c) { return static_cast<unsigned char>(c) > ' ' && c != '#'; });
+  return sound && address.size() <= kLongest ? address : "";
+}
+
 }  // namespace
 
 std::string settings_path() {
@@ -82,6 +94,7 @@ Remembered read_settings(const std::string& path) {
   result.caption = flag(json, "caption", true);
   result.unit = static_cast<StepUnit>(whole(json, "step_unit", 0, 4, static_cast<int>(result.unit)));
   result.speed = number(json, "speed", 0.1, Session::kFullSpeed, result.speed);
+  result.link_address = link_address(json);
   return result;
 }
 
@@ -107,7 +120,8 @@ Result<void> write_settings(const Remembered& settings, const std::string& path)
                      {"side_width", settings.side_width},
                      {"caption", settings.caption},
                      {"step_unit", static_cast<int>(settings.unit)},
-                     {"speed", settings.speed}};
+                     {"speed", settings.speed},
+                     {"link_address", settings.link_address}};
   return write_file_atomically(path, json.dump(2) + "\n");
 }
 

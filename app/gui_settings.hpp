@@ -29,6 +29,7 @@ struct Remembered {
   bool caption = true;
   StepUnit unit = StepUnit::expansion;
   double speed = Playback{}.expansions_per_second;
+  std::string link_address;  ///< of the page that links lead to; empty: the usual one
 };
 Remembered read_settings(const std::string& path);
 /// Writes it atomically; makes the folder if need be.

@@ -1,12 +1,16 @@
 #include "app/render.hpp"
 
+#include <algorithm>
+
 #include "app/film/film.hpp"
 #include "app/studio.hpp"
 #include "core/base/file.hpp"
 #include "core/scene/svg.hpp"
+#include "core/trace/log_hash.hpp"
 #include "ui/canvas/draw.hpp"
 #include "ui/shell/actions.hpp"
 #include "ui/shell/gallery.hpp"
+#include "ui/shell/links.hpp"
 #include "ui/tools/cells.hpp"
 
 namespace replan::app {
@@ -20,9 +24,40 @@ Result<void> check(const Session& session) {
   return {};
 }
 
+/// Whether the run has come to the event of a link by the same way as the one that it was copied from.
+Result<void> check_link_moment(const Run& run, const LinkView& link, const RenderRequest& request) {
+  constexpr const char* kOtherwise =
+      "this version of Replan plans the world of the link otherwise than the one that the link is from";
+  const std::size_t event = *link.event;
+  if (event > run.timeline().size())
+    return Error{"the link leads to event " + std::to_string(event) + ", and the run ends after " +
+                 std::to_string(run.timeline().size()) + ": " + kOtherwise};
+  LogHash hash(event);
+  hash.advance(run.timeline(), Deadline::never());
+  if (link.log && hash.short_value() != link.log && request.note)
+    request.note(std::string(kOtherwise) + ": the moment may be another");
+  return {};
+}
+
+/// The panes as the link has them; their runs are over.
+Result<void> go_to_link(Session& session, const RenderRequest& request) {
+  const LinkView& link = *request.link;
+  if (const auto good = check_link_moment(session.run(), link, request); !good) return good;
+  return session.apply(Seek{*link.event});
+}
+
+/// Has the panes led as the link says.
+Result<void> lead_by_link(Session& session, const RenderRequest& request) {
+  if (!request.link) return {};
+  const std::size_t last = session.runs().size() - 1;  // other planners may have been asked for
+  if (const auto led = session.apply(Lead{std::min(request.link->lead, last)}); !led) return led;
+  return request.link->lockstep ? session.apply(SetLockstep{*request.link->lockstep}) : Result<void>();
+}
+
 /// Goes to the moment of a still.
 Result<void> go_to(Session& session, const RenderRequest& request) {
   const auto* named = std::get_if<Moment>(&request.at);
+  if (const auto led = lead_by_link(session, request); !led) return led;
   if (named != nullptr && *named == Moment::plan) {
     session.settle();
     return check(session);
@@ -31,6 +66,7 @@ Result<void> go_to(Session& session, const RenderRequest& request) {
   for (const auto& run : session.runs()) run->finish(Target::end());
   session.update(0);
   if (auto sound = check(session); !sound || named != nullptr) return sound;
+  if (std::holds_alternative<LinkMoment>(request.at)) return go_to_link(session, request);
   const auto* words = std::get_if<std::string>(&request.at);
   const auto position = moment_position(
       session.run(), words != nullptr ? *words : std::to_string(std::get<std::size_t>(request.at)));
@@ -138,31 +174,47 @@ std::string drawing_note(const Run& run, const ui::ViewState& state, std::size_t
   return "an .svg has no 3D, so this one shows the slice; a .png shows the world from outside";
 }
 
+namespace {
+
+/// Which layers of a world of several are shown, and from where.
+void show_layers(const RenderRequest& request, const LinkView& link, ui::ViewState& state) {
+  state.slices.set_all(Slice{Axis::z, request.scenario.start.z});
+  ui::show_link_layers(link, state);
+  if (request.slice) state.slices.set_all(*request.slice);
+  if (request.slice || request.follows_robot) state.slices.follows_robot = request.follows_robot;
+  if (!request.orbit) return;
+  state.orbit = *request.orbit;
+  state.solid.cut = request.cut;
+  state.solid.see_through = request.glass;
+  for (std::size_t pane = 0; pane < 4; ++pane) state.slices.set_orbits(pane, true);
+}
+
+}  // namespace
+
 Result<ui::ViewState> requested_view(const RenderRequest& request) {
   ui::ViewState state;
   const ViewSetup& setup = request.scenario.view;
-  if (request.overlays) {
-    state.view.overlays = *request.overlays;
+  const LinkView link = request.link.value_or(LinkView{});
+  if (request.overlays || link.overlays) {
+    state.view.overlays = request.overlays ? *request.overlays : *link.overlays;
   } else if (!setup.overlays.empty()) {
     const auto parsed = parse_overlays(setup.overlays);
     if (!parsed) return Error{parsed.error()};
     state.view.overlays = *parsed;
   }
-  if (const auto& camera = request.camera ? request.camera : setup.camera)
+  if (const auto& camera = request.camera ? request.camera : link.camera ? link.camera : setup.camera)
     state.camera(request.slice.value_or(Slice{}).along) = {camera->x, camera->y,
                                                            camera->zoom * request.scale};
-  const std::string theme = request.theme ? *request.theme : setup.theme.value_or("dark");
+  const std::string theme = request.theme ? *request.theme
+                            : link.dark   ? (*link.dark ? "dark" : "light")
+                                          : setup.theme.value_or("dark");
   if (theme != "dark" && theme != "light")
     return Error{"there is no theme '" + theme + "'; take 'dark' or 'light'"};
   state.dark = theme == "dark";
-  state.view.pinned = request.pinned;
+  state.view.pinned = request.pinned ? request.pinned : link.pin;
+  state.tab = link.tab;
   state.view.motion = request.motion;
-  state.slices.set_all(request.slice.value_or(Slice{Axis::z, request.scenario.start.z}));
-  state.slices.follows_robot = request.follows_robot;
-  if (request.orbit) state.orbit = *request.orbit;
-  state.solid.cut = request.cut;
-  state.solid.see_through = request.glass;
-  for (std::size_t pane = 0; request.orbit && pane < 4; ++pane) state.slices.set_orbits(pane, true);
+  show_layers(request, link, state);
   state.view.scale = request.scale;
   state.view.range = request.range;
   state.legend = request.legend;
@@ -190,7 +242,8 @@ Result<void> render(const RenderRequest& request) {
                  "frames in /"};
   if (const auto there = go_to(session, request); !there) return there;
   if (extension == ".svg")
-    return write_drawing(request.output, session.run(), *state, 0, {request.width, request.height});
+    return write_drawing(request.output, session.run(), *state, session.lead(),
+                         {request.width, request.height});
   StudioSettings settings = studio_settings(request);
   settings.actions = std::move(*actions);
   auto studio = Studio::open(settings, session, std::move(*state));

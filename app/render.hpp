@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/film/film_settings.hpp"
+#include "core/link/link.hpp"
 #include "core/scene/orbit.hpp"
 #include "core/scene/scene.hpp"
 #include "core/scene/view.hpp"
@@ -25,16 +26,21 @@ enum class Moment : std::uint8_t {
   end,   ///< the mission is over
 };
 
+/// That of the link.
+struct LinkMoment {};
+
 struct RenderRequest {
   Scenario scenario;
   /// `.png`, `.svg`, `.gif`, `.webp`, `.mp4`, or a folder for frames (it ends in '/', or is one already)
   std::string output;
+  /// What a link says of the moment and the look; what is said below comes before it.
+  std::optional<LinkView> link = {};
   int width = 1440;  ///< pixels of the picture
   int height = 900;
   double scale = 1;                    ///< device pixels per design pixel
   std::optional<std::string> theme;    ///< "light" or "dark"; else the scenario's, else dark
   std::optional<OverlaySet> overlays;  ///< else the scenario's, else the window's
-  std::variant<Moment, std::size_t, std::string> at =
+  std::variant<Moment, std::size_t, std::string, LinkMoment> at =
       Moment::plan;  ///< or a position in the event log, or as moment_position() reads it; for stills
   FieldSpan range = FieldSpan::whole_run;
   ui::FieldColours colours = ui::FieldColours::viridis;
@@ -57,6 +63,7 @@ struct RenderRequest {
   /// machine.
   std::string dialog;
   FilmOptions film;
+  std::function<void(const std::string& sentence)> note;  ///< called with what there is to say besides
   std::function<void(std::size_t done, std::size_t all)> progress;  ///< called after each frame of a film
 };
 

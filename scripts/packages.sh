@@ -10,7 +10,7 @@ build_packages=(
   libimgui-dev libglfw3-dev libosmesa6-dev libgl-dev libgl1-mesa-dri
   # GLFW opens these by name when it starts, so no package pulls them in.
   libxcursor1 libxi6 libxinerama1 libxrandr2 libegl1 libgles2
-  libstb-dev libjpeg62-turbo-dev nlohmann-json3-dev libyaml-cpp-dev libcli11-dev
+  libstb-dev libjpeg62-turbo-dev zlib1g-dev nlohmann-json3-dev libyaml-cpp-dev libcli11-dev
   ffmpeg gnuplot-nox
   fonts-inter fonts-jetbrains-mono fonts-font-awesome fonts-wqy-microhei
 )
@@ -39,7 +39,7 @@ say_libraries() {
 This system is not Debian, so nothing was installed. If the build stops because something is missing, it needs:
   g++ 12 or clang 14 (or later), CMake 3.25, Ninja, pkg-config; ccache if you like
   Dear ImGui 1.86 as a library with a pkg-config file, GLFW 3.3, OSMesa (Mesa's off-screen OpenGL) and its headers
-  stb (stb_image.h, stb_image_write.h, stb_truetype.h under stb/), nlohmann-json 3, yaml-cpp 0.7, libjpeg, CLI11 2
+  stb (stb_image.h, stb_image_write.h, stb_truetype.h under stb/), nlohmann-json 3, yaml-cpp 0.7, libjpeg, zlib, CLI11 2
   the program ffmpeg, for films; the rest works without it; likewise gnuplot, for the diagrams of studies
   the fonts Inter, JetBrains Mono, Font Awesome 4.7 and WenQuanYi Micro Hei (without them it falls back, and says so)
   for the tests: GoogleTest, Google Benchmark, Xvfb, xdotool

@@ -50,6 +50,14 @@ Result<Scenario> plain_world(const WorldArguments& arguments) {
   return world;
 }
 
+/// The world of a link; what is not known of the link is told.
+Result<Scenario> linked_world(const std::string& text) {
+  Result<Link> link = parse_link(text);
+  if (!link) return Error{link.error()};
+  tell_notes(link->notes);
+  return std::move(link->scenario);
+}
+
 }  // namespace
 
 void ReadingArguments::declare(CLI::App& command) {
@@ -170,7 +178,8 @@ Result<void> ReadingArguments::check_unused_by(const std::string& source) const 
 }
 
 void WorldArguments::declare(CLI::App& command) {
-  command.add_option("SCENARIO", scenario, "A scenario file (.json)");
+  command.add_option("SCENARIO", scenario,
+                     "A scenario file (.json), or a link to a moment of one, in quotes");
   command
       .add_option("--map", map,
                   "A map instead: " + map_extensions(MapUse::read) +
@@ -226,11 +235,13 @@ Result<Scenario> WorldArguments::load() const {
     return Error{scenario.empty()
                      ? "no world is named: give a scenario file, or --map FILE with --start and --goal"
                      : "give either a scenario file or --map, not both"};
-  if (map.empty() && file_extension(scenario) != ".json")
+  if (map.empty() && !is_link() && file_extension(scenario) != ".json")
     return Error{"'" + scenario + "' is no scenario file (.json); give a map with --map FILE"};
   if (map.empty())
     if (const auto unused = reading.check_unused_by(scenario); !unused) return Error{unused.error()};
-  Result<Scenario> world = map.empty() ? read_scenario(scenario) : plain_world(*this);
+  Result<Scenario> world = !map.empty() ? plain_world(*this)
+                           : is_link()  ? linked_world(scenario)
+                                        : read_scenario(scenario);
   if (!world) return world;
   for (const auto& [option, text, cell] :
        {std::tuple{"--start", &start, &world->start}, std::tuple{"--goal", &goal, &world->goal}}) {

@@ -9,6 +9,7 @@
 
 #include "core/base/cell.hpp"
 #include "core/base/result.hpp"
+#include "core/link/link.hpp"
 #include "core/world/scenario.hpp"
 
 namespace CLI {
@@ -80,7 +81,11 @@ struct WorldArguments {
   /// The world and its planners. With `--map` the scenario has no surprises, and its robot knows the map.
   [[nodiscard]] Result<Scenario> load() const;
   /// How a summary names it: the file.
-  [[nodiscard]] const std::string& source() const { return scenario.empty() ? map : scenario; }
+  [[nodiscard]] std::string source() const {
+    return is_link() ? "the link" : scenario.empty() ? map : scenario;
+  }
+  /// Whether the scenario is a link (core/link/link.hpp) and no file.
+  [[nodiscard]] bool is_link() const { return replan::is_link(scenario); }
 };
 
 /// "X,Y with x from 0 to 39, y from 0 to 29": how a cell of the world is typed.

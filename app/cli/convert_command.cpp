@@ -151,6 +151,7 @@ Result<int> convert(ConvertArguments& arguments) {
   const bool generated = is_generator_spec(arguments.in);
   const std::string extension = generated ? "" : file_extension(arguments.in);
   if (!arguments.slice.empty()) return from_slice(arguments);
+  if (is_link(arguments.in)) return from_scenario(arguments);
   if (extension == ".scen")
     return Error{"'" + arguments.in +
                  "' is a list of problems; convert the .map that it is for, or solve it with 'replan batch'"};

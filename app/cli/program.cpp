@@ -12,6 +12,7 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
 #include "app/cli/window.hpp"
+#include "core/link/link.hpp"
 
 namespace replan::cli {
 namespace {
@@ -20,6 +21,8 @@ std::string footer() {
   return std::string("Examples:\n") +
          (has_window() ? "  replan maps/demo.json\n"
                          "      Opens the demo in the window.\n"
+                         "  replan 'replan.html#v=1&at=1200&world=...'\n"
+                         "      Opens the world of a link at its event (Help > Copy a link to this moment).\n"
                        : "") +
          "  replan run maps/demo.json\n"
          "      Its figures, without a window.\n" +
@@ -75,7 +78,7 @@ Error unexpected(const CLI::App& program, const std::string& argument) {
 /// CLI11's errors as one sentence in our words.
 Error sentence(const CLI::App& program, const std::string& file, const CLI::ParseError& error) {
   const bool window = program.get_subcommands().empty();
-  if (window && !file.empty() && !exists(file)) return no_such_file(program, file);
+  if (window && !file.empty() && !is_link(file) && !exists(file)) return no_such_file(program, file);
   const auto extra = program.remaining(true);
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !extra.empty())
     return unexpected(program, extra.front());
@@ -90,7 +93,7 @@ struct WindowArguments {
 
 Result<int> show(const CLI::App& program, const WindowArguments& window) {
   const std::string& file = window.file;
-  if (!file.empty() && !exists(file)) return no_such_file(program, file);
+  if (!file.empty() && !is_link(file) && !exists(file)) return no_such_file(program, file);
   const auto closed = open_window(file.empty() ? std::nullopt : std::optional(file), window.in_step);
   if (!closed) return Error{closed.error()};
   return kDone;
@@ -129,7 +132,7 @@ int run_program(int argc, char** argv) {
   program.get_formatter()->label("Positionals", "Arguments");
   program.get_formatter()->label("TEXT", "");
   WindowArguments window;
-  program.add_option("FILE", window.file, "A scenario, a map or an experiment to open in the window");
+  program.add_option("FILE", window.file, "A scenario, a map, an experiment or a link to open in the window");
   if (has_window())
     program.add_flag("--in-step", window.in_step,
                      "Have the window work in step with its frames, without threads: for finding faults");

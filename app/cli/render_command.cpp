@@ -50,6 +50,17 @@ struct RenderArguments {
   std::string to;
 };
 
+/// What a link says of the moment and the look. Of a film that is the look alone.
+Result<void> read_link(const RenderArguments& arguments, app::RenderRequest& request) {
+  request.note = [](const std::string& sentence) { tell_notes(std::vector{sentence}); };
+  if (!arguments.world.is_link()) return {};
+  Result<Link> link = parse_link(arguments.world.scenario);
+  if (!link) return Error{link.error()};
+  request.link = std::move(link->view);
+  if (file_extension(request.output) != ".svg") request.panes = request.scenario.planners.size();
+  return {};
+}
+
 Result<void> read_size(const std::string& text, app::RenderRequest& request) {
   const std::size_t cross = text.find('x');
   const auto width = number_from<int>(text.substr(0, cross));
@@ -68,6 +79,7 @@ Result<void> read_moment(const RenderArguments& arguments, app::RenderRequest& r
   if (given && app::is_film(request.output))
     return Error{"--at, --at-end and --at-plan are for stills; a film takes --from and --to"};
   if (arguments.at_end) request.at = app::Moment::end;
+  if (!given && request.link && request.link->event) request.at = app::LinkMoment{};
   if (arguments.at.empty()) return {};
   request.at = arguments.at;
   return {};
@@ -272,6 +284,7 @@ Result<int> render(const RenderArguments& arguments) {
   request.window = !arguments.canvas_only;
   request.actions = split_list(arguments.actions);
   request.dialog = arguments.dialog;
+  if (const auto link = read_link(arguments, request); !link) return Error{link.error()};
   if (!arguments.size.empty())
     if (const auto size = read_size(arguments.size, request); !size) return Error{size.error()};
   if (const auto moment = read_moment(arguments, request); !moment) return Error{moment.error()};
@@ -315,7 +328,9 @@ std::string render_footer() {
          "--overlay path,rp\n"
          "      A drawing of the plan, for a paper.\n"
          "  replan render maps/decks.json -o deck.png --slice 2 --canvas-only\n"
-         "      One layer of a world in space. What runs and stands in other layers is faint.\n\n"
+         "      One layer of a world in space. What runs and stands in other layers is faint.\n"
+         "  replan render 'replan.html#v=1&at=1200&world=...' -o moment.png\n"
+         "      What a link leads to. Options come before what the link says.\n\n"
          "Needs neither a display nor a graphics card. Where nothing else is said, a picture shows the first "
          "plan.\n\n"
          "A film shows the same frames each time. It stands under its name once it is complete; until then "

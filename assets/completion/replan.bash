@@ -87,7 +87,7 @@ _replan() {
       return
       ;;
     --out) _replan_files; return ;;
-    --dialog) COMPREPLY=($(compgen -W "new_world open worlds opening save_as figures film film_window film_run picture trace unsaved changed overwrite recover generate resize batch batch_results edits keys about menu_file menu_edit menu_world menu_planner menu_run menu_view menu_overlays menu_tabs menu_panes menu_record menu_help" -- "$cur")); return ;;
+    --dialog) COMPREPLY=($(compgen -W "new_world open worlds opening save_as figures film film_window film_run picture trace unsaved changed overwrite recover generate resize batch batch_results edits keys link about menu_file menu_edit menu_world menu_planner menu_run menu_view menu_overlays menu_tabs menu_panes menu_record menu_help" -- "$cur")); return ;;
     --action) _replan_list "$(_replan_ids actions)"; return ;;
     --start | --goal | --radius | --world | --break | --cell | --pin | --arc | --orbit | --camera | --size | --scale | --limit | --jobs | --shard | --scenario | --open | --alpha | --tolerate | --threshold | --occupied | --layers | --heights | --reduce | --slice | --fps | --hold) return ;;
     --panes) COMPREPLY=($(compgen -W "1 2 4 all" -- "$cur")); return ;;

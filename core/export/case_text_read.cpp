@@ -8,8 +8,6 @@
 namespace replan {
 namespace {
 
-constexpr const char* kNoFolder = "/nonexistent";  // a text from elsewhere has no folder for a map file
-
 /// The rest of the first line that begins so, past what mail puts before a line; nothing if there is none.
 std::optional<std::string_view> find_line(std::string_view text, std::string_view beginning) {
   text = without_byte_order_mark(text);
@@ -57,7 +55,6 @@ Result<CaseMoment> parse_case_text(std::string_view text, const std::string& ori
   const std::string where = origin + ", line 'scenario'";
   Result<Scenario> scenario = parse_scenario(std::string(*scenario_line), where, kNoFolder);
   if (!scenario) return Error{scenario.error()};
-  if (!scenario->map_file.empty()) return Error{where + ": it must hold its map itself, not name a file"};
   moment.scenario = std::move(scenario.value());
   if (moment.pane >= moment.scenario.planners.size())
     return Error{origin + ", line 'at': the scenario has no planner number " + std::to_string(moment.pane)};

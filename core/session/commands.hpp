@@ -200,6 +200,10 @@ struct FindDifference {
   std::array<std::size_t, 2> panes{0, 1};
   Compare what = Compare::expansions;
 };
+/// Runs the mission on until the leading run's log has so many events, or it is over; the cursor goes along.
+struct RunTo {
+  std::size_t events = 0;
+};
 struct RunToEnd {};
 /// What was planned until then stays; steps, play and RunToEnd take it up again.
 struct Cancel {};

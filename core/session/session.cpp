@@ -172,6 +172,15 @@ Result<void> Session::run_command(const Seek& command) {
   return {};
 }
 
+Result<void> Session::run_command(const RunTo& command) {
+  stop_hunt();
+  player_.stop();
+  go_another_way();
+  leading().go(Target::length_of(command.events));
+  follow_ = true;
+  return {};
+}
+
 Result<void> Session::run_command(const RunToEnd&) {
   stop_hunt();
   player_.stop();

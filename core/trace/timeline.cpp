@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/base/disposal.hpp"
-#include "core/base/hash.hpp"
 
 namespace replan {
 namespace {
@@ -355,16 +354,6 @@ bool Timeline::changes(std::size_t index, NodeId node, EventKind kind) const {
   if (e.kind != EventKind::epoch) return e.delta != 0;
   if (!last_of_node(node, {kind}, index)) return false;
   return state_at(index).value(kind, node) != head_.initial_value(kind);
-}
-
-std::uint64_t Timeline::log_hash() const {
-  std::uint64_t seed = size();
-  for (std::size_t i = 0; i < size(); ++i) {
-    const Event e = event(i);
-    seed = hash_combine(seed, e.delta ^ mix64(std::uint64_t{e.node} << 16 | std::uint64_t{e.line} << 8 |
-                                              static_cast<std::uint64_t>(e.kind)));
-  }
-  return seed;
 }
 
 }  // namespace replan

@@ -117,6 +117,8 @@ struct Scenario {
 /// for beside the scenario. Errors name the file, the place in it and the mend; an unknown key is an error
 /// that suggests the nearest known one.
 Result<Scenario> read_scenario(const std::string& path);
+/// For parse_scenario(): the text comes from elsewhere, and no file is read for it, whatever it names.
+inline constexpr const char* kNoFolder = "//";
 /// As read_scenario() from text; `origin` names it in errors, map files are looked for in `folder`.
 Result<Scenario> parse_scenario(const std::string& text, const std::string& origin,
                                 const std::string& folder);

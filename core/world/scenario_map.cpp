@@ -97,6 +97,8 @@ void read_cells(const JsonNode& node, const std::vector<Rows>& layers, std::int6
 void read_file_of(const JsonNode& file, const std::string& folder, Scenario& scenario) {
   scenario.map_file = file.text();
   if (scenario.map_file.empty()) return file.fail("must name a file");
+  if (folder == kNoFolder)
+    return file.fail("names a file, and a text from elsewhere must hold its map itself, as 'rows'");
   Result<MapFile> map =
       read_map_file((std::filesystem::path(folder) / scenario.map_file).string(), scenario.map_reading);
   if (!map) return file.fail(map.error());

@@ -126,6 +126,14 @@ void Canvas::fit() {
   parts_->fit = true;
 }
 
+void Canvas::take_over(const Box& world, ViewState& state) {
+  if (parts_->world != world) forget_places(state);
+  state.fit_cameras();
+  parts_->world = world;
+  parts_->fit = false;
+  parts_->zooming.active = false;
+}
+
 bool Canvas::behind() const {
   return parts_->behind;
 }

@@ -33,6 +33,9 @@ class Canvas {
   [[nodiscard]] const Scene& scene() const;
   /// Makes the next draw show the whole world.
   void fit();
+  /// The world is another one from now on: what was of the old one is forgotten at once and not by the next draw(), so that
+  /// what is chosen meanwhile stays.
+  void take_over(const Box& world, ViewState& state);
   /// True while a zoom is on its way or something is being worked out: further frames are due without input.
   [[nodiscard]] bool animating() const;
 

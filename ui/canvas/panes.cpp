@@ -27,6 +27,10 @@ void Panes::fit() {
   for (const auto& each : canvases_) each->fit();
 }
 
+void Panes::take_over(const Box& world, ViewState& state) {
+  for (const auto& each : canvases_) each->take_over(world, state);
+}
+
 bool Panes::animating() const {
   // Others may have been left in the middle of something.
   const auto first = canvases_.begin() + static_cast<std::ptrdiff_t>(first_drawn_);

@@ -19,6 +19,8 @@ class Panes {
             ImVec2 max, bool interactive, std::vector<Command>& commands);
   /// Makes the next draw show the whole world.
   void fit();
+  /// As Canvas::take_over(), in all of them.
+  void take_over(const Box& world, ViewState& state);
   [[nodiscard]] bool animating() const;
   /// What was drawn of the leading pane, and where; of the one nearest to it, if there was no room for that.
   [[nodiscard]] const Scene& scene() const { return canvases_[shown_]->scene(); }

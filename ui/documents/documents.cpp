@@ -45,7 +45,9 @@ void Documents::take_decision(Session& session, const DialogDecision& decision) 
     case DialogDecision::Kind::cancel:
       return give_up();
     case DialogDecision::Kind::open:
-      return load_next(session, {Loading::From::file, decision.path, decision.reading});
+      return is_link(decision.path)
+                 ? open(session, decision.path)
+                 : load_next(session, {Loading::From::file, decision.path, decision.reading});
     case DialogDecision::Kind::open_world:
       return load_next(session, {Loading::From::library, decision.path, {}});
     case DialogDecision::Kind::save:
@@ -157,7 +159,7 @@ std::string Documents::names_on_show() const {
 }
 
 void Documents::open(Session& session, const std::string& path) {
-  load_next(session, {Loading::From::file, path, {}});
+  load_next(session, {is_link(path) ? Loading::From::link : Loading::From::file, path, {}});
 }
 
 /// Unsaved edits are asked about once it is known what takes their place, and not before one may look.

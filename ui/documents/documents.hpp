@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/link/link.hpp"
 #include "core/session/autosave.hpp"
 #include "ui/documents/file_watch.hpp"
 #include "ui/documents/recent_files.hpp"
@@ -39,6 +40,8 @@ class Documents {
     std::function<void(const ViewSetup& view)> show;
     /// Shows an experiment, or results of one: such a file is no document.
     std::function<void(const Session& session, const std::string& path)> show_batch;
+    /// Goes to the moment of a link whose world was just opened, and looks at what it says.
+    std::function<void(Session& session, const LinkView& view)> follow_link;
   };
   using Deed = std::function<void(Session& session)>;
 
@@ -50,7 +53,7 @@ class Documents {
   /// A clean end: what was not saved is not wanted.
   void leave() { autosave_->remove(); }
 
-  /// Opens a file; asks first if there are unsaved edits.
+  /// Opens a file, or the world of a link at its moment; asks first if there are unsaved edits.
   void open(Session& session, const std::string& path);
   /// Takes what was dropped onto the window: opens a file, looks into a folder, or says why not.
   void drop(Session& session, const std::vector<std::string>& paths);
@@ -90,8 +93,8 @@ class Documents {
  private:
   /// A document on its way from its file.
   struct Loading {
-    enum class From : std::uint8_t { file, library, autosave } from = From::file;
-    std::string path;
+    enum class From : std::uint8_t { file, library, autosave, link } from = From::file;
+    std::string path;  ///< or the link
     MapReading reading;
     std::size_t orphan = 0;  ///< for autosave: which of orphans_
   };
@@ -99,6 +102,8 @@ class Documents {
     Loading what;
     Result<ReplaceScenario> document;
     std::vector<StampedFile> files;
+    LinkView view = {};                   ///< for link
+    std::vector<std::string> notes = {};  ///< likewise
   };
 
   [[nodiscard]] bool would_lose_edits(const Session& session) const;
@@ -117,6 +122,8 @@ class Documents {
   void complain(const std::string& sentence);
   void load(Session& session, Loading what);
   void load_next(Session& session, Loading what);
+  [[nodiscard]] static Loaded load_link(const Loading& what);
+  void take_link(Session& session, Loaded loaded);
   void take_recovered(Session& session, const Loading& what, ReplaceScenario document);
   void look_at_disk(const Session& session);
   void remember(const std::string& path);

@@ -64,10 +64,11 @@ void Documents::remember(const std::string& path) {
 
 /// Begins to read a document; take_loaded() takes it over.
 void Documents::load(Session& session, Loading what) {
-  const std::string path = what.path;
+  const std::string name = what.from == Loading::From::link ? "the link" : file_name(what.path);
   // Reading a file cannot be cut up: in step the window stands still for it, after a frame that says so.
   loader_->start(
       [what = std::move(what), current = without_world(session.scenario())](const StopToken& stop) {
+        if (what.from == Loading::From::link) return load_link(what);
         // The stamp is taken first: what is written while the file is read is then seen as a change.
         Loaded loaded{what, Error{""}, {stamped(what.path)}};
         if (what.from == Loading::From::autosave) {
@@ -84,8 +85,20 @@ void Documents::load(Session& session, Loading what) {
             ReplaceScenario{*std::move(scenario), what.from == Loading::From::file ? what.path : ""};
         return loaded;
       });
-  window_.dialogs.wait_for(file_name(path));
+  window_.dialogs.wait_for(name);
   if (surroundings_.work.in_step) take_loaded(session);
+}
+
+Documents::Loaded Documents::load_link(const Loading& what) {
+  Result<Link> link = parse_link(what.path);
+  if (!link) return {what, Error{link.error()}, {}};
+  return {what, ReplaceScenario{std::move(link->scenario), ""}, {}, link->view, std::move(link->notes)};
+}
+
+void Documents::take_link(Session& session, Loaded loaded) {
+  replace(session, std::move(loaded.document.value()));
+  note(loaded.notes);
+  window_.follow_link(session, loaded.view);
 }
 
 void Documents::take_loaded(Session& session) {
@@ -94,11 +107,13 @@ void Documents::take_loaded(Session& session) {
   const Loading& what = loaded->what;
   if (!loaded->document) {
     std::error_code failed;
-    if (!std::filesystem::exists(what.path, failed) && recent_.drop(what.path).ok()) remember("");
+    const bool named = what.from != Loading::From::link;
+    if (named && !std::filesystem::exists(what.path, failed) && recent_.drop(what.path).ok()) remember("");
     complain(loaded->document.error());
     return;
   }
   window_.dialogs.close();
+  if (what.from == Loading::From::link) return take_link(session, *std::move(loaded));
   if (what.from == Loading::From::autosave)
     return take_recovered(session, what, std::move(loaded->document.value()));
   const std::vector<std::string> notes = loaded->document->scenario.map_found.notes_for_planning();

@@ -61,6 +61,7 @@ struct ActionContext {
   void cut_region();
   void paste();
   void go_on_pasting();
+  void put_in_link(std::string link);
   void put_in_moment(Result<CaseMoment> moment);
   void put_in_cells(PastedText pasted);
   void move_pin(int dx, int dy);

@@ -4,6 +4,7 @@
 
 #include "core/base/words.hpp"
 #include "core/lattice/box_words.hpp"
+#include "core/link/link.hpp"
 #include "ui/documents/files.hpp"
 #include "ui/shell/actions.hpp"
 #include "ui/tools/select.hpp"
@@ -86,8 +87,11 @@ CellsCopy::CellsCopy(const WorkPlace& place, MapFile world, const CellBox& regio
 }
 
 PastedText read_pasted(const std::string& text, const PastePlace& place) {
-  if (is_case_text(text)) return {.moment = parse_case_text(text, "the clipboard"), .place = place};
-  PastedText pasted{.moment = {}, .cells = parse_ascii_map(text, "the clipboard"), .place = place};
+  if (is_link(text)) return {.link = text, .moment = {}, .place = place};
+  if (is_case_text(text))
+    return {.link = {}, .moment = parse_case_text(text, "the clipboard"), .place = place};
+  PastedText pasted{
+      .link = {}, .moment = {}, .cells = parse_ascii_map(text, "the clipboard"), .place = place};
   if (pasted.cells && !is_world(*pasted.cells)) pasted.changes = placed(pasted.cells->map, place);
   return pasted;
 }
@@ -164,10 +168,17 @@ void ActionContext::go_on_pasting() {
   auto read = panels.clipboard.paste->take();
   if (!read) return;
   panels.clipboard.paste.reset();
-  if (read->moment)
+  if (!read->link.empty())
+    put_in_link(std::move(read->link));
+  else if (read->moment)
     put_in_moment(std::move(*read->moment));
   else
     put_in_cells(std::move(*read));
+}
+
+void ActionContext::put_in_link(std::string link) {
+  panels.wished = std::move(link);
+  wish = Wish::open_link;
 }
 
 void ActionContext::put_in_moment(Result<CaseMoment> moment) {

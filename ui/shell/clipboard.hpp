@@ -56,7 +56,8 @@ struct PastePlace {
 
 /// What a text on the clipboard was found to be.
 struct PastedText {
-  std::optional<Result<CaseMoment>> moment;  ///< else cells
+  std::string link;                          ///< if it is one
+  std::optional<Result<CaseMoment>> moment;  ///< else a moment as text, else cells
   Result<MapFile> cells = Error{""};
   PastePlace place;
   std::vector<CellChange> changes = {};  ///< of the world, if they are no world of their own

@@ -23,6 +23,8 @@ float width_of(DialogKind kind) {
       return 1400;
     case DialogKind::recover:
       return 600;
+    case DialogKind::link:
+      return 640;
     default:
       return 460;
   }
@@ -166,6 +168,8 @@ DialogDecision Dialogs::content(const Look& look) {
       return recover_dialog(look);
     case DialogKind::keys:
       return keys_dialog(look);
+    case DialogKind::link:
+      return link_dialog(look);
     case DialogKind::about:
       return about_dialog(look);
     case DialogKind::none:

@@ -24,6 +24,7 @@ enum class DialogKind : std::uint8_t {
   question,
   recover,
   keys,
+  link,
   about
 };
 
@@ -48,6 +49,7 @@ struct DialogDecision {
     keep_mine,
     recover,
     forget,
+    copy_link,  ///< its path is the whole link
     cancel
   } kind = Kind::none;
   std::string path = {};    ///< for whatever is opened or written
@@ -120,6 +122,12 @@ class Dialogs {
                 const WorkPlace& place);
   /// Asks where a trace goes.
   void ask_trace(const TraceFacts& facts, FileDialogSpec spec, const WorkPlace& place);
+  /// Shows a link to the moment, once take_link() has brought it; `address` stands before it, and can be edited.
+  void show_link(std::string address);
+  void take_link(Result<std::string> link) { link_ = std::move(link); }
+  /// As it stands in that dialog, or stood there last.
+  [[nodiscard]] const std::string& link_address() const { return link_address_; }
+  [[nodiscard]] bool shows_link() const { return kind_ == DialogKind::link; }
   /// Tells that a file is being read, once that takes longer than a moment.
   void wait_for(std::string name);
 
@@ -128,7 +136,9 @@ class Dialogs {
   bool complain(const std::string& sentence);
   [[nodiscard]] bool open() const { return kind_ != DialogKind::none; }
   /// Whether something moves in the open dialog.
-  [[nodiscard]] bool animated() const { return kind_ == DialogKind::opening || unsettled_ > 0; }
+  [[nodiscard]] bool animated() const {
+    return kind_ == DialogKind::opening || (shows_link() && !link_) || unsettled_ > 0;
+  }
   /// Where the last file dialog stood; empty if there was none.
   [[nodiscard]] const std::string& folder() const { return folder_; }
   /// What stands in the open dialog besides the program's own words, for the fonts.
@@ -149,6 +159,8 @@ class Dialogs {
   DialogDecision opening_dialog(const Look& look);
   DialogDecision keys_dialog(const Look& look);
   DialogDecision about_dialog(const Look& look);
+  DialogDecision link_dialog(const Look& look);
+  void draw_link_address(const Look& look);
 
   ImGuiRenderer& renderer_;
   SystemFiles system_;
@@ -170,7 +182,9 @@ class Dialogs {
   TraceFacts trace_facts_;
   bool trace_map_ = true;  // what was chosen last
   StepWords step_ = kExpansionWords;
-  float page_height_ = 2000;  // of the keys, as drawn last
+  std::string link_address_;
+  std::optional<Result<std::string>> link_;  // nothing while it is being made
+  float page_height_ = 2000;                 // of the keys, as drawn last
 };
 
 }  // namespace replan::ui

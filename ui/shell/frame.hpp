@@ -47,6 +47,9 @@ enum class Wish : std::uint8_t {
   stop_export,
   stop_film,
   go_to_pasted,  ///< PanelState::pasted
+  open_link,     ///< PanelState::wished
+  copy_link,
+  stop_going,
   generate,
   resize,
   batch,
@@ -115,6 +118,13 @@ struct PanelState {
   bool why_open = false;         ///< beside the pinned cell it is told why its value is what it is
   WhyPlace why;
   std::optional<Cell> pointed;  ///< the cell of the row under the mouse, which the canvas shows as hovered
+  /// The event that the run is on its way to, and how much of that is made, 0 to 1.
+  struct Going {
+    std::size_t event = 0;
+    double share = 0;
+  };
+  std::optional<Going> going;
+  std::string link_address = "replan.html";  ///< of the page that links lead to
   double exporting = -1;  ///< how much of a trace has been written, 0 to 1; below 0: none is being written
   std::optional<BatchProgress> batch;  ///< of the one that is at work
   ClipboardWork clipboard;

@@ -78,6 +78,17 @@ void about(const Room& room) {
                            {"Compiler", "GCC 12.2.0"}});
 }
 
+void link(const Room& room) {
+  room.dialogs.show_link("https://example.org/replan.html");
+  const std::string world =
+      "eNq1VUtv2zAMvu9XELrskgR5tOl6HLbtssOwYzEEskXbQmTJkOg2QdH_PkqO"
+      "nXRJsRx2iGB-5Pch8rF8FaSaQu5EaRtJpFUBJaKCjWsUfDRa4R7-Q8mM";
+  room.dialogs.take_link(
+      "#v=1&at=12345&log=3fa09c1e&panes=2&lockstep=expansions&theme=dark&overlays=path,trail"
+      "&tab=cell&pin=12,40&world=" +
+      world + world + world + world);
+}
+
 void menu(const Room& room, Menu which) {
   room.panels.open_menu = which;
 }
@@ -156,6 +167,7 @@ constexpr std::array kExhibits = {
     Exhibit{"batch_results", batch_results},
     Exhibit{"edits", [](const Room& room) { show_edits(room.view, room.panels); }},
     Exhibit{"keys", [](const Room& room) { room.dialogs.show(DialogKind::keys); }},
+    Exhibit{"link", link},
     Exhibit{"about", about},
     Exhibit{"menu_file", [](const Room& room) { menu(room, Menu::file); }},
     Exhibit{"menu_edit", [](const Room& room) { menu(room, Menu::edit); }},

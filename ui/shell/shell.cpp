@@ -42,8 +42,13 @@ bool is_quiet(const Command& command) {
 
 Shell::Shell(ImGuiRenderer& renderer)
     : panes_(renderer),
-      documents_({view_, panels_, dialogs_, message_, [this](const ViewSetup& view) { show(view); },
-                  [this](const Session& session, const std::string& path) { show_batch(session, path); }}),
+      documents_({view_, panels_, dialogs_, message_, [this](const ViewSetup& view) {
+  show(view); },
+                  [this](const Session& session, const std::string& path) {
+  show_batch(session, path); }},
+                  [this](Session& session, const LinkView& view) {
+  follow_link(session, view); }
+}),
       dialogs_(renderer) {}
 
 ActionContext context_of(Frame& frame) {
@@ -79,6 +84,7 @@ void Shell::draw(const Look& look, Session& session, double) {
   const bool batch_behind = dialogs_.open();  // the keys of this frame are the dialog's
   const DialogDecision decision = dialogs_.draw(look);
   if (!batch_behind) draw_batch(look);
+  if (!dialogs_.link_address().empty()) panels_.link_address = dialogs_.link_address();
   world_dialogs_.draw(look, session, commands);
   context_of(frame).go_on_copying();
   context_of(frame).go_on_pasting();
@@ -90,7 +96,8 @@ void Shell::draw(const Look& look, Session& session, double) {
   if (const auto outcome = export_.go_on(session)) tell(outcome->words, outcome->bad);
   panels_.exporting = export_.busy() ? export_.share() : -1;
   go_on_with_batch(session);
-  await_moment(session);
+  go_on_to_moment(session);
+  go_on_with_link(session);
   pause_behind_dialogs(session);
   documents_.keep(session);
 }
@@ -101,8 +108,7 @@ bool Shell::wants_frames(const Session& session) const {
   const bool debugging = session.checks().busy() || session.breakpoints().hunt();
   return busy || session.has_steps() || debugging || session.playback().direction != 0 ||
          session.revision() != drawn_ || held_ || panels_.animated || dialogs_.animated() || export_.busy() ||
-         batch_.behind() ||
-         panels_.clipboard.busy() || awaited_ || panes_.animating();
+         batch_.behind() || panels_.clipboard.busy() || arrival_.busy() || link_copy_ || panes_.animating();
 }
 
 namespace {

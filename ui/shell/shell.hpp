@@ -13,12 +13,14 @@
 #include "ui/documents/documents.hpp"
 #include "ui/gl/imgui_renderer.hpp"
 #include "ui/shell/actions.hpp"
+#include "ui/shell/arrival.hpp"
 #include "ui/shell/command_palette.hpp"
 #include "ui/shell/dialogs.hpp"
 #include "ui/shell/dialogs/world_dialogs.hpp"
 #include "ui/shell/frame.hpp"
 #include "ui/shell/frame_share.hpp"
 #include "ui/shell/lesson_card.hpp"
+#include "ui/shell/links.hpp"
 #include "ui/shell/message.hpp"
 #include "ui/shell/trace_export.hpp"
 
@@ -63,19 +65,16 @@ class Shell {
   void welcome();
   /// A sentence over the canvas for a while.
   void tell(std::string sentence, bool bad) { message_.tell(std::move(sentence), bad); }
+  /// Opens the world of a link at its moment, as Documents::open() does a file.
+  void open_link(Session& session, const std::string& link) { documents_.open(session, link); }
+  /// Goes to the moment of a link whose world the session has been made with.
+  void follow_link(Session& session, const LinkView& view);
+  /// The link to what shows, the address of a page before it: all of it at once, however long the run.
+  [[nodiscard]] Result<std::string> link(const Session& session) const;
   /// What stands over the canvas; empty: nothing.
   [[nodiscard]] const std::string& told() const { return message_.sentence(); }
 
  private:
-  /// A position that a run has yet to come to.
-  struct Awaited {
-    std::uint64_t log = 0;  ///< Run::log_id(); another one: somebody has gone another way
-    std::size_t event = 0;
-    std::uint64_t state = 0;             ///< SearchState::hash() there
-    bool sent = false;                   ///< the run was sent on towards it
-    std::optional<StateHash> hash = {};  ///< of what was come to, while that is read
-  };
-
   /// What was playing when a dialog came up.
   struct Paused {
     int direction = 0;
@@ -101,9 +100,10 @@ class Shell {
   void choose_batch_folder();
   void go_on_with_batch(Session& session);
   void go_to_pasted(Session& session);
-  void await_moment(Session& session);
-  void arrive_at_moment(Session& session);
-  void compare_moment();
+  void go_on_to_moment(Session& session);
+  void ask_for_link(const Session& session);
+  void go_on_with_link(const Session& session);
+  void take_copied_link(const std::string& link);
   void take_decision(Session& session, const DialogDecision& decision);
   void draw_caption(Frame& frame, ImVec2 min, ImVec2 size);
   /// Whether a dialog has the hands and the eyes.
@@ -123,7 +123,8 @@ class Shell {
   FrameShare share_;
   LessonCard lesson_;
   TraceExport export_;
-  std::optional<Awaited> awaited_;
+  Arrival arrival_;
+  std::unique_ptr<LinkCopy> link_copy_;
   CaptureRequest asked_;  // while its dialog is open
   std::optional<CaptureRequest> capture_;
   std::vector<ActionId> next_actions_;

@@ -239,6 +239,16 @@ void exporting(Frame& frame, float& right) {
           [&] { frame.wish = Wish::stop_export; });
 }
 
+/// While the run is on its way to the moment of a link or of a copied state.
+void going(Frame& frame, float& right) {
+  const auto& on_way = frame.panels.going;
+  if (!on_way) return;
+  at_work(frame.look, right,
+          "Going to event " + grouped(on_way->event) + "… " + fixed(on_way->share * 100, 0) + " %",
+          "stop going", {"Stop", "", "Stays where the run has come to by then."},
+          [&] { frame.wish = Wish::stop_going; });
+}
+
 /// While a batch is at work: how far it is, and the way to its table.
 void batching(Frame& frame, float& right) {
   const auto& batch = frame.panels.batch;
@@ -312,6 +322,7 @@ void draw_status_bar(Frame& frame) {
   float right = right_side(frame) - look.px.l;
   busy(frame, right);
   exporting(frame, right);
+  going(frame, right);
   batching(frame, right);
   copying(frame, right);
   filming(frame, right);

@@ -26,58 +26,59 @@ void Shell::export_trace(const Session& session, const DialogDecision& decision)
   if (!begun) tell(begun.error(), true);
 }
 
-/// Opens the pasted scenario; await_moment() goes on to its moment.
+/// Opens the pasted scenario; go_on_to_moment() goes on to its moment.
 void Shell::go_to_pasted(Session& session) {
   const std::shared_ptr<const CaseMoment> moment = std::exchange(panels_.pasted, nullptr);
   if (!moment) return;
   documents_.replace(session, {moment->scenario, ""});
   if (const Result<void> led = session.apply(Lead{moment->pane}); !led) return tell(led.error(), true);
-  awaited_ = Awaited{session.run().log_id(), moment->event, moment->state, false};
+  arrival_.begin(session, {.event = moment->event, .state = moment->state});
 }
 
-/// Once a frame. The run is sent on to its end, since nobody knows at which step of the robot the moment
-/// lies; what it does beyond that shows on the timeline.
-void Shell::await_moment(Session& session) {
-  if (!awaited_) return;
-  const Run& run = session.run();
-  const std::size_t size = run.timeline().size();
-  if (run.log_id() != awaited_->log) {
-    awaited_.reset();  // edited or closed meanwhile
-  } else if (awaited_->hash) {
-    compare_moment();
-  } else if (size > awaited_->event || (size == awaited_->event && !run.busy())) {
-    arrive_at_moment(session);
-  } else if (!run.busy() && !awaited_->sent) {
-    awaited_->sent = session.apply(RunToEnd{}).ok();
-  } else if (!run.busy()) {
-    const std::size_t event = awaited_->event;
-    awaited_.reset();
-    tell("The run ends after " + grouped(size) + " events, before the copied event " + grouped(event) +
-             ": the text was made by another version of the program, or changed",
-         true);
+void Shell::follow_link(Session& session, const LinkView& view) {
+  static_cast<void>(session.apply(Lead{view.lead}));  // the pane is one of the link's world
+  if (view.lockstep) static_cast<void>(session.apply(SetLockstep{*view.lockstep}));
+  panes_.take_over(session.run().lattice(), view_);
+  show_link(view, view_);
+  if (view.event) arrival_.begin(session, {Arrival::Moment::From::link, *view.event, {}, view.log});
+}
+
+/// Once a frame.
+void Shell::go_on_to_moment(Session& session) {
+  if (const auto outcome = arrival_.go_on(session)) tell(outcome->words, outcome->bad);
+  panels_.going.reset();
+  if (arrival_.busy()) panels_.going = PanelState::Going{arrival_.event(), arrival_.share(session)};
+}
+
+void Shell::ask_for_link(const Session& session) {
+  dialogs_.show_link(panels_.link_address);
+  link_copy_ = std::make_unique<LinkCopy>(session, link_view(session, view_), documents_.work());
+}
+
+/// Once a frame, while the link's dialog shows.
+void Shell::go_on_with_link(const Session& session) {
+  constexpr double kLinkMs = 8;
+  if (!link_copy_) return;
+  if (!dialogs_.shows_link()) {
+    link_copy_.reset();
+    return;
   }
+  auto link = link_copy_->go_on(session, Deadline(kLinkMs));
+  if (!link) return;
+  dialogs_.take_link(*std::move(link));
+  link_copy_.reset();
 }
 
-void Shell::arrive_at_moment(Session& session) {
-  if (const Result<void> gone = session.apply(Seek{awaited_->event}); !gone) {
-    awaited_.reset();
-    return tell(gone.error(), true);
-  }
-  awaited_->hash.emplace(session.run().timeline().state());
-  compare_moment();
+void Shell::take_copied_link(const std::string& link) {
+  ImGui::SetClipboardText(link.c_str());
+  tell("Copied the link: " + count_text(static_cast<std::int64_t>(link.size()), "character", "characters"),
+       false);
 }
 
-/// Whether it is the moment that was copied shows once its state is read, which may take more than this frame.
-void Shell::compare_moment() {
-  constexpr double kCompareMs = 8;
-  if (!awaited_->hash->advance(Deadline(kCompareMs))) return;
-  const Awaited moment = *std::exchange(awaited_, std::nullopt);
-  const bool same = moment.hash->value() == moment.state;
-  tell(same ? "At event " + grouped(moment.event) + ", as it was copied"
-            : "At event " + grouped(moment.event) +
-                  ", but the state differs from the copied one: the text was made by "
-                  "another version of the program, or changed",
-       !same);
+Result<std::string> Shell::link(const Session& session) const {
+  Result<std::string> link = link_here(session, view_);
+  if (!link) return link;
+  return panels_.link_address + *link;
 }
 
 }  // namespace replan::ui

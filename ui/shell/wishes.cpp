@@ -40,6 +40,14 @@ void Shell::take_wish(Session& session, Wish wish) {
       return;
     case Wish::go_to_pasted:
       return documents_.after_saving(session, [this](Session& its) { go_to_pasted(its); });
+    case Wish::open_link:
+      return open_link(session, panels_.wished);
+    case Wish::copy_link:
+      return ask_for_link(session);
+    case Wish::stop_going:
+      arrival_.cancel();
+      static_cast<void>(session.apply(Cancel{}));
+      return tell("Stopped on the way; a step or Play goes on from here", false);
     default:
       return documents_.take_wish(session, wish);
   }
@@ -94,6 +102,8 @@ void Shell::take_decision(Session& session, const DialogDecision& decision) {
       capture_->path = decision.path;
       capture_->film = decision.film;
       return message_.clear();  // or it would be in the picture
+    case DialogDecision::Kind::copy_link:
+      return take_copied_link(decision.path);
     case DialogDecision::Kind::export_trace:
       return export_trace(session, decision);
     case DialogDecision::Kind::open_experiment:

@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 
 #include "core/base/file.hpp"
+#include "core/link/link.hpp"
 #include "ui/documents/files.hpp"
 #include "ui/keys.hpp"
 
@@ -82,7 +83,9 @@ void FileDialog::read() {
 /// Shows the folder of a path that is being typed, with what is called as its last part begins.
 void FileDialog::follow_text() {
   std::string folder = folder_, rest = text_;
-  if (is_path(text_)) {
+  if (!spec_.saving && is_link(text_)) {
+    rest.clear();  // no name of a file
+  } else if (is_path(text_)) {
     const std::string path = typed_from(folder_, typed_path(text_));
     const bool whole = is_folder(path);
     folder = whole ? path : file_folder(path);
@@ -126,6 +129,10 @@ void FileDialog::open_entry(const FileEntry& entry) {
 /// What Enter and the primary button do.
 void FileDialog::accept() {
   const std::string typed = typed_path(text_);
+  if (!spec_.saving && is_link(typed)) {
+    choice_ = {Answer::yes, typed, {}};
+    return;
+  }
   const FileEntry* entry = list_.selected();
   if (typed.empty() || (!spec_.saving && !is_path(typed) && entry != nullptr)) {
     if (entry != nullptr) open_entry(*entry);

@@ -167,7 +167,7 @@ void FileDialog::draw_field(const Look& look) {
   const char* placeholder = mode_ == Mode::new_folder ? "Name of the new folder"
                             : spec_.saving            ? "Name of the file"
                             : spec_.folders           ? "Type to filter, or a folder's path; Tab completes"
-                                                      : "Type to filter, or a path; Tab completes";
+                                                      : "Type to filter, or a path or a link; Tab completes";
   const std::string before = text_;
   ImGui::PushID(generation_);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
