@@ -42,13 +42,9 @@ bool is_quiet(const Command& command) {
 
 Shell::Shell(ImGuiRenderer& renderer)
     : panes_(renderer),
-      documents_({view_, panels_, dialogs_, message_, [this](const ViewSetup& view) {
-  show(view); },
-                  [this](const Session& session, const std::string& path) {
-  show_batch(session, path); }},
-                  [this](Session& session, const LinkView& view) {
-  follow_link(session, view); }
-}),
+      documents_({view_, panels_, dialogs_, message_, [this](const ViewSetup& view) { show(view); },
+                  [this](const Session& session, const std::string& path) { show_batch(session, path); },
+                  [this](Session& session, const LinkView& view) { follow_link(session, view); }}),
       dialogs_(renderer) {}
 
 ActionContext context_of(Frame& frame) {
