@@ -20,7 +20,7 @@ void transport_action(Frame& frame, ActionId id, const char* icon, bool primary 
           frame.look, each.name,
           {.icon = icon, .hint = {words.c_str(), each.keys.c_str(), lesson.c_str()}, .selected = primary}))
     perform(frame, id);
-  ImGui::SameLine(0, frame.look.px(6));
+  ImGui::SameLine(0, frame.look.px(frame.look.px.fingers ? 4 : 6));
 }
 
 ActionId step_action(StepUnit unit, bool forwards) {
@@ -161,9 +161,34 @@ void counter(Frame& frame, float left, float right, float top) {
               "Where the playhead stands in the log of everything that the planner and the robot did."});
 }
 
+/// In two rows: what plays and steps in the first, how in the second.
+void draw_stacked_transport(Frame& frame) {
+  const Look& look = frame.look;
+  edge(look, Edge::top);
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  buttons(frame);
+  counter(frame, ImGui::GetItemRectMax().x + look.px.m, origin.x + width, origin.y);
+  const float second = origin.y + look.px.control + look.px.s;
+  ImGui::SetCursorScreenPos({origin.x - look.px.s, second});
+  ImGui::Dummy({0, 0});
+  step_unit(frame, false);
+  const bool several = frame.session.runs().size() > 1;
+  if (several) lockstep(frame);
+  speed(frame, false);
+  const float third = second + look.px.control + look.px.s;
+  const float foot = ImGui::GetWindowPos().y + ImGui::GetWindowHeight() - look.px(11);
+  draw_timeline(frame, {origin.x, third}, {origin.x + width, foot});
+}
+
 }  // namespace
 
+float stacked_transport_height(const Look& look) {
+  return look.px(14) + 2 * (look.px.control + look.px.s) + look.px(34 + 11);
+}
+
 void draw_transport(Frame& frame) {
+  if (frame.panels.stacked) return draw_stacked_transport(frame);
   const Look& look = frame.look;
   edge(look, Edge::top);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
@@ -177,7 +202,7 @@ void draw_transport(Frame& frame) {
   speed(frame, roomy);
   counter(frame, ImGui::GetItemRectMax().x + look.px.m, origin.x + width, origin.y);
   const float foot = ImGui::GetWindowPos().y + ImGui::GetWindowHeight() - look.px(11);
-  draw_timeline(frame, {origin.x, origin.y + look.px(38)}, {origin.x + width, foot});
+  draw_timeline(frame, {origin.x, origin.y + look.px.control + look.px(10)}, {origin.x + width, foot});
 }
 
 }  // namespace replan::ui
