@@ -27,7 +27,7 @@ struct Remembered {
   bool round_brush = false;
   std::string tab;  ///< its id; empty: the one that shows at first
   float side_width = 372;
-  float side_share = 0.36f;  ///< of the height, where the side stands under the world
+  float side_share = 0.34f;  ///< of the height, where the side stands under the world
   bool caption = true;
   StepUnit unit = StepUnit::expansion;
   double speed = Playback{}.expansions_per_second;

@@ -86,7 +86,7 @@ class Shell {
   // Those of a tall, narrow window (stacked.cpp).
   void draw_stacked(Frame& frame);
   float stacked_words(Frame& frame, ImVec2 corner, float width);
-  void draw_level_splitter(Frame& frame, float y, float foot);
+  void draw_level_splitter(Frame& frame, float top, float bottom, float foot);
   void draw_menu(Frame& frame, ImVec2 corner, float width);
   void draw_status(Frame& frame, ImVec2 corner, float width);
   void fit();

@@ -9,7 +9,7 @@
 namespace replan::ui {
 namespace {
 
-constexpr float kLowestCanvas = 180, kLowestSide = 120, kLeastShare = 0.15f, kLargestShare = 0.7f;
+constexpr float kLowestCanvas = 180, kLowestSide = 120, kGrip = 18, kLeastShare = 0.15f, kLargestShare = 0.7f;
 
 /// One below the other, from the top of the window on or from its foot.
 class Stack {
@@ -58,7 +58,7 @@ void Shell::draw_stacked(Frame& frame) {
   }
   stack.down(stacked_words(frame, stack.min(), size.x));
   const float transport = stacked_transport_height(look);
-  const float most = stack.room() - transport - look.px(kLowestCanvas);
+  const float most = stack.room() - transport - look.px(kLowestCanvas + kGrip);
   const bool options = view_.panels && has_tool_options(frame);
   const float tool = options ? std::clamp(panels_.tool_height, 0.0f, std::max(most, 0.0f)) : 0;
   const float wanted = std::min(std::round(size.y * panels_.side_share), most - tool);
@@ -68,33 +68,37 @@ void Shell::draw_stacked(Frame& frame) {
          [&] { draw_tool_options(frame); });
   if (side > 0)
     area("side", stack.up(side), {size.x, side}, look.theme.panel, {0, 0}, [&] { draw_side(frame); });
-  const ImVec2 strip = stack.up(transport);
+  const float grip = side > 0 ? look.px(look.px.fingers ? kGrip : 10) : 0;
+  const ImVec2 bar = stack.up(grip), strip = stack.up(transport);
   draw_canvas(frame, stack.min(), stack.max());
   lesson_.enter_step(frame);
   area("transport", strip, {size.x, transport}, look.theme.panel, {look.px.l, look.px(14)},
        [&] { draw_transport(frame); });
   draw_status(frame, status, size.x);
-  if (side > 0) draw_level_splitter(frame, strip.y + transport, status.y - tool);
+  if (side > 0) draw_level_splitter(frame, bar.y, bar.y + grip, status.y - tool);
   draw_stop(frame, {size.x - look.px.m, strip.y - look.px(52)});
   message_.draw(look, stack.min(), stack.max());
 }
 
 /// Between the transport and the side: dragged, it gives the one what it takes from the other.
-void Shell::draw_level_splitter(Frame& frame, float y, float foot) {
+void Shell::draw_level_splitter(Frame& frame, float top, float bottom, float foot) {
   const Look& look = frame.look;
-  const float half = look.px(look.px.fingers ? 9 : 4), width = ImGui::GetIO().DisplaySize.x;
-  area("splitter", {0, y - half}, {width, half * 2}, 0, {0, 0}, [&] {
-    ImGui::InvisibleButton("drag", {width, half * 2});
+  const float width = ImGui::GetIO().DisplaySize.x, middle = std::round((top + bottom) * 0.5f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+  area("level splitter", {0, top}, {width, bottom - top}, look.theme.panel, {0, 0}, [&] {
+    ImGui::InvisibleButton("drag", {width, bottom - top});
     const bool held = ImGui::IsItemActive(), lit = held || ImGui::IsItemHovered();
     if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
     const float grip = look.px(20), thick = look.px(2);
-    list.AddRectFilled({width * 0.5f - grip, y - thick}, {width * 0.5f + grip, y + thick},
-                       lit ? look.theme.accent : look.theme.faint, thick);
+    ImGui::GetWindowDrawList()->AddRectFilled({width * 0.5f - grip, middle - thick},
+                                              {width * 0.5f + grip, middle + thick},
+                                              lit ? look.theme.accent : look.theme.faint, thick);
     if (!held) return;
-    const float wanted = (foot - ImGui::GetIO().MousePos.y) / ImGui::GetIO().DisplaySize.y;
+    const float wanted =
+        (foot - ImGui::GetIO().MousePos.y - (bottom - top) * 0.5f) / ImGui::GetIO().DisplaySize.y;
     panels_.side_share = std::clamp(wanted, kLeastShare, kLargestShare);
   });
+  ImGui::PopStyleVar();
 }
 
 }  // namespace replan::ui

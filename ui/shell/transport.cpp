@@ -70,7 +70,8 @@ void step_unit(Frame& frame, bool roomy) {
     ImGui::SameLine(0, look.px(6));
   }
   int unit = static_cast<int>(frame.panels.unit);
-  if (combo(look, "##unit", units, unit, look.px(106))) frame.panels.unit = static_cast<StepUnit>(unit);
+  if (combo(look, "##unit", units, unit, look.px(frame.panels.stacked ? 100 : 106)))
+    frame.panels.unit = static_cast<StepUnit>(unit);
   hint(look, {"Step over", "",
               "What one press of the step buttons goes over: a line of pseudo-code, a step of the search (an "
               "expansion, a sample or a child), a move of the robot, all up to the next plan, or the whole "
@@ -85,7 +86,7 @@ void lockstep(Frame& frame) {
                                           ActionId::lockstep_race};
   ImGui::SameLine(0, look.px.s);
   int mode = static_cast<int>(frame.session.lockstep());
-  if (combo(look, "##lockstep", kModes, mode, look.px(132)))
+  if (combo(look, "##lockstep", kModes, mode, look.px(frame.panels.stacked ? 124 : 132)))
     perform(frame, kActions[static_cast<std::size_t>(mode)]);
   const Action& now = action(kActions[static_cast<std::size_t>(mode)]);
   hint(look, {"Lockstep of the panes", "", now.teach.c_str()});
@@ -106,7 +107,10 @@ void speed(Frame& frame, bool roomy) {
     text(look.fonts.ui, look.theme.dim, "Playing speed");
     ImGui::SameLine(0, look.px.s);
   }
-  const float width = look.px(roomy ? 110 : 70), height = look.px.control, knob = look.px(6);
+  const float width = look.px(roomy                  ? 110
+                              : frame.panels.stacked ? 56
+                                                     : 70),
+              height = look.px.control, knob = look.px(6);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("speed", {width, height});
   tab_stop(look);
@@ -137,7 +141,10 @@ void speed(Frame& frame, bool roomy) {
   list.AddCircleFilled({x, y}, knob, look.theme.accent);
   ImGui::SameLine(0, look.px.s);
   ImGui::AlignTextToFramePadding();
-  text(look.fonts.mono, look.theme.text, roomy || now < Session::kFullSpeed ? speed_text(now) : "max");
+  const std::string words = roomy || now < Session::kFullSpeed ? speed_text(now) : "max";
+  // Half a number would be a wrong one.
+  if (!frame.panels.stacked || text_width(look.fonts.mono, words) <= ImGui::GetContentRegionAvail().x)
+    text(look.fonts.mono, look.theme.text, words);
 }
 
 /// "9 214 / 11 870 events", or what the background is doing, at the right edge.
@@ -177,14 +184,14 @@ void draw_stacked_transport(Frame& frame) {
   if (several) lockstep(frame);
   speed(frame, false);
   const float third = second + look.px.control + look.px.s;
-  const float foot = ImGui::GetWindowPos().y + ImGui::GetWindowHeight() - look.px(11);
+  const float foot = ImGui::GetWindowPos().y + ImGui::GetWindowHeight() - look.px(4);
   draw_timeline(frame, {origin.x, third}, {origin.x + width, foot});
 }
 
 }  // namespace
 
 float stacked_transport_height(const Look& look) {
-  return look.px(14) + 2 * (look.px.control + look.px.s) + look.px(34 + 11);
+  return look.px(14) + 2 * (look.px.control + look.px.s) + look.px(34 + 4);
 }
 
 void draw_transport(Frame& frame) {
