@@ -1,4 +1,5 @@
 // What lies between the window's pixels and a film: the queue, and the part that is cut out.
+#include "app/film/frame_queue.hpp"
 #include "app/recording.hpp"
 
 #include <algorithm>
