@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/file.hpp"
 #include "tests/ui/canvas_fixture.hpp"
 #include "tests/ui/golden_picture.hpp"
 #include "tests/ui/shell_fixture.hpp"

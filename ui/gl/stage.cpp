@@ -88,7 +88,7 @@ void Stage::set_fingers(bool fingers) {
 void Stage::follow_touches(double now) {
   const ImGuiWindow* window = context_->HoveredWindow;
   const bool world = window != nullptr && std::string_view(window->RootWindow->Name) == kCanvasArea;
-  const bool control = context_->HoveredIdPreviousFrame != 0 || context_->HoveredId != 0;
+  const bool control = context_->HoveredId != 0;
   touches_.set_measures({.slack = look_.px(6), .wheel_notch = 5 * look_.fonts.ui->FontSize});
   touches_.update(now, world ? TouchGround::world : control ? TouchGround::control : TouchGround::panel);
 }
