@@ -101,6 +101,7 @@ Result<void> GuiProgram::open() {
   looks.dark = remembered_.dark;
   looks.size_step = remembered_.size_step;
   window_->stage().set_size(looks.size());
+  looks.large_targets = remembered_.large_targets;
   looks.panels = remembered_.panels;
   looks.legend = remembered_.legend;
   looks.view.range = remembered_.colours_so_far ? FieldSpan::so_far : FieldSpan::whole_run;
@@ -111,6 +112,7 @@ Result<void> GuiProgram::open() {
   looks.editing.round = remembered_.round_brush;
   looks.tab = remembered_.tab;
   shell_->panels().side_width = remembered_.side_width;
+  shell_->panels().side_share = remembered_.side_share;
   shell_->panels().unit = remembered_.unit;
   shell_->panels().caption = remembered_.caption;
   if (!remembered_.link_address.empty()) shell_->panels().link_address = remembered_.link_address;
@@ -259,6 +261,7 @@ void GuiProgram::follow() {
     window_->stage().set_theme(dark_ ? ui::dark() : ui::light());
   }
   window_->stage().set_size(shell_->view().size());
+  window_->stage().set_fingers(shell_->view().large_targets || window_->stage().touches().used());
   if (std::string words =
           ui::uncommon_words(session_, shell_->documents().names_on_show() + shell_->batch().words());
       words != words_) {
@@ -318,6 +321,7 @@ void GuiProgram::remember() {
   const ui::ViewState& looks = shell_->view();
   remembered_.dark = looks.dark;
   remembered_.size_step = looks.size_step;
+  remembered_.large_targets = looks.large_targets;
   remembered_.panels = looks.panels;
   remembered_.legend = looks.legend;
   remembered_.colours_so_far = looks.view.range == FieldSpan::so_far;
@@ -328,6 +332,7 @@ void GuiProgram::remember() {
   remembered_.round_brush = looks.editing.round;
   remembered_.tab = looks.tab;
   remembered_.side_width = shell_->panels().side_width;
+  remembered_.side_share = shell_->panels().side_share;
   remembered_.unit = shell_->panels().unit;
   remembered_.caption = shell_->panels().caption;
   remembered_.link_address = shell_->panels().link_address;

@@ -80,6 +80,7 @@ Remembered read_settings(const std::string& path) {
   result.window.height = whole(json, "height", 480, 16384, result.window.height);
   result.window.maximized = flag(json, "maximized", false);
   result.size_step = whole(json, "size_step", ui::ViewState::kSmallest, ui::ViewState::kLargest, 0);
+  result.large_targets = flag(json, "large_targets", false);
   result.dark = flag(json, "dark", true);
   result.panels = flag(json, "panels", true);
   result.legend = flag(json, "legend", true);
@@ -91,6 +92,7 @@ Remembered read_settings(const std::string& path) {
   result.round_brush = whole(json, "round_brush", 0, 1, 0) != 0;
   result.tab = tab(json);
   result.side_width = static_cast<float>(number(json, "side_width", 340, 640, result.side_width));
+  result.side_share = static_cast<float>(number(json, "side_share", 0.15, 0.7, result.side_share));
   result.caption = flag(json, "caption", true);
   result.unit = static_cast<StepUnit>(whole(json, "step_unit", 0, 4, static_cast<int>(result.unit)));
   result.speed = number(json, "speed", 0.1, Session::kFullSpeed, result.speed);
@@ -107,6 +109,7 @@ Result<void> write_settings(const Remembered& settings, const std::string& path)
                      {"height", settings.window.height},
                      {"maximized", settings.window.maximized},
                      {"size_step", settings.size_step},
+                     {"large_targets", settings.large_targets},
                      {"dark", settings.dark},
                      {"panels", settings.panels},
                      {"legend", settings.legend},
@@ -118,6 +121,7 @@ Result<void> write_settings(const Remembered& settings, const std::string& path)
                      {"round_brush", settings.round_brush ? 1 : 0},
                      {"tab", settings.tab},
                      {"side_width", settings.side_width},
+                     {"side_share", settings.side_share},
                      {"caption", settings.caption},
                      {"step_unit", static_cast<int>(settings.unit)},
                      {"speed", settings.speed},

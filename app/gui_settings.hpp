@@ -17,6 +17,7 @@ struct Remembered {
   bool first_start = true;  ///< nothing was remembered yet
   WindowSettings window;
   int size_step = 0;  ///< of words, buttons and panels
+  bool large_targets = false;
   bool dark = true, panels = true, legend = true;
   bool colours_so_far = false;  ///< FieldSpan::so_far
   bool metres = true;
@@ -26,6 +27,7 @@ struct Remembered {
   bool round_brush = false;
   std::string tab;  ///< its id; empty: the one that shows at first
   float side_width = 372;
+  float side_share = 0.34f;  ///< of the height, where the side stands under the world
   bool caption = true;
   StepUnit unit = StepUnit::expansion;
   double speed = Playback{}.expansions_per_second;

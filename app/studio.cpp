@@ -74,6 +74,7 @@ void Studio::draw_window(Session& session) {
     shell_->panels().panes = settings_.panes;
     shell_->panels().about = about_lines();
   }
+  stage.set_fingers(shell_->view().large_targets);
   shell_->draw(stage.look(), session, settings_.seconds);
 }
 

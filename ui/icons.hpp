@@ -67,6 +67,7 @@ inline constexpr const char* arrows_alt = "\xEF\x82\xB2";     // U+F0B2
 inline constexpr const char* caret_down = "\xEF\x83\x97";     // U+F0D7
 inline constexpr const char* caret_up = "\xEF\x83\x98";       // U+F0D8
 inline constexpr const char* ellipsis = "\xEF\x85\x82";       // U+F142
+inline constexpr const char* bars = "\xEF\x83\x89";           // U+F0C9
 inline constexpr const char* caret_right = "\xEF\x83\x9A";    // U+F0DA
 inline constexpr const char* caret_left = "\xEF\x83\x99";     // U+F0D9
 inline constexpr const char* angle_down = "\xEF\x84\x87";     // U+F107

@@ -26,6 +26,15 @@ void InputQueue::wheel(float x, float y) {
   events_.push_back({.kind = Kind::wheel, .x = x, .y = y});
 }
 
+void InputQueue::pinch(const Pinch& pinch) {
+  if (!events_.empty() && events_.back().kind == Kind::pinch) {
+    Pinch& last = events_.back().pinch;
+    last = {last.from_x, last.from_y, pinch.to_x, pinch.to_y, last.factor * pinch.factor};
+    return;
+  }
+  events_.push_back({.kind = Kind::pinch, .pinch = pinch});
+}
+
 void InputQueue::key(int key, bool down) {
   if (key < 0 || key >= key::kCount) return;
   events_.push_back({.kind = Kind::key, .code = key, .down = down});
@@ -41,6 +50,7 @@ void InputQueue::release_all() {
 
 void InputQueue::feed(ImGuiIO& io) {
   Taken taken;
+  pinch_.reset();
   while (!events_.empty() && !must_wait(events_.front(), taken)) {
     take(events_.front(), taken, io);
     events_.pop_front();
@@ -59,6 +69,8 @@ bool InputQueue::must_wait(const Event& event, const Taken& taken) {
       return (taken.buttons >> event.code & 1u) != 0 || taken.wheeled || taken.keyed;
     case Kind::wheel:
       return taken.buttons != 0 || taken.keyed;
+    case Kind::pinch:  // the pointer goes with it
+      return taken.buttons != 0 || taken.wheeled || taken.keyed;
     case Kind::key:  // shortcuts are told by order: one change of a key per frame
       return taken.keyed || taken.typed || taken.buttons != 0;
     case Kind::character:
@@ -83,6 +95,11 @@ void InputQueue::take(const Event& event, Taken& taken, ImGuiIO& io) {
       io.MouseWheelH += event.x;
       io.MouseWheel += event.y;
       taken.wheeled = true;
+      break;
+    case Kind::pinch:
+      io.MousePos = {event.pinch.to_x, event.pinch.to_y};
+      pinch_ = event.pinch;
+      taken.wheeled = true;  // one in a frame, and a move after it waits
       break;
     case Kind::key:
       taken.keyed = io.KeysDown[event.code] != event.down;

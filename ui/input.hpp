@@ -3,10 +3,19 @@
 #pragma once
 
 #include <deque>
+#include <optional>
+#include <utility>
 
 #include <imgui.h>
 
 namespace replan::ui {
+
+/// Two fingers on the canvas: what lay under their middle goes with it, and grows by the factor.
+struct Pinch {
+  float from_x = 0, from_y = 0;
+  float to_x = 0, to_y = 0;
+  float factor = 1;
+};
 
 class InputQueue {
  public:
@@ -14,6 +23,7 @@ class InputQueue {
   void mouse_leave();
   void mouse_button(int button, bool down);
   void wheel(float x, float y);
+  void pinch(const Pinch& pinch);
   void key(int key, bool down);
   void character(unsigned code_point);
   /// The window lost the focus: no key or button may stay down.
@@ -21,16 +31,19 @@ class InputQueue {
 
   /// Applies events until one would hide another from ImGui; the rest wait for the next frame.
   void feed(ImGuiIO& io);
+  /// What the last feed() had of it, once.
+  std::optional<Pinch> take_pinch() { return std::exchange(pinch_, std::nullopt); }
   [[nodiscard]] bool empty() const { return events_.empty(); }
 
  private:
-  enum class Kind { move, button, wheel, key, character, release };
+  enum class Kind { move, button, wheel, pinch, key, character, release };
   struct Event {
     Kind kind;
     int code = 0;  // button, key or code point
     bool down = false;
     float x = 0;
     float y = 0;
+    Pinch pinch = {};
   };
   /// What this frame has taken so far.
   struct Taken {
@@ -42,9 +55,10 @@ class InputQueue {
   };
 
   [[nodiscard]] static bool must_wait(const Event& event, const Taken& taken);
-  static void take(const Event& event, Taken& taken, ImGuiIO& io);
+  void take(const Event& event, Taken& taken, ImGuiIO& io);
 
   std::deque<Event> events_;
+  std::optional<Pinch> pinch_;
 };
 
 }  // namespace replan::ui

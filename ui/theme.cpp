@@ -172,13 +172,16 @@ float contrast(ImU32 a, ImU32 b) {
   return static_cast<float>(replan::contrast(a, b));
 }
 
-Metrics::Metrics(float display_scale) : scale(display_scale) {
+Metrics::Metrics(float display_scale, bool its_fingers) : scale(display_scale), fingers(its_fingers) {
   const Metrics& px = *this;
   hair = std::max(1.0f, std::floor(scale));
   xs = px(4), s = px(8), m = px(12), l = px(16);
   radius = px(6), radius_l = px(8);
   menu = px(34), tools = px(48), side = px(372), transport = px(132), status = px(26);
-  control = px(28), tool = px(34), row = px(23);
+  control = px(28), tool = px(34), row = px(23), small = px(24), menu_gap = px(7);
+  if (!fingers) return;
+  menu = px(44), tools = px(54), status = px(36);
+  control = px(36), tool = px(40), row = px(36), small = px(36), menu_gap = px(22);
 }
 
 float Metrics::operator()(float design_pixels) const {

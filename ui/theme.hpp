@@ -69,18 +69,22 @@ inline constexpr float kChipOpacity = 0.88f;
 
 /// Distances in pixels of the display: the design's, times its scale, rounded to whole pixels.
 struct Metrics {
-  explicit Metrics(float display_scale = 1.0f);
+  /// `fingers`: all that is pressed is large enough for them.
+  explicit Metrics(float display_scale = 1.0f, bool fingers = false);
   /// Any other length of the design, in whole pixels; never 0 for a length above 0.
   [[nodiscard]] float operator()(float design_pixels) const;
 
   float scale;
+  bool fingers;
   float hair;              ///< separators
   float xs, s, m, l;       ///< 4 inside controls, 8 between them, 12 and 16 around sections
   float radius, radius_l;  ///< 6 for controls, 8 for chips
   float menu, tools, side, transport, status;
-  float control;  ///< height of buttons, combos and inputs
-  float tool;     ///< side of a tool button
-  float row;      ///< height of a table row
+  float control;   ///< height of buttons, combos and inputs
+  float tool;      ///< side of a tool button
+  float row;       ///< height of a table row
+  float small;     ///< side of a small button
+  float menu_gap;  ///< between the entries of a menu
 };
 
 /// Sets every colour and metric of ImGui's style, so that nothing of its default look remains.

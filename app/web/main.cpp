@@ -45,6 +45,11 @@ EMSCRIPTEN_KEEPALIVE void replan_clipboard_key(int letter) {
   if (program != nullptr) press_in_page(letter);
 }
 
+/// A character from the keyboard on the screen (see type_in_page()).
+EMSCRIPTEN_KEEPALIVE void replan_type(int code_point) {
+  if (program != nullptr) type_in_page(static_cast<unsigned>(code_point));
+}
+
 /// The page may go: what is to be remembered is written.
 EMSCRIPTEN_KEEPALIVE void replan_leave() {
   if (program != nullptr) program->remember();

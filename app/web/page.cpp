@@ -16,6 +16,8 @@ EM_JS(void, js_cursor, (const char* name), { Module.canvas.style.cursor = UTF8To
 EM_JS(void, js_copy, (const char* text), { Module.replan.copy(UTF8ToString(text)); });
 EM_JS(char*, js_pasted, (void), { return stringToNewUTF8(Module.replan.pasted); });
 EM_JS(void, js_pick, (const char* extensions), { Module.replan.pick(UTF8ToString(extensions)); });
+EM_JS(void, js_typing, (int typing), { Module.replan.type(typing !== 0); });
+EM_JS(int, js_touched, (void), { return matchMedia('(pointer: coarse)').matches ? 1 : 0; });
 EM_JS(void, js_keep, (void), { Module.replan.keep(); });
 // clang-format on
 
@@ -75,6 +77,14 @@ const char* pasted_text() {
 bool is_clipboard_key(const char* key) {
   const std::string_view name = key;
   return name == "c" || name == "x" || name == "v" || name == "C" || name == "X" || name == "V";
+}
+
+void set_page_typing(bool typing) {
+  js_typing(typing ? 1 : 0);
+}
+
+bool page_is_touched() {
+  return js_touched() != 0;
 }
 
 void keep_files() {

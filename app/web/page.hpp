@@ -21,6 +21,12 @@ const char* pasted_text();
 bool is_clipboard_key(const char* key);
 /// A press of that key, which the browser had kept from the window, with what else is held down; done when it returns.
 void press_in_page(int key);
+/// A character from the keyboard on the screen; 8 takes the one before it away, 10 ends the line.
+void type_in_page(unsigned code_point);
+/// Whether a field of text waits for that keyboard.
+void set_page_typing(bool typing);
+/// Whether fingers are what this page's pointer is made of.
+bool page_is_touched();
 /// Has the browser keep what was written to the page's home folder.
 void keep_files();
 

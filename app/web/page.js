@@ -161,8 +161,44 @@ Module.replan = (() => {
     return { begin, ready, add, end };
   })();
 
+  // A field that nobody sees brings up the keyboard of a screen; what is typed there goes to the program. It holds one
+  // character, so that there is something to delete.
+  const typing = document.getElementById('typing');
+  const held = '.';
+  let typed = held;
+
+  function empty_typing() {
+    typing.value = typed = held;
+    typing.setSelectionRange(held.length, held.length);
+  }
+
+  // Keyboards that propose words change what they have typed: what differs is taken back and typed anew.
+  function on_typing(event) {
+    const before = [...typed];
+    const now = [...typing.value];
+    let same = 0;
+    while (same < before.length && same < now.length && before[same] === now[same]) same++;
+    for (let i = same; i < before.length; i++) Module._replan_type(8);
+    for (const letter of now.slice(same)) Module._replan_type(letter.codePointAt(0));
+    typed = typing.value;
+    if (typed === '' || !event.isComposing) empty_typing();
+  }
+
+  function type(on) {
+    if (!on) {
+      typing.blur();
+      Module.canvas.focus({ preventScroll: true });
+      return;
+    }
+    empty_typing();
+    typing.focus({ preventScroll: true });
+  }
+
+  typing.addEventListener('input', on_typing);
+  typing.addEventListener('compositionend', empty_typing);
+
   let copied = '';
-  const api = { tell, fail, reveal, keep, bring_back, leave, take_files, pick, film, pasted: '' };
+  const api = { tell, fail, reveal, keep, bring_back, leave, take_files, pick, film, type, pasted: '' };
 
   // A text goes to the clipboard within the browser's copy event, where there is one; else by the clipboard's own
   // interface, or by an event that is made for it where pages do not have that (plain http).
@@ -175,7 +211,7 @@ Module.replan = (() => {
   };
 
   function on_copy(event, letter) {
-    if (event.isTrusted && letter && !document.activeElement.matches('input, textarea')) {
+    if (event.isTrusted && letter && !document.activeElement.matches('input:not(#typing), textarea')) {
       in_event = true;
       copied = '';
       Module._replan_clipboard_key(letter.charCodeAt(0));

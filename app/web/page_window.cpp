@@ -21,6 +21,7 @@ constexpr double kIdleSeconds = 0.5;  // how long a still page goes without a fr
 /// What browsers call a notch of a wheel, in pixels and in lines.
 constexpr double kNotchPixels = 100;
 constexpr double kNotchLines = 3;
+constexpr unsigned kBackspaceCharacter = 8, kReturnCharacter = 10;
 
 double seconds_now() {
   return emscripten_get_now() / 1000;
@@ -48,14 +49,17 @@ struct Window::System {
   int width = 0, height = 0;
   bool wake = false;
   bool closed = false;
+  bool typing = false;  // the keyboard on the screen is asked for
   ImGuiMouseCursor cursor = ImGuiMouseCursor_Arrow;
 
   static inline Window* window = nullptr;
 
+  static ui::Touches& touches() { return window->stage_->touches(); }
   static ui::InputQueue& input() { return window->stage_->input(); }
 
   static EM_BOOL move(int, const EmscriptenMouseEvent* event, void*) {
     const double ratio = window->system_->ratio;
+    touches().put_aside();
     input().mouse_move(static_cast<float>(event->targetX * ratio),
                        static_cast<float>(event->targetY * ratio));
     return EM_TRUE;
@@ -78,14 +82,46 @@ struct Window::System {
     input().wheel(static_cast<float>(-event->deltaX / notch), static_cast<float>(-event->deltaY / notch));
     return EM_TRUE;
   }
+  /// Each finger that the event is about. Once it is taken, the browser makes no mouse of it.
+  template <class Take>
+  static EM_BOOL each_changed(const EmscriptenTouchEvent* event, const Take& take) {
+    const double ratio = window->system_->ratio;
+    for (int i = 0; i < event->numTouches; ++i) {
+      const EmscriptenTouchPoint& point = event->touches[i];
+      if (point.isChanged)
+        take(point.identifier, static_cast<float>(static_cast<double>(point.targetX) * ratio),
+             static_cast<float>(static_cast<double>(point.targetY) * ratio));
+    }
+    window->settle();
+    return EM_TRUE;
+  }
+  static EM_BOOL touch_begin(int, const EmscriptenTouchEvent* event, void*) {
+    return each_changed(event, [](long id, float x, float y) { touches().begin(id, x, y, seconds_now()); });
+  }
+  static EM_BOOL touch_move(int, const EmscriptenTouchEvent* event, void*) {
+    return each_changed(event, [](long id, float x, float y) { touches().move(id, x, y, seconds_now()); });
+  }
+  static EM_BOOL touch_end(int, const EmscriptenTouchEvent* event, void*) {
+    each_changed(event, [](long id, float x, float y) { touches().end(id, x, y, seconds_now()); });
+    // A browser shows its keyboard for what is focused before the event ends.
+    if (!touches().active() && window->system_->cursor == ImGuiMouseCursor_TextInput) draw_all();
+    return EM_TRUE;
+  }
+  static EM_BOOL touch_cancel(int, const EmscriptenTouchEvent*, void*) {
+    touches().cancel();
+    window->settle();
+    return EM_TRUE;
+  }
   static EM_BOOL key_down(int, const EmscriptenKeyboardEvent* event, void*) {
     const bool command = event->ctrlKey || event->metaKey;
     // What the page's own copy and paste events bring comes with them (page.js).
     if (command && is_clipboard_key(event->key)) return EM_FALSE;
-    if (const int number = key_number(event->key, event->code); number != 0 && !event->repeat)
-      input().key(number, true);
-    if (const auto typed = typed_character(event->key); typed && !command) input().character(*typed);
-    return EM_TRUE;
+    const int number = key_number(event->key, event->code);
+    const auto typed = typed_character(event->key);
+    if (number != 0 && !event->repeat) input().key(number, true);
+    if (typed && !command) input().character(*typed);
+    // Keyboards on screens do not name their keys: what they type comes by the page's hidden field.
+    return number != 0 || typed ? EM_TRUE : EM_FALSE;
   }
   static EM_BOOL key_up(int, const EmscriptenKeyboardEvent* event, void*) {
     if (const int number = key_number(event->key, event->code); number != 0) input().key(number, false);
@@ -111,6 +147,10 @@ struct Window::System {
     emscripten_set_mousedown_callback(kCanvas, nullptr, EM_TRUE, press);
     emscripten_set_mouseup_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, nullptr, EM_TRUE, release);
     emscripten_set_mouseleave_callback(kCanvas, nullptr, EM_TRUE, leave);
+    emscripten_set_touchstart_callback(kCanvas, nullptr, EM_TRUE, touch_begin);
+    emscripten_set_touchmove_callback(kCanvas, nullptr, EM_TRUE, touch_move);
+    emscripten_set_touchend_callback(kCanvas, nullptr, EM_TRUE, touch_end);
+    emscripten_set_touchcancel_callback(kCanvas, nullptr, EM_TRUE, touch_cancel);
     emscripten_set_wheel_callback(kCanvas, nullptr, EM_TRUE, scroll);
     emscripten_set_keydown_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, nullptr, EM_TRUE, key_down);
     emscripten_set_keyup_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, nullptr, EM_TRUE, key_up);
@@ -141,10 +181,22 @@ struct Window::System {
   static void press(int key) {
     input().key(key, true);
     input().key(key, false);
-    do
-      window->draw_frame(window->system_->frame, window->system_->width, window->system_->height,
-                         seconds_now());
+    draw_all();
+  }
+
+  /// Frames, until all input is taken.
+  static void draw_all() {
+    do draw(seconds_now());
     while (!input().empty());
+  }
+
+  static void draw(double now) {
+    System& system = *window->system_;
+    window->stage_->follow_touches(now);
+    window->draw_frame(system.frame, system.width, system.height, now);
+    const bool typing = touches().used() && window->stage_->io().WantTextInput;
+    if (typing == std::exchange(system.typing, typing)) return;
+    set_page_typing(typing);
   }
 
   /// The browser calls it as often as its display shows pictures.
@@ -156,12 +208,23 @@ struct Window::System {
     if (window->pace_ > 0 ? since < window->pace_
                           : !window->busy() && !std::exchange(system.wake, false) && since < kIdleSeconds)
       return;
-    window->draw_frame(system.frame, system.width, system.height, now);
+    draw(now);
   }
 };
 
 void press_in_page(int key) {
   Window::System::press(key);
+}
+
+void type_in_page(unsigned code_point) {
+  ui::InputQueue& input = Window::System::input();
+  if (code_point == kBackspaceCharacter || code_point == kReturnCharacter) {
+    const int key = code_point == kReturnCharacter ? ui::key::kEnter : ui::key::kBackspace;
+    input.key(key, true);
+    input.key(key, false);
+  } else {
+    input.character(code_point);
+  }
 }
 
 Window::Window() : system_(std::make_unique<System>()) {}
@@ -190,6 +253,7 @@ Result<void> Window::start(const WindowSettings& settings) {
   io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
   io.GetClipboardTextFn = clipboard_of_page;
   io.SetClipboardTextFn = set_clipboard_of_page;
+  if (page_is_touched()) stage_->touches().expect();
   System::install();
   return {};
 }

@@ -19,6 +19,8 @@ TEST(Settings, KeepATabByItsId) {
   settings.brush = 7;
   settings.colours_so_far = true;
   settings.size_step = 3;
+  settings.large_targets = true;
+  settings.side_share = 0.5f;
   settings.metres = false;
   settings.minimap = false;
   settings.colours = ui::FieldColours::cividis;
@@ -28,6 +30,8 @@ TEST(Settings, KeepATabByItsId) {
   EXPECT_EQ(read.brush, 7);
   EXPECT_TRUE(read.colours_so_far);
   EXPECT_EQ(read.size_step, 3);
+  EXPECT_TRUE(read.large_targets);
+  EXPECT_FLOAT_EQ(read.side_share, 0.5f);
   EXPECT_FALSE(read.metres);
   EXPECT_FALSE(read.minimap);
   EXPECT_EQ(read.colours, ui::FieldColours::cividis);

@@ -79,7 +79,9 @@ struct Canvas::Parts {
     return *orbit;
   }
   void draw_slice(const Look& look, const Run& run, const ViewState& state, ImVec2 min, bool interactive);
-  void navigate(std::size_t pane, ViewState& state, ImVec2 min, bool hovered);
+  void navigate(const Look& look, std::size_t pane, ViewState& state, ImVec2 min, bool hovered);
+  void pinch(const Pinch& pinch, ViewState& state, ImVec2 min);
+  [[nodiscard]] double zoom_within(double zoom, const ViewState& state) const;
   void zoom_by(ViewState& state, double factor, ImVec2 min, ImVec2 at);
   void take_wishes(ViewState& state, ImVec2 min, ImVec2 max);
   void pan(ViewState& state, bool hovered);
@@ -211,14 +213,18 @@ void Canvas::Parts::glide(ViewState& state, ImVec2 min) {
   camera.y = zooming.anchor.y - (zooming.at.y - min.y - scene.height / 2.0) / camera.zoom;
 }
 
+double Canvas::Parts::zoom_within(double zoom, const ViewState& state) const {
+  const double fitted = resolved({}).zoom;
+  const double most = std::max(fitted, 200 * state.view.scale);
+  return std::clamp(zoom, std::min(fitted, 1.0) / 2, most);
+}
+
 /// Begins to zoom, with what lies at a place of the screen staying there.
 void Canvas::Parts::zoom_by(ViewState& state, double factor, ImVec2 min, ImVec2 at) {
   Camera& camera = state.camera(sheet.box.along());
-  const double fitted = resolved({}).zoom;
   camera = resolved(camera);
   const double from = zooming.active ? zooming.target : camera.zoom;
-  const double most = std::max(fitted, 200 * state.view.scale);
-  zooming.target = std::clamp(from * factor, std::min(fitted, 1.0) / 2, most);
+  zooming.target = zoom_within(from * factor, state);
   Projection screen(scene, min);
   screen.camera = camera;
   zooming.anchor = screen.world(at);
@@ -240,8 +246,23 @@ void Canvas::Parts::take_wishes(ViewState& state, ImVec2 min, ImVec2 max) {
   camera.y += y * kPanStep * state.view.scale / camera.zoom;
 }
 
-void Canvas::Parts::navigate(std::size_t pane, ViewState& state, ImVec2 min, bool is_hovered) {
+/// By two fingers, at once: what lies under their middle goes with it.
+void Canvas::Parts::pinch(const Pinch& pinch, ViewState& state, ImVec2 min) {
+  zooming.active = false;
+  Camera& camera = state.camera(sheet.box.along());
+  camera = resolved(camera);
+  Projection screen(scene, min);
+  screen.camera = camera;
+  const Point kept = screen.world({pinch.from_x, pinch.from_y});
+  camera.zoom = zoom_within(camera.zoom * static_cast<double>(pinch.factor), state);
+  camera.x = kept.x - (pinch.to_x - min.x - scene.width / 2.0) / camera.zoom;
+  camera.y = kept.y - (pinch.to_y - min.y - scene.height / 2.0) / camera.zoom;
+}
+
+void Canvas::Parts::navigate(const Look& look, std::size_t pane, ViewState& state, ImVec2 min,
+                             bool is_hovered) {
   const ImGuiIO& io = ImGui::GetIO();
+  if (is_hovered && look.pinch) return pinch(*look.pinch, state, min);
   if (is_hovered && io.MouseWheel != 0 && io.KeyShift && world.solid())
     return move_slice(state.slices, pane, world, io.MouseWheel > 0 ? 1 : -1,
                       io.KeyCtrl ? SlicePanes::alone : SlicePanes::alike);
@@ -375,7 +396,7 @@ void Canvas::Parts::take_hands(const Look& look, const Session& session, std::si
   }
   if (is_hovered) ImGui::SetMouseCursor(state.tools.kind().cursor);
   take_wishes(state, min, max);
-  navigate(pane, state, min, is_hovered);
+  navigate(look, pane, state, min, is_hovered);
   glide(state, min);
   point(session, pane, state, min, is_hovered && !panning, commands);
 }

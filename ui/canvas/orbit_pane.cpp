@@ -39,9 +39,19 @@ void OrbitPane::take_hands(const Look& look, const Run& run, const PaneArea& are
                            bool hovered, std::size_t pane) {
   take_wishes(run, area, state);
   if (hovered && !held_ && take_compass(look, run, area, state)) return point(run, area, state, false, pane);
+  if (hovered && look.pinch) pinch(*look.pinch, run, area, state);
   drag(look, run, area, state, hovered);
   if (hovered && ImGui::GetIO().MouseWheel != 0) turn_wheel(run, area, state, pane);
   point(run, area, state, hovered, pane);
+}
+
+/// By two fingers: nearer as they part, aside as they go.
+void OrbitPane::pinch(const Pinch& pinch, const Run& run, const PaneArea& area, ViewState& state) const {
+  const auto right = static_cast<double>(pinch.to_x - pinch.from_x),
+             down = static_cast<double>(pinch.to_y - pinch.from_y);
+  if (right != 0 || down != 0) move(run, area, state, -right, -down);
+  if (pinch.factor != 1)
+    come_nearer(run, area, state, std::log(static_cast<double>(pinch.factor)) / std::log(kStep));
 }
 
 void OrbitPane::come_nearer(const Run& run, const PaneArea& area, ViewState& state, double steps) const {

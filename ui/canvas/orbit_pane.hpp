@@ -59,6 +59,7 @@ class OrbitPane {
   void drag(const Look& look, const Run& run, const PaneArea& area, ViewState& state, bool hovered);
   void turn_wheel(const Run& run, const PaneArea& area, ViewState& state, std::size_t pane) const;
   void point(const Run& run, const PaneArea& area, ViewState& state, bool hovered, std::size_t pane);
+  void pinch(const Pinch& pinch, const Run& run, const PaneArea& area, ViewState& state) const;
   void come_nearer(const Run& run, const PaneArea& area, ViewState& state, double steps) const;
   void move(const Run& run, const PaneArea& area, ViewState& state, double right, double down) const;
   void build(const Look& look, const Session& session, const Run& run, const Slice& slice,

@@ -46,7 +46,8 @@ struct ViewState {
   bool minimap = true;       ///< the whole world in a corner, while some of it is out of sight
   bool hides_panes = false;  ///< there is no room for all of them
   static constexpr int kSmallest = -3, kLargest = 8;
-  int size_step = 0;  ///< of words, buttons and panels, beside what the display asks for
+  bool large_targets = false;  ///< all that is pressed is large enough for fingers, also without any
+  int size_step = 0;           ///< of words, buttons and panels, beside what the display asks for
   void resize_window(int by) { size_step = std::clamp(size_step + by, kSmallest, kLargest); }
   [[nodiscard]] float size() const { return 1 + 0.125f * static_cast<float>(size_step); }
   std::optional<Cell> menu;  ///< the cell whose menu is asked for

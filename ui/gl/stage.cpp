@@ -1,6 +1,7 @@
 #include "ui/gl/stage.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include <imgui_internal.h>
@@ -77,9 +78,24 @@ void Stage::set_size(float size) {
   rescale();
 }
 
+void Stage::set_fingers(bool fingers) {
+  if (fingers == fingers_) return;
+  fingers_ = fingers;
+  look_.px = Metrics(font_options_.scale, fingers_);
+  style_stale_ = true;
+}
+
+void Stage::follow_touches(double now) {
+  const ImGuiWindow* window = context_->HoveredWindow;
+  const bool world = window != nullptr && std::string_view(window->RootWindow->Name) == kCanvasArea;
+  const bool control = context_->HoveredId != 0;
+  touches_.set_measures({.slack = look_.px(6), .wheel_notch = 5 * look_.fonts.ui->FontSize});
+  touches_.update(now, world ? TouchGround::world : control ? TouchGround::control : TouchGround::panel);
+}
+
 void Stage::rescale() {
   font_options_.scale = std::clamp(scale_ * size_, 0.5f, 4.0f);
-  look_.px = Metrics(font_options_.scale);
+  look_.px = Metrics(font_options_.scale, fingers_);
   fonts_stale_ = style_stale_ = true;
 }
 
@@ -108,6 +124,7 @@ void Stage::frame(int width, int height, float seconds, const std::function<void
   settings.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
   settings.DeltaTime = std::max(seconds, 1e-5f);
   input_.feed(settings);
+  look_.pinch = input_.take_pinch();
   ImGui::NewFrame();
   focus_.begin_frame();
   draw();

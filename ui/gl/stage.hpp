@@ -12,6 +12,7 @@
 #include "ui/gl/imgui_renderer.hpp"
 #include "ui/input.hpp"
 #include "ui/look.hpp"
+#include "ui/touch.hpp"
 
 struct ImGuiContext;
 
@@ -28,6 +29,9 @@ class Stage {
   [[nodiscard]] const Look& look() const { return look_; }
   [[nodiscard]] ImGuiRenderer& renderer() { return *renderer_; }
   [[nodiscard]] InputQueue& input() { return input_; }
+  [[nodiscard]] Touches& touches() { return touches_; }
+  /// Before a frame, where there are fingers: what they do by time alone.
+  void follow_touches(double now);
   [[nodiscard]] ImGuiIO& io();
   /// Which fonts were missing; refilled whenever the fonts are baked.
   [[nodiscard]] const std::vector<std::string>& notices() const { return notices_; }
@@ -37,6 +41,8 @@ class Stage {
   void set_scale(float scale);
   /// How much larger than at that scale the user wants everything.
   void set_size(float size);
+  /// Whether all that is pressed is large enough for fingers.
+  void set_fingers(bool fingers);
   /// The language's characters (see FontOptions::also).
   void set_language(std::string also, bool chinese);
 
@@ -44,7 +50,7 @@ class Stage {
   void frame(int width, int height, float seconds, const std::function<void()>& draw);
   /// Whether a further frame is due: input waits, the look has changed, or a tooltip is about to show.
   [[nodiscard]] bool wants_frame() const {
-    return !input_.empty() || fonts_stale_ || style_stale_ || awaits_hint_;
+    return !input_.empty() || fonts_stale_ || style_stale_ || awaits_hint_ || touches_.active();
   }
 
  private:
@@ -55,10 +61,12 @@ class Stage {
   ImGuiContext* context_;
   std::unique_ptr<ImGuiRenderer> renderer_;
   InputQueue input_;
+  Touches touches_{input_};
   KeyboardFocus focus_;
   Look look_;
   FontOptions font_options_;
   float scale_ = 1, size_ = 1;
+  bool fingers_ = false;
   std::vector<std::string> notices_;
   bool fonts_stale_ = true;
   bool style_stale_ = true;

@@ -85,7 +85,7 @@ void draw_cell_menu(Frame& frame) {
   bool& open = frame.panels.menu_open;
   if (!open) ImGui::OpenPopup(kName);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.m, look.px(10)));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px.s, look.px(7)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px.s, look.px.menu_gap));
   open = ImGui::BeginPopup(kName, ImGuiWindowFlags_NoMove);
   if (open) {
     cell_menu_items(frame, *cell);

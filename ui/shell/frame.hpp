@@ -102,8 +102,11 @@ struct WhyPlace {
 
 /// What the panels share between frames; no part of the document.
 struct PanelState {
-  float side_width = 372;  ///< of the design; the user drags it
-  std::size_t panes = 0;   ///< how many the canvas shows; 0: as many as there is room for
+  float side_width = 372;      ///< of the design; the user drags it
+  float side_share = 0.34f;    ///< of the window's height, where the side stands under the world
+  bool stacked = false;        ///< it does: the window is tall and narrow
+  bool short_of_room = false;  ///< what has no place in one line, or one column, stands behind dots
+  std::size_t panes = 0;       ///< how many the canvas shows; 0: as many as there is room for
   StepUnit unit = StepUnit::expansion;
   std::map<std::string, double> drafts;  ///< settings while their slider is dragged
   std::map<std::string, Result<PlannerPage>, std::less<>> pages;

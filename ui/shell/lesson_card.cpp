@@ -101,7 +101,7 @@ void LessonCard::draw_head(Frame& frame) {
   ImGui::SameLine(0, look.px.s);
   text(look.fonts.mono, look.theme.dim, place);
   ImGui::SameLine(0, look.px.m);
-  const float right = ImGui::GetWindowWidth() - look.px.m - look.px(24);
+  const float right = ImGui::GetWindowWidth() - look.px.m - look.px.small;
   text(look.fonts.title, look.theme.text,
        elide(look.fonts.title, player_->step().title, right - look.px.m - ImGui::GetCursorPosX()));
   ImGui::SameLine(right);

@@ -1,4 +1,5 @@
 // The menu bar: menus from the table of actions, the planner list, and the name of the file.
+#include <algorithm>
 #include <utility>
 
 #include <imgui_internal.h>
@@ -16,7 +17,8 @@ namespace {
 void action_item(Frame& frame, const Action& each) {
   const ActionContext context = context_of(frame);
   if (menu_item(frame.look, each.words(context).c_str(),
-                {each.icon, each.keys.c_str(), each.checked(context), each.available(context)}))
+                {each.icon, frame.panels.stacked ? "" : each.keys.c_str(), each.checked(context),
+                 each.available(context)}))
     perform(frame, each.id);
   hint(frame.look, {"", "", each.lesson(context).c_str()});
 }
@@ -59,7 +61,7 @@ void menu(Frame& frame, const MenuKind& kind) {
   const bool open = ImGui::BeginMenu(kind.name);
   ImGui::PopStyleColor();
   if (!open) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(frame.look.px.s, frame.look.px(7)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(frame.look.px.s, frame.look.px.menu_gap));
   if (which == Menu::planner) {
     planner_items(frame.look, frame.session, frame.session.lead(), frame.commands);
     ImGui::Separator();
@@ -70,13 +72,33 @@ void menu(Frame& frame, const MenuKind& kind) {
   ImGui::EndMenu();
 }
 
+void menus(Frame& frame) {
+  for (const MenuKind& each : menu_kinds())
+    if (each.in_bar()) menu(frame, each);
+}
+
+/// All of them in one, where the bar has no room for them.
+void one_menu(Frame& frame) {
+  const Look& look = frame.look;
+  if (frame.panels.open_menu) ImGui::OpenPopup(icon::bars);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px.l, look.px.xs));
+  const bool open = ImGui::BeginMenu(icon::bars);
+  ImGui::PopStyleVar();
+  if (!open) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px.s, look.px.menu_gap));
+  menus(frame);
+  ImGui::PopStyleVar();
+  ImGui::EndMenu();
+}
+
 /// What looks like a box to type into opens the command palette. Returns its left end; in a narrow window it
 /// is an icon alone.
 float search_box_at_right(Frame& frame, const ImRect& bar) {
   const Look& look = frame.look;
   const Action& palette = action(ActionId::palette);
   const bool wide = bar.GetWidth() > look.px(1180);
-  const float width = look.px(wide ? 222 : 28), height = look.px(26);
+  const float width = wide ? look.px(222) : std::max(look.px(28), look.px.small),
+              height = std::max(look.px(26), look.px.small);
   const ImVec2 cursor = ImGui::GetCursorScreenPos();
   const ImVec2 min(bar.Max.x - look.px.m - width, bar.Min.y + (look.px.menu - height) * 0.5f);
   const ImVec2 max(min.x + width, min.y + height);
@@ -140,10 +162,12 @@ void draw_menu_bar(Frame& frame) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px(10), look.px.xs));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.m, look.px(10)));
   if (ImGui::BeginMenuBar()) {
-    ImGui::SetCursorPosX(look.px(14));
-    text(look.fonts.title, look.theme.text, "Replan");
-    for (const MenuKind& each : menu_kinds())
-      if (each.in_bar()) menu(frame, each);
+    ImGui::SetCursorPosX(look.px(frame.panels.stacked ? 4 : 14));
+    if (!frame.panels.stacked) text(look.fonts.title, look.theme.text, "Replan");
+    if (frame.panels.stacked)
+      one_menu(frame);
+    else
+      menus(frame);
     draw_recording(frame);
     file_name_at_right(frame);
     ImGui::EndMenuBar();

@@ -25,6 +25,10 @@ bool has_tool_options(const Frame& frame);
 void draw_tool_options(Frame& frame);
 /// Of what is selected, in the tool's choices.
 void draw_remove_button(Frame& frame);
+/// In one row, or one column: as many of the tools as there is room for, and the rest behind dots.
+void draw_tool_row(Frame& frame);
+/// Over its whole height, in a tall, narrow window.
+float stacked_transport_height(const Look& look);
 void draw_transport(Frame& frame);
 void draw_timeline(Frame& frame, ImVec2 min, ImVec2 max);
 void draw_status_bar(Frame& frame);

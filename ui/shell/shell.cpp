@@ -18,6 +18,7 @@ namespace {
 constexpr float kNarrowestSide = 340, kWidestSide = 640, kNarrowestCanvas = 320, kNarrowestTransport = 560;
 constexpr float kLow = 560, kLowWithLesson = 680, kLowTransport = 100;  // low windows, and their transport
 constexpr float kNarrowestLesson = 560, kLessonSide = 0.31f;            // the latter of the window's width
+constexpr float kNarrowest = 700, kLowest = 440;                        // below, parts stand otherwise
 constexpr float kCaption = 32;                                          // height of the line over the canvas
 
 /// Whether a key presses or changes the control that has the keyboard.
@@ -69,7 +70,11 @@ void Shell::draw(const Look& look, Session& session, double) {
   share_.see(held_);
   for (const ActionId id : std::exchange(next_actions_, {})) perform(frame, id);
   pin_difference(frame);
-  draw_parts(frame);
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  panels_.stacked = size.x < look.px(kNarrowest) && size.x < size.y;
+  panels_.short_of_room = panels_.stacked || size.y < look.px(kLowest);
+  panels_.stacked ? draw_stacked(frame) : draw_parts(frame);
+  palette_.draw(frame, documents_.library());
   if (!view_.panels) view_.view.pointed_motion.reset();  // nobody is there to point at it
   if (const std::string failure = session.failure(); !failure.empty() && message_.empty())
     tell(failure, true);
@@ -191,13 +196,7 @@ void Shell::draw_parts(Frame& frame) {
   const float split = size.x - side;
   const bool small = split < look.px(kNarrowestTransport);
   const float transport_end = small ? size.x : split, side_end = small ? under : bottom;
-  // The bar takes its height from the padding that holds when its window begins.
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
-                      ImVec2(look.px(10), (look.px.menu - look.fonts.ui->FontSize) * 0.5f));
-  area(
-      "menu", {0, 0}, {size.x, look.px.menu}, look.theme.panel, {0, 0}, [&] { draw_menu_bar(frame); },
-      ImGuiWindowFlags_MenuBar);
-  ImGui::PopStyleVar();
+  draw_menu(frame, {0, 0}, size.x);
   if (panels)
     area("tools", {0, look.px.menu}, {left, under - look.px.menu}, look.theme.panel, {look.px(7), look.px(8)},
          [&] { draw_tool_strip(frame); });
@@ -221,14 +220,30 @@ void Shell::draw_parts(Frame& frame) {
       area("tool options", {split, side_end - tool}, {side, tool}, look.theme.panel, {look.px.l, look.px.m},
            [&] { draw_tool_options(frame); });
   }
-  area("status", {0, bottom}, {size.x, look.px.status}, look.theme.raised, {look.px(14), look.px(5)}, [&] {
-    draw_status_bar(frame);
-    draw_cell_menu(frame);
-  });
+  draw_status(frame, {0, bottom}, size.x);
   if (panels) draw_splitter(frame, split, side_top, side_end);
   draw_stop(frame, {split - look.px.m, under - look.px(52)});
   message_.draw(look, {left, look.px.menu}, {split, under});
-  palette_.draw(frame, documents_.library());
+}
+
+void Shell::draw_menu(Frame& frame, ImVec2 corner, float width) {
+  const Look& look = frame.look;
+  // The bar takes its height from the padding that holds when its window begins.
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      ImVec2(look.px(10), (look.px.menu - look.fonts.ui->FontSize) * 0.5f));
+  area(
+      "menu", corner, {width, look.px.menu}, look.theme.panel, {0, 0}, [&] { draw_menu_bar(frame); },
+      ImGuiWindowFlags_MenuBar);
+  ImGui::PopStyleVar();
+}
+
+void Shell::draw_status(Frame& frame, ImVec2 corner, float width) {
+  const Look& look = frame.look;
+  const ImVec2 padding(look.px(14), std::floor((look.px.status - look.px(16)) * 0.5f));
+  area("status", corner, {width, look.px.status}, look.theme.raised, padding, [&] {
+    draw_status_bar(frame);
+    draw_cell_menu(frame);
+  });
 }
 
 void Shell::fit() {
@@ -239,7 +254,7 @@ void Shell::fit() {
 void Shell::draw_canvas(Frame& frame, ImVec2 min, ImVec2 max) {
   const Look& look = frame.look;
   panels_.canvas = {min, max};
-  area("canvas", min, {max.x - min.x, max.y - min.y}, look.theme.background, {0, 0}, [&] {
+  area(kCanvasArea, min, {max.x - min.x, max.y - min.y}, look.theme.background, {0, 0}, [&] {
     const bool interactive = !covered() && !palette_.open();
     panes_.draw(look, frame.session, panels_.panes, view_, min, max, interactive, frame.commands);
     panels_.zoom = panes_.scene().camera.zoom;
@@ -254,7 +269,7 @@ void Shell::draw_caption(Frame& frame, ImVec2 min, ImVec2 size) {
   area("caption", min, size, look.theme.panel, {look.px.m, look.px.xs}, [&] {
     const float right = ImGui::GetContentRegionAvail().x;
     const bool library = documents_.library() != nullptr;
-    const float buttons = library ? look.px(24) * 2 + look.px.xs : look.px(24);
+    const float buttons = library ? look.px.small * 2 + look.px.xs : look.px.small;
     const float y = min.y + (size.y - look.fonts.ui->FontSize) * 0.5f;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const std::string name = elide(look.fonts.title, scenario.name, right * 0.4f);
@@ -263,7 +278,7 @@ void Shell::draw_caption(Frame& frame, ImVec2 min, ImVec2 size) {
     const float room = std::max(right - words - buttons - look.px.m, look.px(20));
     draw_text(list, look.fonts.ui, {min.x + look.px.m + words, y}, look.theme.dim,
               elide(look.fonts.ui, scenario.caption, room));
-    ImGui::InvisibleButton("words", {right - buttons - look.px.s, look.px(24)});
+    ImGui::InvisibleButton("words", {right - buttons - look.px.s, look.px.small});
     hint(look, {scenario.name.c_str(), "", scenario.caption.c_str()});
     ImGui::SameLine(0, look.px.s);
     const Action& worlds = action(ActionId::worlds);

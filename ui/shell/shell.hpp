@@ -82,6 +82,12 @@ class Shell {
   };
 
   void draw_parts(Frame& frame);
+  // Those of a tall, narrow window (stacked.cpp).
+  void draw_stacked(Frame& frame);
+  float stacked_words(Frame& frame, ImVec2 corner, float width);
+  void draw_level_splitter(Frame& frame, float top, float bottom, float foot);
+  void draw_menu(Frame& frame, ImVec2 corner, float width);
+  void draw_status(Frame& frame, ImVec2 corner, float width);
   void fit();
   void draw_canvas(Frame& frame, ImVec2 min, ImVec2 max);
   void draw_splitter(Frame& frame, float x, float top, float bottom);

@@ -1,4 +1,6 @@
 // The side panel: tabs, and below them which planner of several they are about.
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "ui/icons.hpp"
@@ -43,7 +45,7 @@ void more_tabs(Frame& frame, std::span<const std::size_t> numbers, ImVec2 corner
   const Look& look = frame.look;
   ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.m, look.px(10)));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px.s, look.px(7)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px.s, look.px.menu_gap));
   const bool open = ImGui::BeginPopup(kMoreTabs, ImGuiWindowFlags_NoMove);
   for (const std::size_t number : open ? numbers : std::span<const std::size_t>()) {
     const Action& shows = action(tab_action(tab_kinds()[number].id));
@@ -53,6 +55,28 @@ void more_tabs(Frame& frame, std::span<const std::size_t> numbers, ImVec2 corner
   }
   if (open) ImGui::EndPopup();
   ImGui::PopStyleVar(2);
+}
+
+/// From the end on, until the rest stands in one line; never the chosen one.
+void leave_out(Frame& frame, std::vector<Tab>& all, std::vector<std::size_t>& numbers,
+               std::vector<std::size_t>& others, int& chosen) {
+  const Look& look = frame.look;
+  const float room = ImGui::GetContentRegionAvail().x - look.px.l;
+  const auto wide = [&](const char* name) { return text_width(look.fonts.ui, name) + 2 * look.px(6); };
+  const auto whole = [&] {
+    float sum = wide(icon::ellipsis);
+    for (const Tab& each : all) sum += wide(each.name);
+    return sum;
+  };
+  while (all.size() > 1 && whole() > room) {
+    const std::size_t last = all.size() - 1;
+    const std::size_t gone = chosen == static_cast<int>(last) ? last - 1 : last;
+    others.push_back(numbers[gone]);
+    all.erase(all.begin() + static_cast<std::ptrdiff_t>(gone));
+    numbers.erase(numbers.begin() + static_cast<std::ptrdiff_t>(gone));
+    if (static_cast<int>(gone) < chosen) --chosen;
+  }
+  std::sort(others.begin(), others.end());
 }
 
 /// The number of the tab that shows; a click chooses another one.
@@ -71,6 +95,7 @@ std::size_t choose_tab(Frame& frame) {
     all.push_back({kinds[i].name, action(tab_action(kinds[i].id)).hint()});
     numbers.push_back(i);
   }
+  if (frame.panels.short_of_room) leave_out(frame, all, numbers, others, chosen);
   if (!others.empty())
     all.push_back({icon::ellipsis, {"More tabs", "", "Those that the bar has no room for."}});
   const ImVec2 origin = ImGui::GetCursorScreenPos();

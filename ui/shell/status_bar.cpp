@@ -285,9 +285,9 @@ void filming(Frame& frame, float& right) {
 void zoom_buttons(Frame& frame, Line& line) {
   const Look& look = frame.look;
   constexpr std::array kIds = {ActionId::zoom_out, ActionId::zoom_in, ActionId::fit};
-  if (!line.next(look.px(24) * static_cast<float>(kIds.size()))) return;
+  if (!line.next(look.px.small * static_cast<float>(kIds.size()))) return;
   const ImVec2 origin = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos({origin.x - look.px.s, origin.y - look.px(4)});
+  ImGui::SetCursorScreenPos({origin.x - look.px.s, origin.y - (look.px.small - look.px.l) * 0.5f});
   for (const ActionId id : kIds) {
     const Action& each = action(id);
     if (small_button(look, each.name, {.icon = each.icon, .hint = each.hint()})) perform(frame, id);

@@ -1,5 +1,9 @@
 // The tools at the left edge, the size of the brush, and the way to the overlays.
+#include <algorithm>
+#include <cmath>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "ui/icons.hpp"
 #include "ui/shell/panels.hpp"
@@ -8,6 +12,7 @@ namespace replan::ui {
 namespace {
 
 constexpr double kMostLayers = 64;
+constexpr const char* kAllTools = "all tools of the row";
 
 /// What the strip takes with space between its parts: each button's, and that between groups; and without it.
 constexpr float kRoomyButton = 38, kRoomyRest = 146, kTightButton = 34, kTightRest = 24;
@@ -15,6 +20,11 @@ constexpr float kRoomyButton = 38, kRoomyRest = 146, kTightButton = 34, kTightRe
 /// With the brush and the overlays.
 float buttons_in_all() {
   return static_cast<float>(tool_kinds().size()) + 2;
+}
+
+/// Whether all are there in two columns.
+bool fits_strip(const Look& look, float height) {
+  return height >= look.px.tool * std::ceil(buttons_in_all() / 2);
 }
 
 /// Lets the buttons follow each other in one column, or in two.
@@ -117,15 +127,73 @@ void overlays_button(Frame& frame) {
   }
 }
 
+/// The tools that have a place of their own among `count`: the first ones, and the chosen one.
+std::vector<const ToolKind*> tools_in_row(Frame& frame, std::size_t count) {
+  std::vector<const ToolKind*> row;
+  for (const ToolKind& kind : tool_kinds()) {
+    const bool chosen = action(tool_action(kind.id)).checked(context_of(frame));
+    if (row.size() < count)
+      row.push_back(&kind);
+    else if (chosen && !row.empty())
+      row.back() = &kind;
+  }
+  return row;
+}
+
+/// Those and all others, with their names.
+void all_tools(Frame& frame) {
+  const Look& look = frame.look;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.m, look.px(10)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px.s, look.px.menu_gap));
+  const bool open = ImGui::BeginPopup(kAllTools, ImGuiWindowFlags_NoMove);
+  for (const ToolKind& kind : open ? tool_kinds() : std::span<const ToolKind>()) {
+    const Action& each = action(tool_action(kind.id));
+    const MenuEntry entry{
+        .icon = each.icon, .keys = each.keys.c_str(), .on = each.checked(context_of(frame))};
+    if (menu_item(look, each.label.c_str(), entry)) perform(frame, each.id);
+    hint(look, each.hint());
+  }
+  if (open) ImGui::EndPopup();
+  ImGui::PopStyleVar(2);
+}
+
 }  // namespace
 
+void draw_tool_row(Frame& frame) {
+  const Look& look = frame.look;
+  const bool across = ImGui::GetWindowWidth() > ImGui::GetWindowHeight();
+  edge(look, across ? Edge::bottom : Edge::right);
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float step = look.px.tool + (across ? look.px(2) : 0);
+  const auto places = static_cast<std::size_t>(std::max((across ? room.x : room.y) / step, 4.0f));
+  const auto next = [&] {
+    if (across) ImGui::SameLine(0, look.px(2));
+  };
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  for (const ToolKind* kind : tools_in_row(frame, places - 3)) {
+    tool(frame, *kind);
+    next();
+  }
+  brush_size(frame);
+  next();
+  overlays_button(frame);
+  next();
+  if (tool_button(look, "all tools",
+                  {.icon = icon::ellipsis, .hint = {"All tools", "", "With their names and keys."}}))
+    ImGui::OpenPopup(kAllTools);
+  ImGui::PopStyleVar();
+  all_tools(frame);
+}
+
 float tool_strip_width(const Look& look, float height) {
+  if (!fits_strip(look, height)) return look.px.tools;
   const bool two = height < look.px(kTightButton * buttons_in_all() + kTightRest);
   return two ? look.px.tools + look.px.tool : look.px.tools;
 }
 
 void draw_tool_strip(Frame& frame) {
   const Look& look = frame.look;
+  if (!fits_strip(look, ImGui::GetContentRegionAvail().y)) return draw_tool_row(frame);
   edge(look, Edge::right);
   // In a low window the tools stand closer, in a very low one in two columns.
   const bool tight = ImGui::GetContentRegionAvail().y < look.px(kRoomyButton * buttons_in_all() + kRoomyRest);

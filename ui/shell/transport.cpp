@@ -20,7 +20,7 @@ void transport_action(Frame& frame, ActionId id, const char* icon, bool primary 
           frame.look, each.name,
           {.icon = icon, .hint = {words.c_str(), each.keys.c_str(), lesson.c_str()}, .selected = primary}))
     perform(frame, id);
-  ImGui::SameLine(0, frame.look.px(6));
+  ImGui::SameLine(0, frame.look.px(frame.look.px.fingers ? 4 : 6));
 }
 
 ActionId step_action(StepUnit unit, bool forwards) {
@@ -70,7 +70,8 @@ void step_unit(Frame& frame, bool roomy) {
     ImGui::SameLine(0, look.px(6));
   }
   int unit = static_cast<int>(frame.panels.unit);
-  if (combo(look, "##unit", units, unit, look.px(106))) frame.panels.unit = static_cast<StepUnit>(unit);
+  if (combo(look, "##unit", units, unit, look.px(frame.panels.stacked ? 100 : 106)))
+    frame.panels.unit = static_cast<StepUnit>(unit);
   hint(look, {"Step over", "",
               "What one press of the step buttons goes over: a line of pseudo-code, a step of the search (an "
               "expansion, a sample or a child), a move of the robot, all up to the next plan, or the whole "
@@ -85,7 +86,7 @@ void lockstep(Frame& frame) {
                                           ActionId::lockstep_race};
   ImGui::SameLine(0, look.px.s);
   int mode = static_cast<int>(frame.session.lockstep());
-  if (combo(look, "##lockstep", kModes, mode, look.px(132)))
+  if (combo(look, "##lockstep", kModes, mode, look.px(frame.panels.stacked ? 124 : 132)))
     perform(frame, kActions[static_cast<std::size_t>(mode)]);
   const Action& now = action(kActions[static_cast<std::size_t>(mode)]);
   hint(look, {"Lockstep of the panes", "", now.teach.c_str()});
@@ -106,7 +107,10 @@ void speed(Frame& frame, bool roomy) {
     text(look.fonts.ui, look.theme.dim, "Playing speed");
     ImGui::SameLine(0, look.px.s);
   }
-  const float width = look.px(roomy ? 110 : 70), height = look.px.control, knob = look.px(6);
+  const float width = look.px(roomy                  ? 110
+                              : frame.panels.stacked ? 56
+                                                     : 70),
+              height = look.px.control, knob = look.px(6);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("speed", {width, height});
   tab_stop(look);
@@ -137,7 +141,10 @@ void speed(Frame& frame, bool roomy) {
   list.AddCircleFilled({x, y}, knob, look.theme.accent);
   ImGui::SameLine(0, look.px.s);
   ImGui::AlignTextToFramePadding();
-  text(look.fonts.mono, look.theme.text, roomy || now < Session::kFullSpeed ? speed_text(now) : "max");
+  const std::string words = roomy || now < Session::kFullSpeed ? speed_text(now) : "max";
+  // Half a number would be a wrong one.
+  if (!frame.panels.stacked || text_width(look.fonts.mono, words) <= ImGui::GetContentRegionAvail().x)
+    text(look.fonts.mono, look.theme.text, words);
 }
 
 /// "9 214 / 11 870 events", or what the background is doing, at the right edge.
@@ -161,9 +168,34 @@ void counter(Frame& frame, float left, float right, float top) {
               "Where the playhead stands in the log of everything that the planner and the robot did."});
 }
 
+/// In two rows: what plays and steps in the first, how in the second.
+void draw_stacked_transport(Frame& frame) {
+  const Look& look = frame.look;
+  edge(look, Edge::top);
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  buttons(frame);
+  counter(frame, ImGui::GetItemRectMax().x + look.px.m, origin.x + width, origin.y);
+  const float second = origin.y + look.px.control + look.px.s;
+  ImGui::SetCursorScreenPos({origin.x - look.px.s, second});
+  ImGui::Dummy({0, 0});
+  step_unit(frame, false);
+  const bool several = frame.session.runs().size() > 1;
+  if (several) lockstep(frame);
+  speed(frame, false);
+  const float third = second + look.px.control + look.px.s;
+  const float foot = ImGui::GetWindowPos().y + ImGui::GetWindowHeight() - look.px(4);
+  draw_timeline(frame, {origin.x, third}, {origin.x + width, foot});
+}
+
 }  // namespace
 
+float stacked_transport_height(const Look& look) {
+  return look.px(14) + 2 * (look.px.control + look.px.s) + look.px(34 + 4);
+}
+
 void draw_transport(Frame& frame) {
+  if (frame.panels.stacked) return draw_stacked_transport(frame);
   const Look& look = frame.look;
   edge(look, Edge::top);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
@@ -177,7 +209,7 @@ void draw_transport(Frame& frame) {
   speed(frame, roomy);
   counter(frame, ImGui::GetItemRectMax().x + look.px.m, origin.x + width, origin.y);
   const float foot = ImGui::GetWindowPos().y + ImGui::GetWindowHeight() - look.px(11);
-  draw_timeline(frame, {origin.x, origin.y + look.px(38)}, {origin.x + width, foot});
+  draw_timeline(frame, {origin.x, origin.y + look.px.control + look.px(10)}, {origin.x + width, foot});
 }
 
 }  // namespace replan::ui

@@ -53,7 +53,7 @@ void answer(Frame& frame, Cell cell) {
   const Look& look = frame.look;
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float right = origin.x + ImGui::GetContentRegionAvail().x;
-  ImGui::SetCursorScreenPos({right - look.px(24), origin.y - look.px.xs});
+  ImGui::SetCursorScreenPos({right - look.px.small, origin.y - look.px.xs});
   if (small_button(look, "close", {.icon = icon::times, .hint = {"Close"}})) frame.panels.why_open = false;
   ImGui::SetCursorScreenPos(origin);
   draw_why(frame, CellView(frame.run(), cell));

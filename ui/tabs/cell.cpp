@@ -150,7 +150,7 @@ void values(Frame& frame, const CellView& view, int& chosen) {
     }
   }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px.m, look.px(10)));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px.s, look.px(7)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px.s, look.px.menu_gap));
   if (ImGui::BeginPopup("value menu")) {
     const ValueRow& row = rows[std::min(static_cast<std::size_t>(chosen), rows.size() - 1)];
     value_menu_items(frame, row.name.c_str(), row.kind, view.cell);
@@ -221,7 +221,7 @@ void heading(Frame& frame, Cell cell) {
   const float right = origin.x + ImGui::GetContentRegionAvail().x;
   section_title(look, "Cell " + cell_text(cell, frame.run().lattice()) + " — " + origin_of(frame, cell));
   const ImVec2 below = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos({right - look.px(24), origin.y - look.px(5)});
+  ImGui::SetCursorScreenPos({right - look.px.small, origin.y - look.px(5)});
   const Action& menu = action(ActionId::cell_menu);
   if (small_button(look, "cell menu", {.icon = icon::angle_down, .hint = menu.hint()}))
     frame.view.menu = cell;

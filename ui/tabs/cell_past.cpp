@@ -77,7 +77,7 @@ void title(const Look& look, CellPast& past) {
   const ImFont* small = look.fonts.small;
   draw_text(*ImGui::GetWindowDrawList(), small,
             {right - look.px(28) - text_width(small, count), origin.y + look.px(1)}, look.theme.faint, count);
-  ImGui::SetCursorScreenPos({right - look.px(24), origin.y - look.px(5)});
+  ImGui::SetCursorScreenPos({right - look.px.small, origin.y - look.px(5)});
   if (small_button(
           look, "every value",
           {.icon = icon::filter,

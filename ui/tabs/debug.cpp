@@ -51,7 +51,7 @@ bool entry_field(Frame& frame, const Entry& entry, std::string& draft) {
   const Look& look = frame.look;
   ImGui::PushID(entry.id);
   const std::string error = draft.empty() ? "" : language_error(frame.session, draft, entry.quantity);
-  const float buttons = look.px(24) * 2 + look.px.xs * 2;
+  const float buttons = look.px.small * 2 + look.px.xs * 2;
   // Whether Enter was pressed on what stands there: who is still typing needs to be told what is missing, not scolded.
   bool& refused = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("refused"));
   const bool typing = ImGui::GetActiveID() == ImGui::GetID("##field");
@@ -201,7 +201,7 @@ void breakpoint_row(Frame& frame, std::size_t index, std::int64_t hits) {
   hint(look, {breakpoint.condition.c_str(), "", next_hit_text(frame, index).c_str()});
   draw_text(*ImGui::GetWindowDrawList(), look.fonts.small, {count_x, origin.y + look.px(4)}, look.theme.faint,
             count);
-  ImGui::SetCursorScreenPos({right - look.px(24), origin.y - look.px(2)});
+  ImGui::SetCursorScreenPos({right - look.px.small, origin.y - look.px(2)});
   if (small_button(look, "remove", {.icon = icon::times, .hint = {"Remove"}}))
     frame.commands.push_back(RemoveBreakpoint{index});
   ImGui::PopID();
@@ -251,7 +251,7 @@ void watch_row(Frame& frame, std::size_t index) {
   text_line(look, look.fonts.mono, look.theme.dim, expression, value_x - origin.x - look.px.s);
   hint(look, {expression.c_str(), "", as_sentence(problem).c_str()});
   draw_text(*ImGui::GetWindowDrawList(), look.fonts.mono_bold, {value_x, origin.y}, look.theme.text, value);
-  ImGui::SetCursorScreenPos({right - look.px(24), origin.y - look.px(5)});
+  ImGui::SetCursorScreenPos({right - look.px.small, origin.y - look.px(5)});
   if (small_button(look, "remove", {.icon = icon::times, .hint = {"Stop watching it"}}))
     frame.commands.push_back(RemoveWatch{index});
   ImGui::SetCursorScreenPos({origin.x, origin.y + look.px(20)});

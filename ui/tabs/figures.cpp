@@ -109,7 +109,7 @@ void draw_row(const Look& look, const FiguresLayout& layout, const FigureRow& ro
 
 void export_menu(Frame& frame) {
   const Look& look = frame.look;
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - look.px(24));
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - look.px.small);
   if (small_button(
           look, "export",
           {.icon = icon::download,
@@ -189,7 +189,7 @@ void ActionContext::copy_figures(FiguresFormat format) {
 void FiguresTab::draw_fitness(Frame& frame) {
   const Look& look = frame.look;
   section_title(look, "Cost over generations");
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - look.px(24));
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - look.px.small);
   if (small_button(
           look, "copy fitness",
           {.icon = icon::copy,

@@ -370,7 +370,7 @@ void PlannerTab::draw(Frame& frame) {
   const ImVec2 below = ImGui::GetCursorScreenPos();
   const Action& reset = action(ActionId::reset_settings);
   if (reset.available(context_of(frame))) {
-    ImGui::SetCursorScreenPos({right - look.px(24), origin.y - look.px(6)});
+    ImGui::SetCursorScreenPos({right - look.px.small, origin.y - look.px(6)});
     if (small_button(look, reset.name, {.icon = reset.icon, .hint = reset.hint()})) perform(frame, reset.id);
     ImGui::SetCursorScreenPos(below);
   }

@@ -242,7 +242,7 @@ void ScatterView::tell_brush(Frame& frame, const PlotPicture& picture) {
   const Look& look = frame.look;
   section_rule(look);
   section_title(look, "Rectangle");
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - look.px(24));
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - look.px.small);
   if (small_button(look, "copy scatter", {.icon = icon::copy, .hint = action(ActionId::copy_scatter).hint()}))
     perform(frame, ActionId::copy_scatter);
   if (!brush_) {

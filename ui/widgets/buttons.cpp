@@ -100,7 +100,7 @@ bool tool_button(const Look& look, const char* id, const IconButton& button) {
 }
 
 bool transport_button(const Look& look, const char* id, const IconButton& button) {
-  const Pressed area = press(look, id, {look.px(32), look.px.control}, button.enabled);
+  const Pressed area = press(look, id, {look.px(look.px.fingers ? 38 : 32), look.px.control}, button.enabled);
   const ButtonKind kind = button.selected ? ButtonKind::primary : ButtonKind::plain;
   const ButtonColours colours = colours_of(look.theme, kind, area.hovered);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -111,7 +111,7 @@ bool transport_button(const Look& look, const char* id, const IconButton& button
 }
 
 bool small_button(const Look& look, const char* id, const IconButton& button) {
-  const Pressed area = press(look, id, {look.px(24), look.px(24)}, button.enabled, button.tab_stop);
+  const Pressed area = press(look, id, {look.px.small, look.px.small}, button.enabled, button.tab_stop);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (area.hovered) list.AddRectFilled(area.min, area.max, look.theme.hover, look.px.radius);
   ImU32 colour = button.colour != 0 ? button.colour : area.hovered ? look.theme.text : look.theme.dim;

@@ -41,6 +41,29 @@ const char* icon_of(FileKind kind) {
   return icon::file;
 }
 
+/// The right ends of the columns of figures, in a list of that width; those of which a narrow one leaves out have none.
+struct FileColumns {
+  FileColumns(const Look& look, float left, float width) {
+    const float right = left + width - look.px(8);
+    has_date = width >= look.px(420), has_size = width >= look.px(280);
+    date = right - (has_date ? look.px(kDateColumn) : 0);
+    size = date - (has_size ? look.px(kSizeColumn) : 0);
+  }
+  bool has_date, has_size;
+  float date, size;  ///< where they begin
+};
+
+float row_height(const Look& look) {
+  return look.px.fingers ? look.px.row : look.px(26);
+}
+
+/// In a narrow dialog the kind of file stands in a row of its own.
+constexpr float kKind = 250;
+bool foot_has_two_rows(const Look& look, float width, const std::string& action) {
+  const float buttons = button_width(look, "Cancel") + look.px.s + button_width(look, action.c_str());
+  return width < look.px(kKind) + look.px.m + buttons;
+}
+
 /// A part of the dialog with its own scroll bar.
 template <class Draw>
 void pane(const Look& look, const char* id, ImVec2 size, ImU32 ground, ImVec2 padding, Draw draw) {
@@ -75,7 +98,9 @@ FileChoice FileDialog::draw(const Look& look, float height) {
   draw_crumbs(look);
   draw_field(look);
   ImGui::Dummy({0, look.px(2)});
-  const float foot = look.px.control + look.px(44) + (spec_.options ? look.px(spec_.options_height) : 0);
+  const float rows = foot_has_two_rows(look, ImGui::GetContentRegionAvail().x, spec_.action) ? 1 : 0;
+  const float foot = look.px.control + rows * (look.px.control + look.px.s) + look.px(44) +
+                     (spec_.options ? look.px(spec_.options_height) : 0);
   const float body = std::max(height - (ImGui::GetCursorPosY() - top) - foot, look.px(120));
   const float whole = ImGui::GetContentRegionAvail().x;
   const bool told = !spec_.saving || spec_.losses || spec_.aside;
@@ -107,7 +132,7 @@ FileChoice FileDialog::draw(const Look& look, float height) {
 void FileDialog::draw_head(const Look& look) {
   text(look.fonts.heading, look.theme.text, spec_.title);
   ImGui::SameLine();
-  align_right(look.px(24) * 3 + look.px.xs * 2);
+  align_right(look.px.small * 3 + look.px.xs * 2);
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() - look.px(2));
   const bool hidden = list_.hidden();
   if (small_button(look, "hidden",
@@ -197,7 +222,7 @@ void FileDialog::draw_places(const Look& look) {
   for (std::size_t i = 0; i < spec_.places.size(); ++i) {
     const Place& place = spec_.places[i];
     const ImVec2 min = ImGui::GetCursorScreenPos();
-    const ImVec2 size(ImGui::GetContentRegionAvail().x, look.px(28));
+    const ImVec2 size(ImGui::GetContentRegionAvail().x, look.px.control);
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::InvisibleButton("place", size)) target = place.path;
     ImGui::PopID();
@@ -219,7 +244,7 @@ void FileDialog::draw_places(const Look& look) {
 
 void FileDialog::draw_header(const Look& look) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
-  const float right = origin.x + ImGui::GetContentRegionAvail().x - look.px(8);
+  const FileColumns columns(look, origin.x, ImGui::GetContentRegionAvail().x);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto head = [&](const char* name, FileOrder order, float x, float width, bool from_right) {
     ImGui::SetCursorScreenPos({x, origin.y});
@@ -232,10 +257,9 @@ void FileDialog::draw_header(const Look& look) {
     const float at = from_right ? x + width - text_width(look.fonts.small, shown) : x;
     draw_text(list, look.fonts.small, {at, origin.y + look.px(6)}, colour, shown);
   };
-  const float date = right - look.px(kDateColumn), size = date - look.px(kSizeColumn);
-  head("Name", FileOrder::name, origin.x + look.px(30), size - origin.x - look.px(30), false);
-  head("Size", FileOrder::size, size, look.px(kSizeColumn), true);
-  head("Changed", FileOrder::date, date, look.px(kDateColumn), true);
+  head("Name", FileOrder::name, origin.x + look.px(30), columns.size - origin.x - look.px(30), false);
+  if (columns.has_size) head("Size", FileOrder::size, columns.size, look.px(kSizeColumn), true);
+  if (columns.has_date) head("Changed", FileOrder::date, columns.date, look.px(kDateColumn), true);
   ImGui::SetCursorScreenPos({origin.x, origin.y + look.px(26)});
 }
 
@@ -261,7 +285,7 @@ void FileDialog::draw_list(const Look& look) {
   }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::BeginChild("rows");
-  const float row = look.px(26);
+  const float row = row_height(look);
   if (std::exchange(scroll_, false) && list_.selected() != nullptr) {
     const float y = row * static_cast<float>(list_.selected_index()), seen = ImGui::GetWindowHeight();
     if (y < ImGui::GetScrollY()) ImGui::SetScrollY(y);
@@ -281,7 +305,7 @@ void FileDialog::draw_list(const Look& look) {
 void FileDialog::draw_row(const Look& look, std::size_t index) {
   const FileEntry entry = list_.entries()[index];
   const ImVec2 min = ImGui::GetCursorScreenPos();
-  const ImVec2 size(ImGui::GetContentRegionAvail().x, look.px(26));
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, row_height(look));
   ImGui::PushID(static_cast<int>(index));
   const bool clicked = ImGui::InvisibleButton("row", size);
   ImGui::PopID();
@@ -292,17 +316,16 @@ void FileDialog::draw_row(const Look& look, std::size_t index) {
                        look.px.xs);
   const float middle = min.y + size.y * 0.5f, line = middle - look.fonts.ui->FontSize * 0.5f;
   const bool folder = entry.kind == FileKind::folder;
-  const float right = min.x + size.x - look.px(8), date = right - look.px(kDateColumn),
-              bytes = date - look.px(kSizeColumn);
+  const FileColumns columns(look, min.x, size.x);
   draw_icon(list, look.fonts.ui, {min.x + look.px(16), middle}, folder ? look.theme.accent : look.theme.dim,
             icon_of(entry.kind));
   draw_line(look, list, look.fonts.ui, {min.x + look.px(30), line}, look.theme.text, entry.name,
-            bytes - min.x - look.px(34));
+            columns.size - min.x - look.px(34));
   const auto figure = [&](float to, const std::string& words) {
     draw_text(list, look.fonts.mono, {to - text_width(look.fonts.mono, words), line}, look.theme.dim, words);
   };
-  if (!folder) figure(date, bytes_text(entry.size));
-  figure(right, date_text(entry.modified));
+  if (!folder && columns.has_size) figure(columns.date, bytes_text(entry.size));
+  if (columns.has_date) figure(min.x + size.x - look.px(8), date_text(entry.modified));
   if (clicked) {
     list_.select(index);
     replaces_ = true;
@@ -333,10 +356,15 @@ void FileDialog::draw_question(const Look& look) {
   const std::string words = replacing ? "'" + file_name(pending_) + "' is there already. Replace it?"
                                       : "The folder is made in '" + file_name(shown_) + "'.";
   const float y = ImGui::GetCursorPosY();
-  ImGui::SetCursorPosY(y + (look.px.control - look.fonts.ui->FontSize) * 0.5f);
-  text(look.fonts.ui, replacing ? look.theme.warning : look.theme.dim, words);
-  ImGui::SameLine();
-  ImGui::SetCursorPosY(y);
+  const ImU32 colour = replacing ? look.theme.warning : look.theme.dim;
+  if (foot_has_two_rows(look, ImGui::GetContentRegionAvail().x, spec_.action)) {
+    paragraph(look.fonts.ui, colour, words);
+  } else {
+    ImGui::SetCursorPosY(y + (look.px.control - look.fonts.ui->FontSize) * 0.5f);
+    text(look.fonts.ui, colour, words);
+    ImGui::SameLine();
+    ImGui::SetCursorPosY(y);
+  }
   const char* yes = replacing ? "Replace" : "Make folder";
   align_right(button_width(look, "Back") + look.px.s + button_width(look, yes));
   const bool back = button(look, "Back", ButtonKind::quiet) || escape_pressed();
@@ -368,11 +396,13 @@ void FileDialog::draw_foot(const Look& look) {
   if (spec_.options) spec_.options(look, text_);
   std::vector<const char*> labels;
   for (const FileFilter& filter : spec_.filters) labels.push_back(filter.label.c_str());
-  if (combo(look, "##kind", labels, filter_, look.px(250))) {
+  const float room = ImGui::GetContentRegionAvail().x;
+  const bool two = foot_has_two_rows(look, room, spec_.action);
+  if (combo(look, "##kind", labels, filter_, two ? room : look.px(kKind))) {
     set_kind(filter_);
     if (spec_.saving && !text_.empty()) set_text(with_chosen_extension());
   }
-  ImGui::SameLine();
+  if (!two) ImGui::SameLine();
   align_right(button_width(look, "Cancel") + look.px.s + button_width(look, spec_.action.c_str()));
   const bool left = button(look, "Cancel", ButtonKind::quiet);
   ImGui::SameLine(0, look.px.s);
