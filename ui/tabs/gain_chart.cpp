@@ -78,14 +78,13 @@ const GainChart::Curve& GainChart::curve_of(Frame& frame, std::size_t pane) {
 std::optional<double> GainChart::optimum_of(Frame& frame, const Run& run, const Curve& curve) {
   const std::size_t at = plan_end(run, curve.begin, curve.end);
   const bool same = optimum_ && optimum_->log_id == curve.log_id && optimum_->begin == curve.begin;
-  if (!same || (!optimum_->has_ends && optimum_->at != at)) begin_optimum(frame, curve, at);
+  if (!same || (!optimum_->has_ends && optimum_->at != at)) begin_optimum(frame, run, curve, at);
   if (const auto done = optimum_->job.take()) optimum_->length = *done;
   if (optimum_->job.busy()) frame.panels.animated = true;
   return optimum_->length;
 }
 
-void GainChart::begin_optimum(const Frame& frame, const Curve& curve, std::size_t at) {
-  const Run& run = frame.run();
+void GainChart::begin_optimum(const Frame& frame, const Run& run, const Curve& curve, std::size_t at) {
   const bool large = run.lattice().node_count() > kLargeWorld;
   optimum_ = std::make_unique<Optimum>(frame.session.work().only_if(frame.view.live || large));
   optimum_->log_id = curve.log_id;

@@ -48,7 +48,7 @@ class GainChart {
   std::vector<CurveKey> draw_curves(const Frame& frame, CostChart& chart,
                                     std::optional<double> optimum) const;
   void tell_gain(Frame& frame, const CostChart& chart, std::optional<double> optimum);
-  void begin_optimum(const Frame& frame, const Curve& curve, std::size_t at);
+  void begin_optimum(const Frame& frame, const Run& run, const Curve& curve, std::size_t at);
 
   std::vector<Curve> curves_;
   std::unique_ptr<Optimum> optimum_;
