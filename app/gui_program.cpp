@@ -309,6 +309,8 @@ std::string GuiProgram::facts() const {
       {"obstacles", obstacles},
       {"cursor", log.cursor()},
       {"events", log.size()},
+      {"state", std::to_string(state.hash())},
+      {"planner", session_.run().info().id},
       {"moves", state.scalar(Scalar::moves)},
       {"playing", session_.playback().direction},
       {"opengl_es", window_->stage().renderer().gl().es},

@@ -43,6 +43,14 @@ class GuiProgram {
   void remember();
   /// Takes files as if they were dropped onto the window.
   void drop(const std::vector<std::string>& paths) { shell_->documents().drop(session_, paths); }
+  /// Opens the world of a link at its moment; asks first if there are unsaved edits.
+  void open_link(const std::string& link) { shell_->open_link(session_, link); }
+  /// The link to this moment.
+  [[nodiscard]] Result<std::string> link() const { return shell_->link(session_); }
+  /// What links begin with that are copied here.
+  void set_link_address(const std::string& address) { shell_->panels().link_address = address; }
+  /// A sentence over the canvas.
+  void tell(const std::string& sentence, bool bad) { shell_->tell(sentence, bad); }
   /// Facts of the session, for tests: JSON.
   [[nodiscard]] std::string facts() const;
 

@@ -18,6 +18,8 @@ build_packages=(
 test_packages=(libgtest-dev libbenchmark-dev xvfb xauth xdotool)
 # What builds the page for browsers (scripts/web.sh); dpkg-dev unpacks the sources of libraries.
 web_packages=(emscripten nodejs dpkg-dev ca-certificates)
+# What its tests need on top.
+web_test_packages=(chromium)
 # What only ./test --all and ./test --fuzz need on top.
 long_packages=(clang libclang-rt-dev slurm-wlm munge)
 

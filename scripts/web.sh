@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds Replan as a page for browsers:
 #   scripts/web.sh              build/web/replan.html, one file, and build/web/site/, a folder for any static server
-#   scripts/web.sh --node       build/web/node/replan.js, the command line without the window, for Node.js
+#   scripts/web.sh --test       the same, then its tests in a headless Chromium; needs the tests of build/release (./test)
 # What is missing gets installed first (Debian, as root or by sudo): emscripten, and the sources of Dear ImGui, yaml-cpp,
 # libjpeg-turbo and zlib as Debian has them, which are fetched into build/web and compiled there.
 set -euo pipefail
@@ -52,11 +52,11 @@ install_for_web() {
 
 # By its own configure: Debian leaves out a file that its CMakeLists.txt names.
 make_zlib() (
-  cd "$web/sources/zlib"
-  CFLAGS="-O3 $flags" emconfigure ./configure --static --prefix="$prefix"
-  emmake make -j"$(nproc)" libz.a
-  emmake make install-libs
-  cp zlib.h zconf.h "$prefix/include/"
+  cd "$web/sources/zlib" &&
+    CFLAGS="-O3 $flags" emconfigure ./configure --static --prefix="$prefix" &&
+    emmake make -j"$(nproc)" libz.a &&
+    emmake make install-libs &&
+    cp zlib.h zconf.h "$prefix/include/"
 )
 
 # Headers that hold all there is to a library: /usr/include itself must not be looked at.
@@ -72,7 +72,7 @@ make_prefix() {
   local stamp=$prefix/made
   [[ $stamp -nt scripts/web.sh && $stamp -nt scripts/web/imgui/CMakeLists.txt ]] && return 0
   echo "Making what the page is linked with (once)."
-  quietly "Fetching sources" "$web/fetch.log" bash -c "$(declare -f fetch_sources); web='$web'; sources=(${sources[*]}); fetch_sources"
+  quietly "Fetching sources" "$web/fetch.log" bash -c "set -e; $(declare -f fetch_sources); web='$web'; sources=(${sources[*]}); fetch_sources"
   rm -rf "$prefix"
   copy_headers
   install_for_web imgui scripts/web/imgui -DIMGUI_SOURCE="$web/sources/imgui"
@@ -83,20 +83,15 @@ make_prefix() {
   touch "$stamp"
 }
 
-configure_web() {
-  local preset=$1 folder=$2
-  shift 2
-  PKG_CONFIG_LIBDIR="$prefix/lib/pkgconfig:$prefix/share/pkgconfig" configure "$preset" "$folder" "$@"
-}
-
-build_node() {
-  configure_web web-node "$web/node"
-  build "$web/node" replan
-  echo "build/web/node/replan.js: node build/web/node/replan.js --help"
+# In a headless Chromium, and the logs in Node.js, beside those of build/release.
+test_page() {
+  build "$web/page" replan_log_hashes
+  tests/web/logs_test.sh build/release/tests/replan_log_hashes "$web/page/replan_log_hashes.js"
+  node tests/web/page_test.js "$web/site" "$web/replan.html"
 }
 
 build_page() {
-  configure_web web "$web/page"
+  PKG_CONFIG_LIBDIR="$prefix/lib/pkgconfig" configure web "$web/page"
   build "$web/page" replan_page
   rm -rf "$web/site"
   mkdir -p "$web/site"
@@ -109,6 +104,10 @@ install_packages "${build_packages[@]}" "${web_packages[@]}"
 make_prefix
 case ${1:-} in
   '') build_page ;;
-  --node) build_node ;;
-  *) echo "usage: scripts/web.sh [--node]" >&2 && exit 2 ;;
+  --test)
+    install_packages "${web_test_packages[@]}"
+    build_page
+    test_page
+    ;;
+  *) echo "usage: scripts/web.sh [--test]" >&2 && exit 2 ;;
 esac

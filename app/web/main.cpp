@@ -1,5 +1,6 @@
 // Replan in a page. The page's script has brought its home folder back before it calls main().
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -16,13 +17,19 @@ namespace {
 /// Stays for as long as the page does: main() returns before the first frame.
 GuiProgram* program = nullptr;
 
+/// With the world of the page's own address, if there is one in it, else with the demo.
 Result<void> start() {
-  Result<FirstDocument> document = first_document(std::nullopt);
+  const std::string link = page_link();
+  Result<FirstDocument> document = first_document(link.empty() ? std::nullopt : std::optional(link));
+  const std::string unreadable = document ? "" : document.error();
+  if (!document && !link.empty()) document = first_document(std::nullopt);
   if (!document) return Error{document.error()};
   auto made = std::make_unique<GuiProgram>(std::move(*document), read_settings(settings_path()),
                                            WorkPlace::in_steps());
   if (const Result<void> opened = made->open(); !opened) return opened;
   program = made.release();
+  program->set_link_address(page_address());
+  if (!unreadable.empty()) program->tell(unreadable, true);
   program->run();
   return {};
 }
@@ -40,6 +47,11 @@ EMSCRIPTEN_KEEPALIVE void replan_drop(const char* paths) {
   program->drop(all);
 }
 
+/// The page's address has another link in it.
+EMSCRIPTEN_KEEPALIVE void replan_open_link(const char* link) {
+  if (program != nullptr) program->open_link(link);
+}
+
 /// Ctrl and that letter, which the browser had kept for an event of its own.
 EMSCRIPTEN_KEEPALIVE void replan_clipboard_key(int letter) {
   if (program != nullptr) press_in_page(letter);
@@ -53,6 +65,14 @@ EMSCRIPTEN_KEEPALIVE void replan_type(int code_point) {
 /// The page may go: what is to be remembered is written.
 EMSCRIPTEN_KEEPALIVE void replan_leave() {
   if (program != nullptr) program->remember();
+}
+
+/// The link to this moment, for tests; else it goes through the clipboard.
+EMSCRIPTEN_KEEPALIVE const char* replan_link() {
+  static std::string held;
+  const Result<std::string> link = program == nullptr ? Result<std::string>(Error{""}) : program->link();
+  held = link ? *link : "";
+  return held.c_str();
 }
 
 /// Facts of the session as JSON, for tests.

@@ -26,3 +26,11 @@ target_link_options(replan_page PRIVATE ${EMBEDDED} "SHELL:--pre-js ${PAGE_SCRIP
   "-sEXPORTED_FUNCTIONS=['_main','_malloc','_free']" "-sINCOMING_MODULE_JS_API=['canvas','preRun','setStatus','onAbort','wasmBinary']")
 set_target_properties(replan_page PROPERTIES LINK_DEPENDS "${PAGE_SCRIPT}")
 configure_file(${CMAKE_CURRENT_LIST_DIR}/index.html ${PROJECT_BINARY_DIR}/index.html COPYONLY)
+
+# The same logs as on the desktop: tests/web/logs_test.sh.
+add_executable(replan_log_hashes ${PROJECT_SOURCE_DIR}/tests/web/log_hashes.cpp)
+replan_target(replan_log_hashes)
+target_link_libraries(replan_log_hashes PRIVATE replan_core)
+target_link_options(replan_log_hashes PRIVATE -O1 -sNODERAWFS=1 -sENVIRONMENT=node -sALLOW_MEMORY_GROWTH=1
+  -sMAXIMUM_MEMORY=2147483648)
+set_target_properties(replan_log_hashes PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})

@@ -18,8 +18,17 @@ EM_JS(char*, js_pasted, (void), { return stringToNewUTF8(Module.replan.pasted); 
 EM_JS(void, js_pick, (const char* extensions), { Module.replan.pick(UTF8ToString(extensions)); });
 EM_JS(void, js_typing, (int typing), { Module.replan.type(typing !== 0); });
 EM_JS(int, js_touched, (void), { return matchMedia('(pointer: coarse)').matches ? 1 : 0; });
+EM_JS(char*, js_address, (void), { return stringToNewUTF8(location.href.split('#')[0]); });
+EM_JS(char*, js_link, (void), { return stringToNewUTF8(location.hash.length > 1 ? location.hash : ''); });
 EM_JS(void, js_keep, (void), { Module.replan.keep(); });
 // clang-format on
+
+/// A text that JavaScript has allocated.
+std::string taken(char* text) {
+  std::string held = text;
+  std::free(text);
+  return held;
+}
 
 const char* css_cursor(int cursor) {
   switch (cursor) {
@@ -54,6 +63,14 @@ void reveal_page() {
   js_reveal();
 }
 
+std::string page_address() {
+  return taken(js_address());
+}
+
+std::string page_link() {
+  return taken(js_link());
+}
+
 void set_page_cursor(int cursor) {
   js_cursor(css_cursor(cursor));
 }
@@ -68,9 +85,7 @@ void copy_text(const char* text) {
 
 const char* pasted_text() {
   static std::string held;
-  char* text = js_pasted();
-  held = text;
-  std::free(text);
+  held = taken(js_pasted());
   return held.c_str();
 }
 

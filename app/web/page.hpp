@@ -9,6 +9,10 @@ namespace replan::app {
 void tell_page(const std::string& sentence);
 /// The page is loaded: what it showed until then goes.
 void reveal_page();
+/// The page's own address, without a link.
+std::string page_address();
+/// The link in the page's address, from # on; empty if there is none.
+std::string page_link();
 /// The mouse's shape, by ImGui's number; below 0 it is hidden.
 void set_page_cursor(int cursor);
 /// Opens the browser's picker; what is chosen comes as if it were dropped. `extensions` as in HTML: ".json,.map".

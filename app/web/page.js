@@ -244,6 +244,12 @@ Module.replan = (() => {
     if (document.visibilityState === 'hidden') leave();
   });
   window.addEventListener('pagehide', leave);
+  window.addEventListener('hashchange', () => {
+    if (failed || location.hash.length < 2) return;
+    const text = stringToNewUTF8(location.hash);
+    Module._replan_open_link(text);
+    Module._free(text);
+  });
   return api;
 })();
 

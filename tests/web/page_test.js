@@ -1,0 +1,190 @@
+// The page in a headless Chromium: node tests/web/page_test.js FOLDER-OF-THE-SITE PAGE.html [PICTURES]
+// FOLDER is served over http, PAGE is opened as a file. PICTURES: a folder for what the page looked like.
+'use strict';
+const assert = require('assert');
+const fs = require('fs');
+const http = require('http');
+const path = require('path');
+const { pathToFileURL } = require('url');
+const { Browser, sleep } = require('./browser.js');
+
+const [site, one_file, pictures] = process.argv.slice(2);
+const kTypes = { '.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm' };
+
+// Any static server does: this one knows nothing but files.
+function serve(folder) {
+  const server = http.createServer((request, answer) => {
+    const name = path.basename(new URL(request.url, 'http://x').pathname) || 'index.html';
+    const file = path.join(folder, name);
+    if (!fs.existsSync(file)) return answer.writeHead(404).end();
+    answer.writeHead(200, { 'Content-Type': kTypes[path.extname(file)] ?? 'application/octet-stream' });
+    fs.createReadStream(file).pipe(answer);
+  });
+  return new Promise((done) => server.listen(0, '127.0.0.1', () => done(server)));
+}
+
+const world = (name) => fs.readFileSync(path.join(__dirname, '../../maps', name));
+
+async function facts(page) {
+  return JSON.parse(await page.value('UTF8ToString(Module._replan_facts())'));
+}
+
+// Waits until a fact of the session is as it should be.
+async function until(page, holds, what) {
+  for (const end = Date.now() + 60000; Date.now() < end; await sleep(100)) {
+    const now = await facts(page);
+    if (holds(now)) return now;
+  }
+  throw new Error('waited in vain until ' + what + ': ' + JSON.stringify(await facts(page)));
+}
+
+async function shown(page, url) {
+  const begun = Date.now();
+  await page.go(url);
+  await page.until("document.getElementById('cover').hidden", 'the program shows');
+  page.started = Date.now() - begun;
+  await page.rest();
+}
+
+// A page without the tutorial that a first start begins with: it would take the keys.
+async function quiet(page, url) {
+  await shown(page, url);
+  await page.drop('demo.json', world('demo.json'));
+  return until(page, (now) => now.file.endsWith('/demo.json') && now.mission !== 'planning', 'the demo has a plan');
+}
+
+async function look(page, name) {
+  if (pictures) await page.picture(path.join(pictures, name + '.png'));
+}
+
+const tests = {
+  async 'opens from a server'(browser, address) {
+    const page = await browser.page();
+    await shown(page, address);
+    console.log('    shows after ' + page.started + ' ms');
+    await until(page, (now) => now.events > 0, 'there are events');
+    await look(page, 'server');
+    return page;
+  },
+
+  async 'opens from a file, as one file'(browser) {
+    const page = await browser.page();
+    await shown(page, pathToFileURL(one_file).href);
+    console.log('    shows after ' + page.started + ' ms');
+    await until(page, (now) => now.events > 0, 'there are events');
+    await look(page, 'file');
+    return page;
+  },
+
+  async 'a dropped scenario opens; keys step back and forth'(browser, address) {
+    const page = await browser.page();
+    const demo = await quiet(page, address);
+    await page.key('Home', { code: 'Home' });
+    assert.equal((await facts(page)).cursor, 0);
+    await page.key('ArrowRight', { code: 'ArrowRight' });
+    const stepped = (await facts(page)).cursor;
+    assert(stepped > 0 && stepped < demo.events, 'a step of ' + stepped + ' events');
+    await page.key('End', { code: 'End' });
+    assert.equal((await facts(page)).cursor, demo.events);
+    await look(page, 'demo');
+    return page;
+  },
+
+  async 'a stroke paints, and is taken back by Ctrl+Z'(browser, address) {
+    const page = await browser.page();
+    const demo = await quiet(page, address);
+    await page.key('b', { code: 'KeyB' });
+    await page.drag([400, 150], [460, 150]);
+    const painted = await until(page, (now) => now.obstacles > demo.obstacles, 'there are more obstacles');
+    assert(painted.undo.length > 0 && painted.modified);
+    await look(page, 'stroke');
+    await page.send('Input.dispatchKeyEvent', { type: 'keyDown', key: 'Control', code: 'ControlLeft', modifiers: 2 });
+    await page.key('z', { code: 'KeyZ', modifiers: 2 });
+    await page.send('Input.dispatchKeyEvent', { type: 'keyUp', key: 'Control', code: 'ControlLeft' });
+    await until(page, (now) => now.obstacles === demo.obstacles, 'the stroke is gone');
+    return page;
+  },
+
+  async 'a surprise is repaired'(browser, address) {
+    const page = await browser.page();
+    await shown(page, address);
+    await page.drop('dynamic.json', world('dynamic.json'));
+    await until(page, (now) => now.file.endsWith('/dynamic.json') && now.mission !== 'planning', 'a plan stands');
+    await page.key(' ', { code: 'Space' });
+    const over = await until(page, (now) => now.mission === 'arrived', 'the robot has arrived');
+    assert(over.moves > 0);
+    await look(page, 'arrived');
+    return page;
+  },
+
+  async 'saving hands over the bytes that the desktop writes'(browser, address) {
+    const page = await browser.page();
+    await quiet(page, address);
+    await page.send('Input.dispatchKeyEvent', { type: 'keyDown', key: 'Control', code: 'ControlLeft', modifiers: 2 });
+    await page.key('s', { code: 'KeyS', modifiers: 2 });
+    await page.send('Input.dispatchKeyEvent', { type: 'keyUp', key: 'Control', code: 'ControlLeft' });
+    const saved = JSON.parse((await page.downloaded('demo.json')).toString());
+    const original = JSON.parse(world('demo.json').toString());
+    assert.deepEqual(saved.map, original.map);
+    assert.deepEqual(saved.start, original.start);
+    return page;
+  },
+
+  async 'a link restores the moment'(browser, address) {
+    const page = await browser.page();
+    await quiet(page, address);
+    await page.key('Home', { code: 'Home' });
+    for (let i = 0; i < 7; i++) await page.key('ArrowRight', { code: 'ArrowRight' });
+    const left = await facts(page);
+    const link = await page.value('UTF8ToString(Module._replan_link())');
+    assert(link.startsWith(address), link.slice(0, 60));
+    const other = await browser.page();
+    await shown(other, link);
+    await until(other, (now) => now.cursor === left.cursor && now.state === left.state, 'the moment is there');
+    await look(other, 'link');
+    await browser.shut(other);
+    return page;
+  },
+
+  async 'is sharp at 2x'(browser, address) {
+    const page = await browser.page({ width: 1280, height: 800, ratio: 2 });
+    await quiet(page, address);
+    assert.deepEqual(await page.value('[Module.canvas.width, Module.canvas.height]'), [2560, 1600]);
+    await look(page, 'twice');
+    return page;
+  },
+
+  async 'plays, draws and explains a cell on a phone'(browser, address) {
+    const page = await browser.page({ width: 390, height: 844, ratio: 2, mobile: true });
+    const demo = await quiet(page, address);
+    await page.tap(195, 200);
+    await page.rest(20);
+    await look(page, 'phone');
+    await page.tap(160, 393); // plays
+    await until(page, (now) => now.moves > 0 || now.cursor !== demo.cursor, 'it plays');
+    await look(page, 'phone_plays');
+    return page;
+  },
+};
+
+(async () => {
+  const server = await serve(site);
+  const address = 'http://127.0.0.1:' + server.address().port + '/index.html';
+  const browser = await Browser.open();
+  let failed = 0;
+  for (const [name, test] of Object.entries(tests)) {
+    try {
+      const page = await test(browser, address);
+      assert.deepEqual(page.complaints, [], 'the console has errors');
+      await browser.shut(page);
+      console.log('ok      ' + name);
+    } catch (error) {
+      failed++;
+      console.log('FAILED  ' + name + '\n' + error.stack);
+    }
+  }
+  await browser.close();
+  server.close();
+  console.log(failed === 0 ? 'All ' + Object.keys(tests).length + ' tests of the page passed.' : failed + ' failed.');
+  process.exit(failed === 0 ? 0 : 1);
+})();
