@@ -47,6 +47,14 @@ std::string key_name(int key) {
 
 }  // namespace
 
+Chord chord_in_page(Chord chord) {
+  const bool kept = chord.ctrl && (chord.key == 'T' || chord.key == 'N' || chord.key == 'W');
+  if (!kept) return chord;
+  chord.ctrl = false;
+  chord.alt = true;
+  return chord;
+}
+
 std::string chord_text(const Chord& chord) {
   if (chord.key == 0) return "";
   return std::string(chord.ctrl ? "Ctrl+" : "") + (chord.shift ? "Shift+" : "") + (chord.alt ? "Alt+" : "") +

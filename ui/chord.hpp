@@ -36,6 +36,10 @@ constexpr Chord fn(int number) {
   return plain(key::kF1 + number - 1);
 }
 
+/// The tabs of browsers keep Ctrl with T, N and W for themselves, with Shift too, and never tell a page: there Alt stands in
+/// the place of Ctrl.
+Chord chord_in_page(Chord chord);
+
 /// As printed in menus: "Ctrl+Shift+S"; empty for no key.
 std::string chord_text(const Chord& chord);
 

@@ -27,6 +27,19 @@ TEST(Actions, NoTwoChordsClash) {
   }
 }
 
+TEST(Actions, NoTwoChordsClashInAPage) {
+  std::map<std::string, std::string> owners;
+  for (const Action& each : actions()) {
+    if (each.chord.key == 0) continue;
+    const std::string keys = chord_text(chord_in_page(each.chord));
+    EXPECT_TRUE(owners.emplace(keys, each.name).second)
+        << each.name << " and " << owners[keys] << ": " << keys;
+  }
+  EXPECT_EQ(chord_text(chord_in_page(ctrl('T'))), "Alt+T");
+  EXPECT_EQ(chord_text(chord_in_page(ctrl_shift('W'))), "Shift+Alt+W");
+  EXPECT_EQ(chord_text(chord_in_page(ctrl('S'))), "Ctrl+S");
+}
+
 TEST(Actions, HaveWordsThatTeach) {
   std::set<std::string> labels;
   for (const Action& each : actions()) {

@@ -102,7 +102,12 @@ std::vector<Action> make_table() {
 #undef REPLAN_SAY
 #undef REPLAN_WHEN
   };
-  for (Action& each : table) each.keys = chord_text(each.chord);
+  for (Action& each : table) {
+#ifdef __EMSCRIPTEN__
+    each.chord = chord_in_page(each.chord);
+#endif
+    each.keys = chord_text(each.chord);
+  }
   return table;
 }
 
