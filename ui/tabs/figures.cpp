@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/base/clock.hpp"
 #include "core/trace/search_state.hpp"
 #include "ui/icons.hpp"
 #include "ui/parts.hpp"
@@ -16,6 +17,8 @@ namespace {
 /// As the window prints it: thousands apart.
 std::string shown(const FigureRow& row, std::size_t pane, bool standing) {
   if (!standing) return "–";
+  if (row.info->unit == "ms" && row.values[pane] && *row.values[pane] < kFinestMs)
+    return "under " + fixed(kFinestMs, 1);
   if (row.info->decimals > 0 || !row.values[pane]) return figure_text(*row.info, row.values[pane]);
   const double scale = row.info->unit == "kB" ? 1000 : 1;
   return grouped(static_cast<std::int64_t>(*row.values[pane] / scale + 0.5));
