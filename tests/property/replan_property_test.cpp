@@ -2,6 +2,7 @@
 // fresh plan, exactly, and the path is one that can be driven. 100 000 replans in 2D and 100 000 in 3D, none
 // skipped, in shards that run beside each other.
 #include "tests/support/replan_trials.hpp"
+#include "tests/support/trials.hpp"
 
 namespace replan::test::replan_property_test {
 namespace {
@@ -12,10 +13,10 @@ constexpr const char* kFamily[] = {"dstar-lite", "los-dstar-lite", "dist-dstar-l
 class ReplanEqualsFreshPlan : public ::testing::TestWithParam<std::tuple<const char*, int>> {};
 
 TEST_P(ReplanEqualsFreshPlan, in2d) {
-  check_replans<2>(std::get<0>(GetParam()), std::get<1>(GetParam()), kReplansPerShard);
+  check_replans<2>(std::get<0>(GetParam()), std::get<1>(GetParam()), trials(kReplansPerShard));
 }
 TEST_P(ReplanEqualsFreshPlan, in3d) {
-  check_replans<3>(std::get<0>(GetParam()), std::get<1>(GetParam()), kReplansPerShard);
+  check_replans<3>(std::get<0>(GetParam()), std::get<1>(GetParam()), trials(kReplansPerShard));
 }
 
 INSTANTIATE_TEST_SUITE_P(Family, ReplanEqualsFreshPlan,

@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/trials.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace replan::test {
@@ -126,10 +125,9 @@ template <int D>
 void check_replans(const char* id, int shard, int replans) {
   constexpr int kReplansPerWorld = 50;
   const PlannerInfo& info = *find_planner(id);
-  const int wanted = trials(replans);
   int done = 0;
   ReplanTally tally;
-  for (std::uint64_t world = 0; done < wanted; ++world) {
+  for (std::uint64_t world = 0; done < replans; ++world) {
     const std::uint64_t seed = hash_bytes(id, static_cast<std::uint64_t>(D * 1000 + shard)) + world;
     ReplanTrial<D> trial(info, seed);
     ASSERT_EQ(trial.plan(), "") << trial.describe() << ", seed " << seed << ", first plan";
@@ -138,7 +136,7 @@ void check_replans(const char* id, int shard, int replans) {
       ASSERT_EQ(fault, "") << trial.describe() << ", seed " << seed << ", replan " << i;
     }
   }
-  EXPECT_GE(done, wanted);
+  EXPECT_GE(done, replans);
   std::printf(
       "%s, %dD: %d replans: %d found, %d without a path, %d with an end covered; %d with long segments\n", id,
       D, done, tally.found, tally.no_path, tally.ends_blocked, tally.long_segments);
