@@ -73,9 +73,9 @@ Module.replan = (() => {
   }
 
   // Writes files of the user's into the page's file system and opens the first.
-  async function take_files(files) {
+  async function take_files(chosen) {
     const paths = [];
-    for (const file of files) {
+    for (const file of chosen) {
       const path = files + '/' + file.name.replaceAll('/', '_');
       FS.writeFile(path, new Uint8Array(await file.arrayBuffer()));
       paths.push(path);

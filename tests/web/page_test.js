@@ -108,8 +108,8 @@ const tests = {
   async 'a surprise is repaired'(browser, address) {
     const page = await browser.page();
     await shown(page, address);
-    await page.drop('dynamic.json', world('dynamic.json'));
-    await until(page, (now) => now.file.endsWith('/dynamic.json') && now.mission !== 'planning', 'a plan stands');
+    await page.drop('closing-door.json', world('closing-door.json'));
+    await until(page, (now) => now.file.endsWith('/closing-door.json') && now.mission !== 'planning', 'a plan stands');
     await page.key(' ', { code: 'Space' });
     const over = await until(page, (now) => now.mission === 'arrived', 'the robot has arrived');
     assert(over.moves > 0);
