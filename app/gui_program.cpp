@@ -19,6 +19,7 @@
 #include "app/platform/window.hpp"
 #include "app/recording.hpp"
 #include "app/render.hpp"
+#include "core/base/cpu_time.hpp"
 #include "core/base/file.hpp"
 #include "core/experiment/held_results.hpp"
 #include "core/plan/pages.hpp"
@@ -37,13 +38,6 @@ double milliseconds(std::chrono::steady_clock::duration time) {
 
 /// From here on a frame is late for a display of 60 a second.
 constexpr double kSlowFrameMs = 16;
-
-/// Processor's time of this thread.
-double thread_ms() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
 
 bool is_set(const char* variable) {
   const char* value = std::getenv(variable);
@@ -157,11 +151,11 @@ bool GuiProgram::frame() {
   const double passed = std::chrono::duration<double>(now - last_).count();
   const double seconds = recording_.on() && !maker_.on() ? recording_.step() : passed;
   last_ = now;
-  const double begin_ms = thread_ms();
+  const double begin_ms = thread_cpu_ms();
   session_.set_share(shell_->work_share(session_, drawing_ms_));
   session_.update(seconds);
   const Clock::time_point updated = Clock::now();
-  const double updated_ms = thread_ms();
+  const double updated_ms = thread_cpu_ms();
   shell_->panels().recording = recording_.state();
   if (maker_.on()) shell_->panels().recording.made = maker_.share();
   shell_->draw(window_->stage().look(), session_, seconds);
@@ -170,7 +164,7 @@ bool GuiProgram::frame() {
   draw_ms_ = lately(draw_ms_, spent);
   drawing_ms_ = lately(drawing_ms_, milliseconds(Clock::now() - updated));
   shell_->panels().frame_ms = draw_ms_;
-  if (timing_) report_slow_frame(updated_ms - begin_ms, thread_ms() - updated_ms);
+  if (timing_) report_slow_frame(updated_ms - begin_ms, thread_cpu_ms() - updated_ms);
   follow();
   if (!timed_) report_first_frame();
   capture();

@@ -20,7 +20,7 @@ struct FrameSize {
 FrameSize film_size(const std::string& path, FrameSize frames);
 
 struct FilmSettings {
-  std::string path;  ///< .gif, .webp or .mp4
+  std::string path;  ///< .gif, .webp or .mp4; in a page .webm
   int width = 0;     ///< pixels of the frames
   int height = 0;
   int fps = 30;
