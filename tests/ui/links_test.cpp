@@ -1,42 +1,21 @@
 // A link to a moment in the window: copied, everything changed, and opened again.
-#include <thread>
 
 #include <gtest/gtest.h>
 
 #include "core/link/link.hpp"
 #include "core/trace/log_hash.hpp"
-#include "tests/ui/shell_fixture.hpp"
+#include "tests/ui/gap_fixture.hpp"
 #include "ui/shell/format.hpp"
 
 namespace replan::ui::links_test {
 namespace {
 
-constexpr const char* kWorld = R"({"replan": 1, "name": "Gap",
-  "map": {"rows": ["........", "...@....", "...@....", "...@....", "........"]},
-  "start": [0, 2], "goal": [7, 2],
-  "planners": [{"id": "astar"}, {"id": "dstar-lite"}],
-  "robot": {"knowledge": "map", "sensor_radius": 2},
-  "surprises": [{"at": {"move": 1}, "add": {"cells": [[3, 0]]}}]})";
 constexpr const char* kSolid = R"({"replan": 1, "name": "Decks",
   "map": {"layers": [["....", "....", "...."], ["....", ".@@.", "...."], ["....", "....", "...."]]},
   "start": [0, 0, 0], "goal": [3, 2, 2], "planners": [{"id": "dstar-lite"}]})";
 
-class LinksTest : public ShellTest {
+class LinksTest : public GapTest {
  protected:
-  void begin(const char* world) {
-    open("gap.json", world);
-    static std::string held;
-    held.clear();
-    ImGui::GetIO().SetClipboardTextFn = [](void*, const char* text) { held = text; };
-    ImGui::GetIO().GetClipboardTextFn = [](void*) { return held.c_str(); };
-  }
-  /// Until nothing is under way any more.
-  void rest() {
-    for (int i = 0; i < 500 && shell_->wants_frames(*session_); ++i) {
-      frames(1);
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-  }
   [[nodiscard]] const Timeline& log() const { return session_->run().timeline(); }
   [[nodiscard]] std::uint64_t hash_here() const {
     LogHash hash(log().cursor());
@@ -69,7 +48,7 @@ class LinksTest : public ShellTest {
 };
 
 TEST_F(LinksTest, EverythingComesBack) {
-  begin(kWorld);
+  begin(kGapWorld);
   ASSERT_TRUE(session_->apply(Lead{1}).ok());
   ASSERT_TRUE(session_->apply(RunToEnd{}).ok());
   session_->settle();
@@ -134,7 +113,7 @@ TEST_F(LinksTest, AWorldInSpaceIsSeenAsItWas) {
 }
 
 TEST_F(LinksTest, UnsavedEditsAreAskedAboutFirst) {
-  begin(kWorld);
+  begin(kGapWorld);
   const std::string link = shell_->link(*session_).value();
   ASSERT_TRUE(session_->apply(PaintCells{{{{5, 0}, true}}}).ok());
   session_->settle();
@@ -147,7 +126,7 @@ TEST_F(LinksTest, UnsavedEditsAreAskedAboutFirst) {
 }
 
 TEST_F(LinksTest, AnotherPlanIsSaid) {
-  begin(kWorld);
+  begin(kGapWorld);
   ASSERT_TRUE(session_->apply(Seek{20}).ok());
   std::string link = shell_->link(*session_).value();
   const std::size_t at = link.find("&log=") + 5;
@@ -165,7 +144,7 @@ TEST_F(LinksTest, AnotherPlanIsSaid) {
 }
 
 TEST_F(LinksTest, TheWayThereCanBeStopped) {
-  begin(kWorld);
+  begin(kGapWorld);
   std::string link = shell_->link(*session_).value();
   link.replace(link.find("&at="), link.find("&log=") - link.find("&at="), "&at=999999");
   shell_->open_link(*session_, link);
@@ -176,7 +155,7 @@ TEST_F(LinksTest, TheWayThereCanBeStopped) {
 }
 
 TEST_F(LinksTest, ADamagedOneIsRefusedAndNothingIsLost) {
-  begin(kWorld);
+  begin(kGapWorld);
   std::string link = shell_->link(*session_).value();
   link.resize(link.size() - 7);
   shell_->open_link(*session_, link);
@@ -186,7 +165,7 @@ TEST_F(LinksTest, ADamagedOneIsRefusedAndNothingIsLost) {
 }
 
 TEST_F(LinksTest, TheOpenDialogTakesOne) {
-  begin(kWorld);
+  begin(kGapWorld);
   ASSERT_TRUE(session_->apply(Seek{9}).ok());
   ImGui::SetClipboardText(shell_->link(*session_).value().c_str());
   open_another_world();
@@ -199,7 +178,7 @@ TEST_F(LinksTest, TheOpenDialogTakesOne) {
 }
 
 TEST_F(LinksTest, TheAddressIsKept) {
-  begin(kWorld);
+  begin(kGapWorld);
   shell_->panels().link_address = "https://example.org/lab/";
   EXPECT_TRUE(copied().starts_with("https://example.org/lab/#v=1&"));
   EXPECT_NE(shell_->told().find("Copied the link: "), std::string::npos);

@@ -1,40 +1,20 @@
 // A moment of a run through the clipboard and back, and its log into a file, in the window.
 #include <filesystem>
-#include <thread>
 
 #include <gtest/gtest.h>
 
 #include "core/base/file.hpp"
 #include "core/export/case_text.hpp"
 #include "tests/support/posthoc_check.hpp"
-#include "tests/ui/shell_fixture.hpp"
+#include "tests/ui/gap_fixture.hpp"
 
 namespace replan::ui::traces_test {
 namespace {
 
-constexpr const char* kWorld = R"({"replan": 1, "name": "Gap",
-  "map": {"rows": ["........", "...@....", "...@....", "...@....", "........"]},
-  "start": [0, 2], "goal": [7, 2],
-  "planners": [{"id": "astar"}, {"id": "dstar-lite"}],
-  "robot": {"knowledge": "map", "sensor_radius": 2},
-  "surprises": [{"at": {"move": 1}, "add": {"cells": [[3, 0]]}}]})";
-
-class TracesTest : public ShellTest {
+class TracesTest : public GapTest {
  protected:
-  void SetUp() override {
-    open("gap.json", kWorld);
-    static std::string held;
-    ImGui::GetIO().SetClipboardTextFn = [](void*, const char* text) { held = text; };
-    ImGui::GetIO().GetClipboardTextFn = [](void*) { return held.c_str(); };
-  }
+  void SetUp() override { begin(kGapWorld); }
 
-  /// Until nothing is under way any more.
-  void rest() {
-    for (int i = 0; i < 500 && shell_->wants_frames(*session_); ++i) {
-      frames(1);
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-  }
   void run_to_end() {
     ASSERT_TRUE(session_->apply(RunToEnd{}).ok());
     session_->settle();
