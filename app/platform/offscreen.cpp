@@ -113,10 +113,12 @@ Offscreen::~Offscreen() {
 void Offscreen::frame(const std::function<void()>& draw, float seconds) {
   const Current current(context_->handle, context_->pixels, settings_.width, settings_.height);
   stage_->frame(settings_.width, settings_.height, seconds, draw);
-  gl_.Finish();
 }
 
-ui::Image Offscreen::picture() const {
+ui::Image Offscreen::picture() {
+  const Current current(context_->handle, context_->pixels, settings_.width, settings_.height);
+  stage_->render();
+  gl_.Finish();
   return {settings_.width, settings_.height, context_->pixels};
 }
 

@@ -26,11 +26,11 @@ class Offscreen {
 
   /// Look, theme, scripted input, textures. Textures may only be touched inside frame()'s `draw`.
   [[nodiscard]] ui::Stage& stage() { return *stage_; }
-  /// Draws one frame into memory. Windows that ImGui sizes by their content settle in the second frame.
+  /// Draws one frame. Windows that ImGui sizes by their content settle in the second frame.
   /// Time advances by a fixed step, so that films repeat exactly.
   void frame(const std::function<void()>& draw, float seconds = 1.0f / 60.0f);
-  /// The pixels of the last frame.
-  [[nodiscard]] ui::Image picture() const;
+  /// The pixels of the last frame, which are filled here: most of what a frame takes, and few are looked at.
+  [[nodiscard]] ui::Image picture();
 
  private:
   struct Context;

@@ -20,6 +20,7 @@ void Window::draw_frame(const std::function<bool()>& frame, int width, int heigh
     moving = frame();
     update_cursor();
   });
+  stage_->render();
   if (moving) settle_frames_ = std::max(settle_frames_, 1);
   if (taker_) std::exchange(taker_, nullptr)(ui::read_picture(gl_, width, height));
 }

@@ -83,8 +83,9 @@ void Offscreen::frame(const std::function<void()>& draw, float seconds) {
   stage_->frame(settings_.width, settings_.height, seconds, draw);
 }
 
-ui::Image Offscreen::picture() const {
+ui::Image Offscreen::picture() {
   const CurrentWebgl current(context_->handle);
+  stage_->render();
   return ui::read_picture(gl_, settings_.width, settings_.height);
 }
 

@@ -132,6 +132,10 @@ void Stage::frame(int width, int height, float seconds, const std::function<void
   // A tooltip is about to be due: the mouse rests, so no event would bring the frame that shows it.
   const ImGuiContext& context = *context_;
   awaits_hint_ = context.HoveredId != 0 && context.HoveredIdTimer < kHintSeconds + 0.05f;
+}
+
+void Stage::render() {
+  const Current current(context_);
   renderer_->render(*ImGui::GetDrawData(), look_.theme.background);
 }
 

@@ -46,8 +46,11 @@ class Stage {
   /// The language's characters (see FontOptions::also).
   void set_language(std::string also, bool chinese);
 
-  /// One frame of width x height pixels: input, `draw`, rendering. `seconds` since the last frame.
+  /// One frame of width x height pixels: input and `draw`. `seconds` since the last frame. No pixel of it is filled
+  /// before render().
   void frame(int width, int height, float seconds, const std::function<void()>& draw);
+  /// Fills the pixels of the last frame, while what it shows still is.
+  void render();
   /// Whether a further frame is due: input waits, the look has changed, or a tooltip is about to show.
   [[nodiscard]] bool wants_frame() const {
     return !input_.empty() || fonts_stale_ || style_stale_ || awaits_hint_ || touches_.active();
