@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/first_document.hpp"
 #include "app/gui_program.hpp"
 #include "app/gui_settings.hpp"
 #include "core/base/disposal.hpp"

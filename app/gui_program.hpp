@@ -7,27 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "app/film_maker.hpp"
+#include "app/capture.hpp"
+#include "app/first_document.hpp"
 #include "app/gui_settings.hpp"
 #include "app/platform/window.hpp"
-#include "app/recording.hpp"
 #include "core/link/link.hpp"
 #include "core/session/session.hpp"
-#include "core/world/scenario.hpp"
 #include "ui/shell/shell.hpp"
 
 namespace replan::app {
-
-/// What a window opens with.
-struct FirstDocument {
-  Scenario scenario;
-  std::string file;        ///< empty: nobody's yet
-  std::string batch = {};  ///< an experiment, or results of one, to be shown over the scenario; empty: none
-  bool asked_for = true;   ///< somebody wants to see this one
-  std::optional<Link> link = {};  ///< that the scenario came with
-};
-/// That file, else the demo; where the program was copied without its files, a small world in code.
-Result<FirstDocument> first_document(const std::optional<std::string>& file);
 
 /// Everything of one window.
 class GuiProgram {
@@ -58,11 +46,6 @@ class GuiProgram {
   void begin_with_link();
   bool frame();
   void follow();
-  void capture();
-  void carry_out(const ui::CaptureRequest& request);
-  Result<void> make_film(const ui::CaptureRequest& request);
-  void take_picture(const ui::CaptureRequest& request);
-  [[nodiscard]] ui::PixelArea area(bool window) const;
   void report_first_frame();
   void report_slow_frame(double update_ms, double draw_ms);
 
@@ -76,6 +59,7 @@ class GuiProgram {
   Session session_;                 // plans while the window is being opened
   std::unique_ptr<Window> window_;
   std::unique_ptr<ui::Shell> shell_;  // goes before the window: it holds textures
+  std::optional<Capture> capture_;    // from open() on
   Clock::time_point last_ = Clock::now();
   double draw_ms_ = 0;     // of a frame
   double drawing_ms_ = 0;  // of that, without the session's update
@@ -84,10 +68,6 @@ class GuiProgram {
   std::string words_;  // that the fonts were baked for, beside the usual characters
   bool timed_ = false;
   const bool timing_;  // slow frames are reported
-  Recording recording_{WorkPlace::beside(Window::wake)};
-  FilmMaker maker_{recording_};
-  std::optional<ui::CaptureRequest> wanted_;  // by the user, and not begun yet
-  int settling_ = 0;                          // frames until the dialog has gone from the pixels
 };
 
 }  // namespace replan::app

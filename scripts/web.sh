@@ -87,7 +87,7 @@ make_prefix() {
 test_page() {
   build "$web/page" replan_log_hashes
   tests/web/logs_test.sh build/release/tests/replan_log_hashes "$web/page/replan_log_hashes.js"
-  node tests/web/page_test.js "$web/site" "$web/replan.html"
+  node tests/web/page_test.js "$web/site" "$web/replan.html" build/release/replan
 }
 
 build_page() {

@@ -7,6 +7,7 @@
 
 #include <emscripten.h>
 
+#include "app/first_document.hpp"
 #include "app/gui_program.hpp"
 #include "app/gui_settings.hpp"
 #include "app/web/page.hpp"

@@ -46,6 +46,25 @@ TEST_F(DialogsTest, OpenFiltersByWhatIsTypedAndTakesEnter) {
   EXPECT_EQ(session_->scenario().map.width, 4);
 }
 
+TEST_F(DialogsTest, AWorldOpensWithItsCamera) {
+  const std::string close =
+      R"({"replan": 1, "map": {"rows": ["....................", "...................."]},
+    "start": [0, 0], "goal": [19, 1], "planners": [{"id": "astar"}], "view": {"camera": {"x": 3, "y": 1, "zoom": 40}}})";
+  for (const char* name : {"of another size.json", "of that size.json"}) {
+    folder_.with(name, close);
+    press('O', true);
+    type(name);
+    press(key::kEnter);
+    frames(3);
+    ASSERT_EQ(session_->scenario().map.width, 20) << name;
+    const Camera camera = shell_->view().camera(Axis::z);
+    EXPECT_DOUBLE_EQ(camera.x, 3) << name;
+    EXPECT_DOUBLE_EQ(camera.y, 1) << name;
+    EXPECT_DOUBLE_EQ(camera.zoom, 40) << name;
+    shell_->view().fit_cameras();
+  }
+}
+
 /// How high the open dialog is.
 float height_of_popup() {
   const auto& popups = ImGui::GetCurrentContext()->OpenPopupStack;

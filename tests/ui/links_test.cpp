@@ -35,7 +35,7 @@ class LinksTest : public GapTest {
     other.planners = {{"astar", {}, {}}};
     ASSERT_TRUE(session_->apply(ReplaceScenario{other, ""}).ok());
     session_->settle();
-    shell_->show({});
+    shell_->show(session_->scenario());
     ViewState& view = shell_->view();
     view.tab = "log";
     view.view.overlays = default_overlays();

@@ -96,9 +96,44 @@ class Page {
     await this.send('Emulation.setTouchEmulationEnabled', { enabled: mobile, maxTouchPoints: 5 });
   }
 
-  async picture(file) {
+  // A PNG.
+  async screenshot() {
     const { data } = await this.send('Page.captureScreenshot', { format: 'png' });
-    fs.writeFileSync(file, Buffer.from(data, 'base64'));
+    return Buffer.from(data, 'base64');
+  }
+
+  async picture(file) {
+    fs.writeFileSync(file, await this.screenshot());
+  }
+
+  // What share of the pixels of an area differs between two PNGs by more than a little; the browser reads them.
+  async difference(one, other, { x, y, width, height }) {
+    return this.value(`(async () => {
+      const pixels = async (text) => {
+        const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+        const canvas = new OffscreenCanvas(${width}, ${height});
+        canvas.getContext('2d').drawImage(await createImageBitmap(new Blob([bytes], { type: 'image/png' })), -${x}, -${y});
+        return canvas.getContext('2d').getImageData(0, 0, ${width}, ${height}).data;
+      };
+      const [a, b] = await Promise.all(${JSON.stringify([one, other].map((each) => each.toString('base64')))}.map(pixels));
+      let differ = 0;
+      for (let i = 0; i < a.length; i += 4)
+        if ([0, 1, 2].some((k) => Math.abs(a[i + k] - b[i + k]) > 24)) differ++;
+      return differ / (a.length / 4);
+    })()`);
+  }
+
+  // How long a film is that the browser plays.
+  async film_seconds(bytes) {
+    return this.value(`new Promise((done, failed) => {
+      const bytes = Uint8Array.from(atob('${bytes.toString('base64')}'), (c) => c.charCodeAt(0));
+      const film = document.createElement('video');
+      film.onerror = () => failed(new Error('it cannot be played'));
+      // A recorder writes no length: a place far behind the end leads to the end.
+      film.onloadedmetadata = () => (film.currentTime = 1e6);
+      film.onseeked = () => done(film.currentTime);
+      film.src = URL.createObjectURL(new Blob([bytes], { type: 'video/webm' }));
+    })`);
   }
 
   async mouse(type, x, y, button = 'none', buttons = 0) {
@@ -148,6 +183,23 @@ class Page {
     await this.rest();
   }
 
+  // A letter with keys held, such as 'Ctrl+Shift'.
+  async shortcut(held, letter) {
+    const keys = { Alt: ['Alt', 'AltLeft', 1], Ctrl: ['Control', 'ControlLeft', 2], Shift: ['Shift', 'ShiftLeft', 8] };
+    const all = held.split('+').map((name) => keys[name]);
+    let modifiers = 0;
+    for (const [key, code, bit] of all) {
+      modifiers |= bit;
+      await this.send('Input.dispatchKeyEvent', { type: 'keyDown', key, code, modifiers });
+    }
+    await this.key(letter, { code: 'Key' + letter.toUpperCase(), modifiers });
+    for (const [key, code, bit] of all.reverse()) {
+      modifiers &= ~bit;
+      await this.send('Input.dispatchKeyEvent', { type: 'keyUp', key, code, modifiers });
+    }
+    await this.rest();
+  }
+
   // Until a few frames are drawn: what was done has had its effect.
   async rest(frames = 4) {
     await this.value(
@@ -174,6 +226,15 @@ class Page {
     for (const end = Date.now() + kTimeoutMs; Date.now() < end; await sleep(50))
       if (fs.existsSync(file)) return fs.readFileSync(file);
     throw new Error('no download of ' + name + '; there are ' + fs.readdirSync(this.downloads).join(', '));
+  }
+
+  // The name and the text of the first file with that ending.
+  async any_download(ending) {
+    for (const end = Date.now() + kTimeoutMs; Date.now() < end; await sleep(50)) {
+      const name = fs.readdirSync(this.downloads).find((each) => each.endsWith(ending));
+      if (name) return [name, fs.readFileSync(path.join(this.downloads, name))];
+    }
+    throw new Error('no download of *' + ending + '; there are ' + fs.readdirSync(this.downloads).join(', '));
   }
 }
 
@@ -209,6 +270,12 @@ class Browser {
     for (const domain of ['Page', 'Runtime', 'Log', 'DOM']) await page.send(domain + '.enable');
     await page.size(width, height, ratio, mobile);
     return page;
+  }
+
+  // What a user answers a browser's question with.
+  async allow_clipboard(page) {
+    const permissions = ['clipboardReadWrite', 'clipboardSanitizedWrite'];
+    await this.pipe.send('Browser.grantPermissions', { permissions, browserContextId: page.context });
   }
 
   async shut(page) {

@@ -1,14 +1,17 @@
-// The page in a headless Chromium: node tests/web/page_test.js FOLDER-OF-THE-SITE PAGE.html [PICTURES]
-// FOLDER is served over http, PAGE is opened as a file. PICTURES: a folder for what the page looked like.
+// The page in a headless Chromium: node tests/web/page_test.js FOLDER-OF-THE-SITE PAGE.html REPLAN [PICTURES]
+// FOLDER is served over http, PAGE is opened as a file. REPLAN is the desktop program, which writes and draws the same.
+// PICTURES: a folder for what the page looked like.
 'use strict';
 const assert = require('assert');
+const { execFileSync } = require('child_process');
 const fs = require('fs');
 const http = require('http');
+const os = require('os');
 const path = require('path');
 const { pathToFileURL } = require('url');
 const { Browser, sleep } = require('./browser.js');
 
-const [site, one_file, pictures] = process.argv.slice(2);
+const [site, one_file, desktop, pictures] = process.argv.slice(2);
 const kTypes = { '.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm' };
 
 // Any static server does: this one knows nothing but files.
@@ -23,7 +26,18 @@ function serve(folder) {
   return new Promise((done) => server.listen(0, '127.0.0.1', () => done(server)));
 }
 
-const world = (name) => fs.readFileSync(path.join(__dirname, '../../maps', name));
+const world_file = (name) => path.join(__dirname, '../../maps', name);
+const world = (name) => fs.readFileSync(world_file(name));
+
+// What the desktop program writes by a command that is given the file to write.
+function of_desktop(ending, command) {
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'replan-desktop-'));
+  const file = path.join(folder, 'out' + ending);
+  execFileSync(desktop, command(file), { stdio: ['ignore', 'ignore', 'inherit'] });
+  const bytes = fs.readFileSync(file);
+  fs.rmSync(folder, { recursive: true });
+  return bytes;
+}
 
 async function facts(page) {
   return JSON.parse(await page.value('UTF8ToString(Module._replan_facts())'));
@@ -98,9 +112,7 @@ const tests = {
     const painted = await until(page, (now) => now.obstacles > demo.obstacles, 'there are more obstacles');
     assert(painted.undo.length > 0 && painted.modified);
     await look(page, 'stroke');
-    await page.send('Input.dispatchKeyEvent', { type: 'keyDown', key: 'Control', code: 'ControlLeft', modifiers: 2 });
-    await page.key('z', { code: 'KeyZ', modifiers: 2 });
-    await page.send('Input.dispatchKeyEvent', { type: 'keyUp', key: 'Control', code: 'ControlLeft' });
+    await page.shortcut('Ctrl', 'z');
     await until(page, (now) => now.obstacles === demo.obstacles, 'the stroke is gone');
     return page;
   },
@@ -120,13 +132,9 @@ const tests = {
   async 'saving hands over the bytes that the desktop writes'(browser, address) {
     const page = await browser.page();
     await quiet(page, address);
-    await page.send('Input.dispatchKeyEvent', { type: 'keyDown', key: 'Control', code: 'ControlLeft', modifiers: 2 });
-    await page.key('s', { code: 'KeyS', modifiers: 2 });
-    await page.send('Input.dispatchKeyEvent', { type: 'keyUp', key: 'Control', code: 'ControlLeft' });
-    const saved = JSON.parse((await page.downloaded('demo.json')).toString());
-    const original = JSON.parse(world('demo.json').toString());
-    assert.deepEqual(saved.map, original.map);
-    assert.deepEqual(saved.start, original.start);
+    await page.shortcut('Ctrl', 's');
+    const saved = (await page.downloaded('demo.json')).toString();
+    assert.equal(saved, of_desktop('.json', (file) => ['convert', world_file('demo.json'), file]).toString());
     return page;
   },
 
@@ -143,6 +151,58 @@ const tests = {
     await until(other, (now) => now.cursor === left.cursor && now.state === left.state, 'the moment is there');
     await look(other, 'link');
     await browser.shut(other);
+    return page;
+  },
+
+  async 'the link goes to the clipboard'(browser, address) {
+    const page = await browser.page();
+    await browser.allow_clipboard(page);
+    await quiet(page, address);
+    await page.shortcut('Ctrl+Shift', 'L');
+    await page.rest(30);
+    await look(page, 'link_dialog');
+    await page.key('Enter', { code: 'Enter' });
+    const copied = await page.value('navigator.clipboard.readText()');
+    assert.equal(copied, await page.value('UTF8ToString(Module._replan_link())'));
+    return page;
+  },
+
+  async 'a film is made by the recorder of the browser'(browser, address) {
+    const page = await browser.page();
+    await quiet(page, address);
+    await page.key('Home', { code: 'Home' });
+    await page.shortcut('Ctrl+Shift', 'R');
+    await page.rest(20);
+    await look(page, 'film_dialog');
+    await page.key('Enter', { code: 'Enter' });
+    await page.rest(10);
+    await page.key(' ', { code: 'Space' });
+    await sleep(2000);
+    await look(page, 'filming');
+    await page.shortcut('Ctrl+Shift', 'R');
+    const [name, film] = await page.any_download('.webm');
+    console.log('    ' + name + ' of ' + film.length + ' bytes');
+    assert.equal(film.readUInt32BE(0), 0x1a45dfa3, 'it begins as Matroska does');
+    const seconds = await page.film_seconds(film);
+    assert(seconds > 1, 'it lasts ' + seconds + ' s');
+    return page;
+  },
+
+  async 'shows what the desktop program shows'(browser, address) {
+    const page = await browser.page();
+    await quiet(page, address);
+    await page.key('End', { code: 'End' });
+    await until(page, (now) => now.cursor === now.events && now.mission === 'arrived', 'the run is at its end');
+    await page.send('Input.dispatchMouseEvent', { type: 'mouseMoved', x: 640, y: 1 });
+    await page.rest(60);
+    const shown = await page.screenshot();
+    const wanted = of_desktop('.png', (file) => ['render', world_file('demo.json'), '-o', file, '--at-end', '--size', '1280x800']);
+    if (pictures) fs.writeFileSync(path.join(pictures, 'of_desktop.png'), wanted);
+    if (pictures) fs.writeFileSync(path.join(pictures, 'of_page.png'), shown);
+    // The world: around it there are times, and the name of the file.
+    const share = await page.difference(shown, wanted, { x: 60, y: 120, width: 800, height: 500 });
+    console.log('    ' + (100 * share).toFixed(2) + ' % of the pixels differ by more than 24 of 255');
+    assert(share < 0.01);
     return page;
   },
 

@@ -65,6 +65,7 @@ class BatchForm {
 
   void add_candidate(const PlannerChoice& choice, bool on);
   [[nodiscard]] Experiment experiment() const;
+  void draw_choices(const Look& look, float height);
   void draw_planners(const Look& look);
   void draw_settings(const Look& look);
   void draw_surprises(const Look& look);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
+#include "ui/canvas/camera_hand.hpp"
 #include "ui/canvas/chips.hpp"
 #include "ui/canvas/draw.hpp"
 #include "ui/canvas/hand.hpp"
@@ -19,8 +19,8 @@
 namespace replan::ui {
 namespace {
 
-/// What one step of zooming comes to, and how far one of panning goes.
-constexpr double kZoomStep = 1.25, kPanStep = 80;
+/// What one notch of the wheel zooms by.
+constexpr double kWheelStep = 1.25;
 
 /// In a world of another size, what was selected is no longer where it was.
 void forget_places(ViewState& state) {
@@ -57,22 +57,12 @@ struct Canvas::Parts {
     friend bool operator==(const SceneKey&, const SceneKey&) = default;
   };
 
-  /// A zoom on its way: towards `target`, with `anchor` staying where it is on the screen.
-  struct Glide {
-    double target = 0;
-    Point anchor;
-    ImVec2 at;
-    bool active = false;
-  };
-
   explicit Parts(ImGuiRenderer& its_renderer) : renderer(its_renderer), minimap(its_renderer) {}
 
   void prepare(const Look& look, const Session& session, const Run& run, const ViewState& state,
                const Camera& camera, bool may_wait);
   void upload();
-  [[nodiscard]] Camera resolved(const Camera& camera) const {
-    return resolve(camera, sheet.box.width(), sheet.box.height(), viewport);
-  }
+  [[nodiscard]] CameraField field(ImVec2 min) const { return {sheet.box, viewport, min}; }
   void turn_to(const Run& run, std::size_t pane, ViewState& state);
   OrbitPane& orbit_pane() {
     if (!orbit) orbit = std::make_unique<OrbitPane>(renderer);
@@ -80,14 +70,8 @@ struct Canvas::Parts {
   }
   void draw_slice(const Look& look, const Run& run, const ViewState& state, ImVec2 min, bool interactive);
   void navigate(const Look& look, std::size_t pane, ViewState& state, ImVec2 min, bool hovered);
-  void pinch(const Pinch& pinch, ViewState& state, ImVec2 min);
-  [[nodiscard]] double zoom_within(double zoom, const ViewState& state) const;
-  void zoom_by(ViewState& state, double factor, ImVec2 min, ImVec2 at);
-  void take_wishes(ViewState& state, ImVec2 min, ImVec2 max);
-  void pan(ViewState& state, bool hovered);
   void take_answer(ViewState& state, const Session& session, std::size_t pane,
                    std::vector<Command>& commands);
-  void glide(ViewState& state, ImVec2 min);
   void point(const Session& session, std::size_t pane, ViewState& state, ImVec2 min, bool hovered,
              std::vector<Command>& commands);
   bool title(const Look& look, const Session& session, std::size_t pane, std::vector<Command>& commands);
@@ -108,8 +92,7 @@ struct Canvas::Parts {
   CardFold card;
   bool behind = false;  // it shows what was, or nothing yet
   bool fit = false;
-  bool panning = false;
-  Glide zooming;
+  CameraHand camera_hand;
   Hand hand;
   std::unique_ptr<OrbitPane> orbit;  // once the pane has shown the world from outside
   bool orbits = false;
@@ -133,7 +116,7 @@ void Canvas::take_over(const Box& world, ViewState& state) {
   state.fit_cameras();
   parts_->world = world;
   parts_->fit = false;
-  parts_->zooming.active = false;
+  parts_->camera_hand.stop();
 }
 
 bool Canvas::behind() const {
@@ -142,7 +125,8 @@ bool Canvas::behind() const {
 
 bool Canvas::animating() const {
   const bool fills_in = parts_->orbits && parts_->orbit && parts_->orbit->behind();
-  return parts_->zooming.active || (parts_->plans && parts_->plans->busy()) || parts_->behind || fills_in;
+  return parts_->camera_hand.gliding() || (parts_->plans && parts_->plans->busy()) || parts_->behind ||
+         fills_in;
 }
 
 const Scene& Canvas::scene() const {
@@ -197,78 +181,17 @@ void Canvas::Parts::prepare(const Look& look, const Session& session, const Run&
   upload();
 }
 
-void Canvas::Parts::glide(ViewState& state, ImVec2 min) {
-  if (!zooming.active) return;
-  Camera& camera = state.camera(sheet.box.along());
-  // Something else shows the whole world meanwhile.
-  if (camera.zoom <= 0) {
-    zooming.active = false;
-    return;
-  }
-  const double rest = std::log(zooming.target / camera.zoom);
-  const double step = 1 - std::exp(-18.0 * static_cast<double>(ImGui::GetIO().DeltaTime));
-  zooming.active = std::abs(rest) > 0.004;
-  camera.zoom = zooming.active ? camera.zoom * std::exp(rest * step) : zooming.target;
-  camera.x = zooming.anchor.x - (zooming.at.x - min.x - scene.width / 2.0) / camera.zoom;
-  camera.y = zooming.anchor.y - (zooming.at.y - min.y - scene.height / 2.0) / camera.zoom;
-}
-
-double Canvas::Parts::zoom_within(double zoom, const ViewState& state) const {
-  const double fitted = resolved({}).zoom;
-  const double most = std::max(fitted, 200 * state.view.scale);
-  return std::clamp(zoom, std::min(fitted, 1.0) / 2, most);
-}
-
-/// Begins to zoom, with what lies at a place of the screen staying there.
-void Canvas::Parts::zoom_by(ViewState& state, double factor, ImVec2 min, ImVec2 at) {
-  Camera& camera = state.camera(sheet.box.along());
-  camera = resolved(camera);
-  const double from = zooming.active ? zooming.target : camera.zoom;
-  zooming.target = zoom_within(from * factor, state);
-  Projection screen(scene, min);
-  screen.camera = camera;
-  zooming.anchor = screen.world(at);
-  zooming.at = at;
-  zooming.active = true;
-}
-
-/// The camera is that of all panes: the first that is drawn does what was asked for by keys and buttons.
-void Canvas::Parts::take_wishes(ViewState& state, ImVec2 min, ImVec2 max) {
-  const ImVec2 middle((min.x + max.x) * 0.5f, (min.y + max.y) * 0.5f);
-  if (const int steps = std::exchange(state.zoom_steps, 0); steps != 0)
-    zoom_by(state, std::pow(kZoomStep, steps), min, middle);
-  const int x = std::exchange(state.pan_x, 0), y = std::exchange(state.pan_y, 0);
-  if (x == 0 && y == 0) return;
-  zooming.active = false;
-  Camera& camera = state.camera(sheet.box.along());
-  camera = resolved(camera);
-  camera.x += x * kPanStep * state.view.scale / camera.zoom;
-  camera.y += y * kPanStep * state.view.scale / camera.zoom;
-}
-
-/// By two fingers, at once: what lies under their middle goes with it.
-void Canvas::Parts::pinch(const Pinch& pinch, ViewState& state, ImVec2 min) {
-  zooming.active = false;
-  Camera& camera = state.camera(sheet.box.along());
-  camera = resolved(camera);
-  Projection screen(scene, min);
-  screen.camera = camera;
-  const Point kept = screen.world({pinch.from_x, pinch.from_y});
-  camera.zoom = zoom_within(camera.zoom * static_cast<double>(pinch.factor), state);
-  camera.x = kept.x - (pinch.to_x - min.x - scene.width / 2.0) / camera.zoom;
-  camera.y = kept.y - (pinch.to_y - min.y - scene.height / 2.0) / camera.zoom;
-}
-
 void Canvas::Parts::navigate(const Look& look, std::size_t pane, ViewState& state, ImVec2 min,
                              bool is_hovered) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (is_hovered && look.pinch) return pinch(*look.pinch, state, min);
+  if (is_hovered && look.pinch) return camera_hand.pinch(field(min), state, *look.pinch);
   if (is_hovered && io.MouseWheel != 0 && io.KeyShift && world.solid())
     return move_slice(state.slices, pane, world, io.MouseWheel > 0 ? 1 : -1,
                       io.KeyCtrl ? SlicePanes::alone : SlicePanes::alike);
   if (is_hovered && io.MouseWheel != 0)
-    zoom_by(state, std::pow(kZoomStep, static_cast<double>(io.MouseWheel)), min, io.MousePos);
-  pan(state, is_hovered);
+    camera_hand.zoom_by(field(min), state, std::pow(kWheelStep, static_cast<double>(io.MouseWheel)),
+                        io.MousePos);
+  camera_hand.pan(field(min), state, is_hovered, !hand.busy());
 }
 
 /// Which sheet it shows: the pane's slice of the run's world, of which it forgets what was another one's.
@@ -276,7 +199,7 @@ void Canvas::Parts::turn_to(const Run& run, std::size_t pane, ViewState& state) 
   const bool other_world = run.lattice() != world;
   if (fit || (other_world && world.width() != 0)) {
     state.fit_cameras();
-    zooming.active = false;
+    camera_hand.stop();
     if (other_world) forget_places(state);
   }
   fit = false;
@@ -287,35 +210,14 @@ void Canvas::Parts::turn_to(const Run& run, std::size_t pane, ViewState& state) 
   sheet = sheet_of(world, state.slices.of(pane));
 }
 
-/// By the middle button, or by the left one while Space is down.
-void Canvas::Parts::pan(ViewState& state, bool is_hovered) {
-  const ImGuiIO& io = ImGui::GetIO();
-  const bool space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) && !io.WantTextInput;
-  const bool grabs = ImGui::IsMouseClicked(ImGuiMouseButton_Middle) ||
-                     (space && ImGui::IsMouseClicked(ImGuiMouseButton_Left));
-  if (is_hovered && grabs && !hand.busy()) {
-    panning = true;
-    state.panned = space;
-  }
-  if (!ImGui::IsMouseDown(ImGuiMouseButton_Middle) && !ImGui::IsMouseDown(ImGuiMouseButton_Left))
-    panning = false;
-  if (panning || (is_hovered && space)) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-  if (!panning || (io.MouseDelta.x == 0 && io.MouseDelta.y == 0)) return;
-  zooming.active = false;
-  Camera& camera = state.camera(sheet.box.along());
-  if (camera.zoom <= 0) camera = resolved(camera);
-  camera.x -= static_cast<double>(io.MouseDelta.x) / camera.zoom;
-  camera.y -= static_cast<double>(io.MouseDelta.y) / camera.zoom;
-}
-
 void Canvas::Parts::point(const Session& session, std::size_t pane, ViewState& state, ImVec2 min,
                           bool is_hovered, std::vector<Command>& commands) {
   const Run& run = *session.runs()[pane];
   Projection screen(scene, min);
-  screen.camera = resolved(state.camera(sheet.box.along()));
+  screen.camera = CameraHand::resolved(field(min), state.camera(sheet.box.along()));
   const Point at = screen.world(ImGui::GetIO().MousePos);
   const Cell cell = sheet.cell(static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)));
-  const bool over = is_hovered && !panning;
+  const bool over = is_hovered && !camera_hand.panning();
   const bool inside = over && run.lattice().contains(cell);
   if (inside) {
     state.view.hovered = hovered = cell;
@@ -395,10 +297,10 @@ void Canvas::Parts::take_hands(const Look& look, const Session& session, std::si
     return orbit_pane().take_hands(look, *session.runs()[pane], {min, viewport}, state, is_hovered, pane);
   }
   if (is_hovered) ImGui::SetMouseCursor(state.tools.kind().cursor);
-  take_wishes(state, min, max);
+  camera_hand.take_wishes(field(min), state);
   navigate(look, pane, state, min, is_hovered);
-  glide(state, min);
-  point(session, pane, state, min, is_hovered && !panning, commands);
+  camera_hand.glide(field(min), state);
+  point(session, pane, state, min, is_hovered && !camera_hand.panning(), commands);
 }
 
 /// What a click on the card of the last replan asked for.
@@ -420,7 +322,7 @@ void Canvas::Parts::draw_minimap(const Look& look, const Session& session, const
   const auto middle = minimap.draw(look, run, memory, scene, {sheet.box.along(), sheet.layer},
                                    scene_palette(look.theme, state.colours), foot);
   if (!middle) return;
-  zooming.active = false;
+  camera_hand.stop();
   state.camera(sheet.box.along()) = {middle->x, middle->y, scene.camera.zoom};
 }
 
@@ -434,7 +336,7 @@ void Canvas::Parts::draw_slice(const Look& look, const Run& run, const ViewState
   draw_scene(list, look, scene, min, {texture, used});
   if (interactive) {
     const Projection screen(scene, min);
-    const bool idle = !hand.holds() && !panning;
+    const bool idle = !hand.holds() && !camera_hand.panning();
     const auto under = idle ? hovered : std::nullopt;
     draw_editing(CellPen(look, list, screen, run, sheet), state, hand.preview(state, sheet, under), under);
   }

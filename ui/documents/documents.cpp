@@ -143,7 +143,7 @@ void Documents::save_and_go_on(Session& session, const std::string& path) {
 }
 
 void Documents::replace(Session& session, ReplaceScenario document) {
-  window_.show(document.scenario.view);
+  window_.show(document.scenario);
   watch_.watch({});
   disk_differs_ = false;
   disregarded_.reset();

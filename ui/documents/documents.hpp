@@ -37,7 +37,7 @@ class Documents {
     Dialogs& dialogs;
     Message& message;
     /// Takes over what a scenario says of its view.
-    std::function<void(const ViewSetup& view)> show;
+    std::function<void(const Scenario& world)> show;
     /// Shows an experiment, or results of one: such a file is no document.
     std::function<void(const Session& session, const std::string& path)> show_batch;
     /// Goes to the moment of a link whose world was just opened, and looks at what it says.

@@ -43,7 +43,7 @@ bool is_quiet(const Command& command) {
 
 Shell::Shell(ImGuiRenderer& renderer)
     : panes_(renderer),
-      documents_({view_, panels_, dialogs_, message_, [this](const ViewSetup& view) { show(view); },
+      documents_({view_, panels_, dialogs_, message_, [this](const Scenario& world) { show(world); },
                   [this](const Session& session, const std::string& path) { show_batch(session, path); },
                   [this](Session& session, const LinkView& view) { follow_link(session, view); }}),
       dialogs_(renderer) {}
@@ -317,7 +317,8 @@ void Shell::take_commands(Session& session, std::vector<Command>& commands) {
 }
 
 /// The document is another one: a lesson that was open is not about it.
-void Shell::show(const ViewSetup& view) {
+void Shell::show(const Scenario& world) {
+  const ViewSetup& view = world.view;
   lesson_.close();
   if (const Result<OverlaySet> set = parse_overlays(view.overlays); set && !view.overlays.empty())
     view_.view.overlays = *set;
@@ -328,7 +329,7 @@ void Shell::show(const ViewSetup& view) {
   view_.view.hovered.reset();
   view_.pointed.reset();
   panels_.drafts.clear();
-  fit();
+  panes_.take_over(world.map.box(), view_);
   view_.slices.forget();
   if (view.camera) view_.view.camera = {view.camera->x, view.camera->y, view.camera->zoom};
 }

@@ -52,7 +52,7 @@ class Shell {
 
   /// Takes over what a scenario says of its view: overlays, theme, camera. The whole world is shown if it
   /// names none.
-  void show(const ViewSetup& view);
+  void show(const Scenario& world);
   /// What the user wants filmed or pictured, once; its path is as typed_path() makes it.
   std::optional<CaptureRequest> take_capture() { return std::exchange(capture_, std::nullopt); }
   /// Does what the action does, in the next frame; nothing if it is not available then.

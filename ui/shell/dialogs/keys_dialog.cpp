@@ -39,8 +39,16 @@ constexpr std::array kMenus = {Menu::run,  Menu::debug, Menu::view,   Menu::move
                                Menu::tabs, Menu::panes, Menu::pin,    Menu::size, Menu::file,
                                Menu::edit, Menu::world, Menu::record, Menu::help, Menu::overlays};
 
-std::vector<Section> sections(const StepWords& step) {
+/// `fingers`: whether it is they that press.
+std::vector<Section> sections(const StepWords& step, bool fingers) {
   std::vector<Section> all;
+  if (fingers)
+    all.push_back({"With fingers",
+                   {{"Tap", "Press; on the world use the tool"},
+                    {"Drag", "Draw, erase, or move what lies there"},
+                    {"Two fingers", "Move and zoom the world"},
+                    {"Long press", "Menu of the cell"},
+                    {"Drag in a panel", "Scroll it"}}});
   for (const Menu menu : kMenus) {
     Section& section = all.emplace_back(Section{menu_kind(menu).name, {}});
     for (const Action& each : actions())
@@ -150,7 +158,7 @@ float column_height(std::span<const float> heights, std::size_t columns) {
 
 /// All lines in columns of about equal height, no section torn apart.
 void draw_sections(const Look& look, std::size_t columns, const StepWords& step) {
-  const std::vector<Section> all = sections(step);
+  const std::vector<Section> all = sections(step, look.px.fingers);
   const float gap = column_gap(look), title = title_height(look);
   const float whole = ImGui::GetContentRegionAvail().x;
   const float width = (whole - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
