@@ -274,33 +274,30 @@ void BatchDialog::draw_work_buttons(const Look& look) {
   if (paused && button(look, "Go on", ButtonKind::primary, icon::play)) job_->go_on();
   if (!paused && button(look, "Pause", ButtonKind::plain, icon::pause) && job_) job_->pause();
   if (!paused) hint(look, {"Pause", "", "Runs that are being made are finished, and no others begun."});
-  ImGui::SameLine(0, look.px.s);
+  flow(look, button_width(look, "Stop", icon::stop));
   if (button(look, "Stop", ButtonKind::plain, icon::stop) && job_) job_->stop();
   hint(look, {"Stop", "", "What is done is kept; the same batch goes on later, here or by its command."});
-  ImGui::SameLine(0, look.px.s);
 }
 
 void BatchDialog::draw_buttons(const Look& look) {
   const bool busy = exhibited_ || job_->busy();
-  if (busy) {
-    draw_work_buttons(look);
-  } else if (!complete()) {
-    if (button(look, "Go on", ButtonKind::primary, icon::play)) start(request_);
-    ImGui::SameLine(0, look.px.s);
-  }
+  const bool goes_on = !busy && !complete();
+  if (busy) draw_work_buttons(look);
+  if (goes_on && button(look, "Go on", ButtonKind::primary, icon::play)) start(request_);
+  if (busy || goes_on) flow(look, button_width(look, "Copy the command", icon::copy));
   if (button(look, "Copy the command", ButtonKind::plain, icon::copy)) {
     ImGui::SetClipboardText(command_line().c_str());
     note_ = "Copied: " + command_line();
   }
   hint(look, {"Copy the command", "", "The command line that makes the same runs, here or on a cluster."});
   if (request_.what.world) {
-    ImGui::SameLine(0, look.px.s);
+    flow(look, button_width(look, "Save as an experiment…", icon::save));
     if (button(look, "Save as an experiment…", ButtonKind::quiet, icon::save)) wish_ = Wish::save_experiment;
     hint(look, {"Save as an experiment", "",
                 "A file, and the world beside it, with which replan batch makes the same runs elsewhere."});
   }
   if (busy) return;
-  ImGui::SameLine(0, look.px.s);
+  flow(look, button_width(look, "New batch…", icon::plus));
   if (!button(look, "New batch…", ButtonKind::quiet, icon::plus)) return;
   page_ = Page::form;
   error_.clear();

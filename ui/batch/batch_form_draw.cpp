@@ -22,6 +22,7 @@ bool is_narrow(const Look& look, float width) {
   return width < look.px(480);
 }
 
+constexpr const char* kSaveExperiment = "Save as an experiment…";
 constexpr std::uint64_t kMostJobs = 256;
 
 /// A whole number with its label; what is typed beyond the bounds becomes the nearest of them.
@@ -68,12 +69,12 @@ BatchFormWish BatchForm::draw(const Look& look, float height) {
     wish = BatchFormWish::open_experiment;
   hint(look, {"Open an experiment", "",
               "Its file says which planners, worlds, robots, seeds and surprises: docs/batches.md."});
-  ImGui::SameLine(0, look.px.s);
-  if (file_.empty() && button(look, "Save as an experiment…", ButtonKind::quiet, icon::save))
-    wish = BatchFormWish::save_experiment;
-  if (file_.empty())
+  if (file_.empty()) {
+    flow(look, button_width(look, kSaveExperiment, icon::save));
+    if (button(look, kSaveExperiment, ButtonKind::quiet, icon::save)) wish = BatchFormWish::save_experiment;
     hint(look, {"Save as an experiment", "",
                 "A file, and the world beside it, with which replan batch makes the same runs elsewhere."});
+  }
   ImGui::Dummy({0, look.px.xs});
   if (!file_.empty()) {
     draw_file(look);
@@ -174,7 +175,7 @@ bool BatchForm::draw_folder(const Look& look) {
   ImGui::AlignTextToFramePadding();
   text(look.fonts.ui, look.theme.dim, "Results go to");
   if (!is_narrow(look, ImGui::GetContentRegionAvail().x)) ImGui::SameLine(look.px(132));
-  const float jobs = look.px(116), choose = look.px(24) + look.px.s;
+  const float jobs = look.px(116), choose = look.px.small + look.px.s;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - jobs - choose);
   if (look.focus != nullptr) look.focus->offer_field("##folder");
   ImGui::PushFont(look.fonts.mono);
@@ -189,14 +190,14 @@ bool BatchForm::draw_folder(const Look& look) {
       {"Folder of the results", "",
        "Each run is kept there as soon as it is done. A batch that was stopped goes on with what is there."});
   ImGui::SameLine(0, look.px.s);
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (look.px.control - look.px(24)) * 0.5f);
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (look.px.control - look.px.small) * 0.5f);
   const bool chooses =
       small_button(look, "choose folder",
                    {.icon = icon::folder_open,
                     .hint = {"Choose the folder", "",
                              "One that holds results gives its experiment, which goes on with them."}});
   ImGui::SameLine(0, look.px.m);
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - (look.px.control - look.px(24)) * 0.5f);
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - (look.px.control - look.px.small) * 0.5f);
   draw_jobs(look);
   return chooses;
 }

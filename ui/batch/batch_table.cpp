@@ -13,28 +13,29 @@ namespace {
 
 constexpr std::array<BatchColumnInfo, kBatchColumns> kInfos = {
     {{"run", "", "Run", "Its number. The same experiment gives the same run the same number everywhere.", 80,
-      false, true},
+      false, kRoomForMost},
      {"world", "", "World", "The file of its world, and the line of its problem where that has several.", 88,
-      true, false},
-     {"planner", "", "Planner", "Who planned, with settings that are not the usual ones.", 190, true, true},
-     {"surprises", "", "Surprises", "What happens while the robot drives.", 188, true, false},
-     {"seed", "", "Seed", "What chance was drawn from.", 52, false, false},
-     {"status", "", "Status", "How the run ended.", 80, true, true},
+      true, kRoomForAll},
+     {"planner", "", "Planner", "Who planned, with settings that are not the usual ones.", 190, true, 0},
+     {"surprises", "", "Surprises", "What happens while the robot drives.", 188, true, kRoomForAll},
+     {"seed", "", "Seed", "What chance was drawn from.", 52, false, kRoomForAll},
+     {"status", "", "Status", "How the run ended.", 80, true, kRoomForMost},
      {"length", "cells", "Length",
       "Of the way that was driven, or of the path. In cells, also where the map says how many metres a cell "
       "is.",
-      132, false, true, 3},
-     {"turns", "", "Turns", "How often the first plan's path changes its direction.", 66, false, false},
+      132, false, 0, 3},
+     {"turns", "", "Turns", "How often the first plan's path changes its direction.", 66, false, kRoomForAll},
      {"clearance", "cells", "Clearance",
-      "To the nearest obstacle, where the way, or the path, comes closest. In cells.", 156, false, false, 2},
+      "To the nearest obstacle, where the way, or the path, comes closest. In cells.", 156, false,
+      kRoomForAll, 2},
      {"expansions", "", "Expansions",
       "Cells that were expanded, samples that were drawn or children that were bred, in all plans of the run "
       "together.",
-      108, false, true},
-     {"replans", "", "Replans", "How often the robot had to plan again.", 80, false, false},
+      108, false, kRoomForMost},
+     {"replans", "", "Replans", "How often the robot had to plan again.", 80, false, kRoomForAll},
      {"time", "ms", "Time",
       "Milliseconds of planning and replanning; of repeats the median. Jobs disturb each other's.", 92, false,
-      true, 2}}};
+      0, 2}}};
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 

@@ -30,6 +30,9 @@ enum class BatchColumn : std::uint8_t {
 };
 inline constexpr std::size_t kBatchColumns = 12;
 
+/// How wide a table is that has room for the columns that say most, and for all.
+inline constexpr float kRoomForMost = 440, kRoomForAll = 900;
+
 struct BatchColumnInfo {
   const char* name;
   const char* unit;   ///< empty: what is counted, or words
@@ -37,7 +40,7 @@ struct BatchColumnInfo {
   const char* help;
   float width;  ///< its share
   bool words;   ///< it holds words, which stand at the left; else numbers
-  bool main;    ///< where there is room for few, it is one of them
+  float room;   ///< design pixels that the table has to have for this column to be in it
   int decimals = 0;
 };
 const BatchColumnInfo& info_of(BatchColumn column);

@@ -19,41 +19,41 @@ struct SummaryColumn {
   SummaryFigure figure;
   const char* name;
   int decimals;
-  bool main;
+  float room;  // BatchColumnInfo::room
 };
-constexpr std::array kSummaryColumns = {SummaryColumn{SummaryFigure::length, "length  cells", 3, true},
-                                        SummaryColumn{SummaryFigure::turns, "turns", 1, false},
-                                        SummaryColumn{SummaryFigure::clearance, "clearance  cells", 2, false},
-                                        SummaryColumn{SummaryFigure::expansions, "expansions", 0, true},
-                                        SummaryColumn{SummaryFigure::time, "time  ms", 2, true}};
+constexpr std::array kSummaryColumns = {
+    SummaryColumn{SummaryFigure::length, "length  cells", 3, 0},
+    SummaryColumn{SummaryFigure::turns, "turns", 1, kRoomForAll},
+    SummaryColumn{SummaryFigure::clearance, "clearance  cells", 2, kRoomForAll},
+    SummaryColumn{SummaryFigure::expansions, "expansions", 0, kRoomForMost},
+    SummaryColumn{SummaryFigure::time, "time  ms", 2, 0}};
 
-/// The median, and behind it its ratio to the first planner's.
+/// The median, and behind it, if there is room, its ratio to the first planner's.
 std::string summary_text(const PlannerSummary& planner, const PlannerSummary& first,
-                         const SummaryColumn& column) {
+                         const SummaryColumn& column, bool with_ratio) {
   const auto median = planner.median(column.figure);
   if (!median) return "–";
   const std::string value = column.decimals > 0 ? fixed(*median, column.decimals)
                                                 : grouped(static_cast<std::int64_t>(*median + 0.5));
   const auto ratio = planner.ratio(column.figure, first);
-  return &planner == &first || !ratio ? value : value + "  " + ratio_text(*ratio);
+  return &planner == &first || !ratio || !with_ratio ? value : value + "  " + ratio_text(*ratio);
 }
 
-/// Whether there is room for the main columns alone.
-bool is_narrow(const Look& look) {
-  return ImGui::GetContentRegionAvail().x < look.px(900);
+bool has_room(const Look& look, float wanted) {
+  return ImGui::GetContentRegionAvail().x >= look.px(wanted);
 }
 
 /// Those that there is room for.
 std::vector<SummaryColumn> summary_columns(const Look& look) {
   std::vector<SummaryColumn> columns;
   for (const SummaryColumn& each : kSummaryColumns)
-    if (each.main || !is_narrow(look)) columns.push_back(each);
+    if (has_room(look, each.room)) columns.push_back(each);
   return columns;
 }
 std::vector<BatchColumn> batch_columns(const Look& look) {
   std::vector<BatchColumn> columns;
   for (std::size_t i = 0; i < kBatchColumns; ++i)
-    if (const auto column = static_cast<BatchColumn>(i); info_of(column).main || !is_narrow(look))
+    if (const auto column = static_cast<BatchColumn>(i); has_room(look, info_of(column).room))
       columns.push_back(column);
   return columns;
 }
@@ -94,7 +94,9 @@ void BatchView::clear() {
 
 void BatchView::draw_summaries(const Look& look) {
   const std::vector<SummaryColumn> figures = summary_columns(look);
-  std::vector<Column> columns = {{"medians of each planner", 290, Align::left}, {"found", 160}};
+  const bool roomy = has_room(look, kRoomForMost);
+  std::vector<Column> columns = {
+      {roomy ? "medians of each planner" : "medians", roomy ? 290.0f : 220.0f, Align::left}, {"found", 160}};
   for (const SummaryColumn& each : figures) columns.push_back({each.name, 160});
   const std::span<const PlannerSummary> all = table_.summaries();
   table_header(look, columns);
@@ -108,7 +110,7 @@ void BatchView::draw_summaries(const Look& look) {
   for (std::size_t i = first; i < last; ++i) {
     std::vector<std::string> texts = {all[i].label(),
                                       grouped(all[i].found()) + " of " + grouped(all[i].runs())};
-    for (const SummaryColumn& each : figures) texts.push_back(summary_text(all[i], all[0], each));
+    for (const SummaryColumn& each : figures) texts.push_back(summary_text(all[i], all[0], each, roomy));
     std::vector<TableCell> cells;
     for (const std::string& each : texts) cells.push_back({each});
     const bool on = table_.planner() == all[i].label();
@@ -127,12 +129,13 @@ void BatchView::draw_filters(const Look& look) {
   if (choose_one(look, "##planner", "All planners", planners, planner)) table_.show_planner(planner);
   ImGui::SameLine(0, look.px.s);
   if (choose_one(look, "##status", "Any status", table_.statuses(), status)) table_.show_status(status);
-  ImGui::SameLine(0, look.px.m);
+  const std::string words = (table_.shown() == table_.count()
+                                 ? count_text(static_cast<std::int64_t>(table_.count()), "run", "runs")
+                                 : grouped(table_.shown()) + " of " + grouped(table_.count()) + " runs") +
+                            kOpensRuns;
+  flow(look, look.px.xs + text_width(look.fonts.ui, words));
   ImGui::AlignTextToFramePadding();
-  text(look.fonts.ui, look.theme.dim,
-       table_.shown() == table_.count()
-           ? count_text(static_cast<std::int64_t>(table_.count()), "run", "runs") + kOpensRuns
-           : grouped(table_.shown()) + " of " + grouped(table_.count()) + " runs" + kOpensRuns);
+  text(look.fonts.ui, look.theme.dim, words);
 }
 
 /// A click on a column's name sorts by it; the column in force has an arrow.

@@ -217,15 +217,11 @@ std::string origin_of(const Frame& frame, Cell cell) {
 /// The cell, and the button that opens its menu.
 void heading(Frame& frame, Cell cell) {
   const Look& look = frame.look;
-  const ImVec2 origin = ImGui::GetCursorScreenPos();
-  const float right = origin.x + ImGui::GetContentRegionAvail().x;
   section_title(look, "Cell " + cell_text(cell, frame.run().lattice()) + " — " + origin_of(frame, cell));
-  const ImVec2 below = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos({right - look.px.small, origin.y - look.px(5)});
   const Action& menu = action(ActionId::cell_menu);
-  if (small_button(look, "cell menu", {.icon = icon::angle_down, .hint = menu.hint()}))
+  if (const BesideTitle place(look, 1);
+      small_button(look, "cell menu", {.icon = icon::angle_down, .hint = menu.hint()}))
     frame.view.menu = cell;
-  ImGui::SetCursorScreenPos(below);
   if (const auto metres = shown_frame(frame.view, frame.session.scenario().map))
     text(look.fonts.mono, look.theme.dim,
          "at " + metres_text(metres->to_metres(centre_of(cell)), frame.run().lattice().solid()));

@@ -71,13 +71,13 @@ void title(const Look& look, CellPast& past) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float right = origin.x + ImGui::GetContentRegionAvail().x;
   section_title(look, "History");
-  const ImVec2 below = ImGui::GetCursorScreenPos();
   const std::string count =
       history.size() == 0 ? "" : grouped(history.size()) + (history.complete() ? "" : "+");
   const ImFont* small = look.fonts.small;
   draw_text(*ImGui::GetWindowDrawList(), small,
-            {right - look.px(28) - text_width(small, count), origin.y + look.px(1)}, look.theme.faint, count);
-  ImGui::SetCursorScreenPos({right - look.px.small, origin.y - look.px(5)});
+            {right - look.px.small - look.px.xs - text_width(small, count), origin.y + look.px(1)},
+            look.theme.faint, count);
+  const BesideTitle place(look, 1);
   if (small_button(
           look, "every value",
           {.icon = icon::filter,
@@ -86,7 +86,6 @@ void title(const Look& look, CellPast& past) {
                     "the robot's map alone."},
            .selected = past.every_value}))
     past.every_value = !past.every_value;
-  ImGui::SetCursorScreenPos(below);
 }
 
 /// Keeps the latest change before the cursor in sight while the cursor moves.

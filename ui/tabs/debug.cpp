@@ -146,11 +146,8 @@ Examples watches_to_take(const Frame& frame) {
 
 void title_with_steps(Frame& frame) {
   const Look& look = frame.look;
-  const ImVec2 origin = ImGui::GetCursorScreenPos();
-  const float right = origin.x + ImGui::GetContentRegionAvail().x;
   section_title(look, "Breakpoints");
-  const ImVec2 below = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos({right - look.px(52), origin.y - look.px(5)});
+  const BesideTitle place(look, 2);
   for (const ActionId id : {ActionId::breakpoint_back, ActionId::breakpoint_forward}) {
     const Action& each = action(id);
     const bool usable = each.available(context_of(frame));
@@ -158,7 +155,6 @@ void title_with_steps(Frame& frame) {
       perform(frame, id);
     ImGui::SameLine(0, look.px.xs);
   }
-  ImGui::SetCursorScreenPos(below);
 }
 
 /// Where the breakpoint stops next, or what is wrong with it, as a sentence.

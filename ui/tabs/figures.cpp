@@ -112,8 +112,7 @@ void draw_row(const Look& look, const FiguresLayout& layout, const FigureRow& ro
 
 void export_menu(Frame& frame) {
   const Look& look = frame.look;
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - look.px.small);
-  if (small_button(
+  if (const BesideTitle place(look, 1); small_button(
           look, "export",
           {.icon = icon::download,
            .hint = {"Export", "",
@@ -192,8 +191,7 @@ void ActionContext::copy_figures(FiguresFormat format) {
 void FiguresTab::draw_fitness(Frame& frame) {
   const Look& look = frame.look;
   section_title(look, "Cost over generations");
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - look.px.small);
-  if (small_button(
+  if (const BesideTitle place(look, 1); small_button(
           look, "copy fitness",
           {.icon = icon::copy,
            .hint = {"Copy as CSV", "",

@@ -185,7 +185,7 @@ void repair_head(Frame& frame, const std::string& words) {
   const Look& look = frame.look;
   ImGui::AlignTextToFramePadding();
   text(look.fonts.ui, look.theme.dim, words);
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - look.px(52));
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * look.px.small - look.px.xs);
   if (small_button(look, "before", {.icon = icon::caret_left, .hint = action(ActionId::replan_back).hint()}))
     perform(frame, ActionId::replan_back);
   ImGui::SameLine(0, look.px.xs);

@@ -364,15 +364,11 @@ void PlannerTab::draw(Frame& frame) {
   section_title(look, "Planner");
   choose_planner(frame);
   section_rule(look);
-  const ImVec2 origin = ImGui::GetCursorScreenPos();
-  const float right = origin.x + ImGui::GetContentRegionAvail().x;
   section_title(look, "Settings");
-  const ImVec2 below = ImGui::GetCursorScreenPos();
   const Action& reset = action(ActionId::reset_settings);
   if (reset.available(context_of(frame))) {
-    ImGui::SetCursorScreenPos({right - look.px.small, origin.y - look.px(6)});
+    const BesideTitle place(look, 1);
     if (small_button(look, reset.name, {.icon = reset.icon, .hint = reset.hint()})) perform(frame, reset.id);
-    ImGui::SetCursorScreenPos(below);
   }
   planner_settings(frame);
   section_rule(look);

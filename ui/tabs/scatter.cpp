@@ -242,8 +242,8 @@ void ScatterView::tell_brush(Frame& frame, const PlotPicture& picture) {
   const Look& look = frame.look;
   section_rule(look);
   section_title(look, "Rectangle");
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - look.px.small);
-  if (small_button(look, "copy scatter", {.icon = icon::copy, .hint = action(ActionId::copy_scatter).hint()}))
+  if (const BesideTitle place(look, 1);
+      small_button(look, "copy scatter", {.icon = icon::copy, .hint = action(ActionId::copy_scatter).hint()}))
     perform(frame, ActionId::copy_scatter);
   if (!brush_) {
     paragraph(

@@ -204,6 +204,18 @@ void section_title(const Look& look, std::string_view title) {
   ImGui::PopStyleVar();
 }
 
+BesideTitle::BesideTitle(const Look& look, int buttons) : below_(ImGui::GetCursorScreenPos()) {
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  const auto count = static_cast<float>(buttons);
+  ImGui::SetCursorScreenPos({right - count * look.px.small - (count - 1) * look.px.xs,
+                             std::floor((min.y + max.y - look.px.small) * 0.5f)});
+}
+
+BesideTitle::~BesideTitle() {
+  ImGui::SetCursorScreenPos(below_);
+}
+
 void section_rule(const Look& look) {
   const ImGuiWindow& window = *ImGui::GetCurrentWindow();
   // From the end of the content, not from the cursor: rows of tables leave no space behind them.

@@ -105,7 +105,7 @@ bool slider_value(const Look& look, const SliderSpec& spec, double& value, float
 /// Beside the label of a value that is not the default: leads back to it. Tab passes over it, so that it goes from number
 /// to number.
 bool reset_button(const Look& look, const SliderSpec& spec, double& value, float x, float y) {
-  ImGui::SetCursorScreenPos({x + look.px.xs, y - look.px(4)});
+  ImGui::SetCursorScreenPos({x + look.px.xs, y + (look.px(16) - look.px.small) * 0.5f});
   const std::string back = "Default: " + shown(spec, spec.initial) + " " + spec.unit;
   const IconButton button{.icon = icon::undo, .hint = {.title = back.c_str()}, .tab_stop = false};
   if (!small_button(look, "reset", button)) return false;

@@ -110,6 +110,18 @@ bool segments(const Look& look, const char* id, std::span<const char* const> nam
 // --- Structure ------------------------------------------------------------------------------------------
 
 void section_title(const Look& look, std::string_view title);
+/// While it lives, small buttons come at the right end of the section title that was drawn last, px.xs apart; what is drawn
+/// after it stands below the title.
+class BesideTitle {
+ public:
+  BesideTitle(const Look& look, int buttons);
+  ~BesideTitle();
+  BesideTitle(const BesideTitle&) = delete;
+  BesideTitle& operator=(const BesideTitle&) = delete;
+
+ private:
+  ImVec2 below_;
+};
 /// A separator over the whole width of the window, with space around.
 void section_rule(const Look& look);
 /// A hairline along an edge of the current window, over its padding: between panels.

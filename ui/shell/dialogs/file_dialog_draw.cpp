@@ -91,10 +91,12 @@ FileChoice FileDialog::draw(const Look& look, float height) {
 }
 
 void FileDialog::draw_head(const Look& look) {
-  text(look.fonts.heading, look.theme.text, spec_.title);
+  const float buttons = look.px.small * 3 + look.px.xs * 2;
+  text_line(look, look.fonts.heading, look.theme.text, spec_.title,
+            ImGui::GetContentRegionAvail().x - buttons - look.px.s);
   ImGui::SameLine();
-  align_right(look.px.small * 3 + look.px.xs * 2);
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - look.px(2));
+  align_right(buttons);
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (look.px(20) - look.px.small) * 0.5f);
   const bool hidden = list_.hidden();
   if (small_button(look, "hidden",
                    {.icon = hidden ? icon::eye : icon::eye_slash,
@@ -132,16 +134,16 @@ void FileDialog::draw_crumbs(const Look& look) {
     const float most = std::max(right - at.x - look.px(24), look.px(40));
     const float long_ = std::min(text_width(look.fonts.ui, all[i].name), most);
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::InvisibleButton("crumb", {long_ + look.px(22), look.px(24)})) target = all[i].path;
+    if (ImGui::InvisibleButton("crumb", {long_ + look.px(22), look.px.small})) target = all[i].path;
     ImGui::PopID();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool last = i + 1 == all.size();
     const ImU32 colour = last || ImGui::IsItemHovered() ? look.theme.text : look.theme.dim;
-    const float y = at.y + (look.px(24) - look.fonts.ui->FontSize) * 0.5f;
+    const float y = at.y + (look.px.small - look.fonts.ui->FontSize) * 0.5f;
     draw_line(look, list, look.fonts.ui, {at.x + look.px(4), y}, colour, all[i].name, most);
     if (!last)
-      draw_icon(list, look.fonts.ui, {at.x + long_ + look.px(13), at.y + look.px(12)}, look.theme.faint,
-                icon::angle_right);
+      draw_icon(list, look.fonts.ui, {at.x + long_ + look.px(13), at.y + look.px.small * 0.5f},
+                look.theme.faint, icon::angle_right);
   }
   if (!target.empty() && target != shown_) {
     came_from_.clear();

@@ -125,8 +125,9 @@ DialogDecision Dialogs::link_dialog(const Look& look) {
   ImGui::Dummy({0, look.px.xs});
   if (button(look, "Save as a file instead…", ButtonKind::plain))
     return {.kind = DialogDecision::Kind::save_elsewhere};
-  ImGui::SameLine(0, look.px.s);
-  align_right(button_width(look, "Close") + look.px.s + button_width(look, "Copy the link"));
+  const float answers = button_width(look, "Close") + look.px.s + button_width(look, "Copy the link");
+  flow(look, answers);
+  align_right(answers);
   if (button(look, "Close", ButtonKind::quiet) || escape_pressed())
     return {.kind = DialogDecision::Kind::cancel};
   ImGui::SameLine(0, look.px.s);

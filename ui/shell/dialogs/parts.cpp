@@ -36,8 +36,13 @@ void align_right(float width) {
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
 }
 
-float button_width(const Look& look, const char* label) {
-  return text_width(look.fonts.ui, label) + look.px(24);
+float button_width(const Look& look, const char* label, const char* icon) {
+  return text_width(look.fonts.ui, label) + look.px(icon[0] == '\0' ? 24 : 24 + 22);
+}
+
+void flow(const Look& look, float width) {
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  if (ImGui::GetItemRectMax().x + look.px.s + width <= right) ImGui::SameLine(0, look.px.s);
 }
 
 Answer confirm(const Look& look, const char* yes, const char* no) {

@@ -19,7 +19,9 @@ void heading(const Look& look, std::string_view words);
 /// Puts the cursor so that controls of this total width end at the right edge.
 void align_right(float width);
 /// How wide button() draws that label.
-float button_width(const Look& look, const char* label);
+float button_width(const Look& look, const char* label, const char* icon = "");
+/// Puts the cursor beside the last item where so much room is left there, else it stays below.
+void flow(const Look& look, float width);
 
 /// What the row of buttons at the bottom of a dialog was answered with.
 enum class Answer : std::uint8_t { none, yes, no };

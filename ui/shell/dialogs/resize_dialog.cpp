@@ -132,18 +132,17 @@ void WorldDialogs::resize(const Look& look, const Session& session, std::vector<
   const GridMap& map = scenario.map;
   take_preview();
   heading(look, "Resize the world");
-  const float whole = ImGui::GetContentRegionAvail().x, left = whole * 0.45f,
-              height = fitting_height(look, 320);
-  ImGui::BeginChild("settings", {left, height});
-  size_slider(look, "Width", map.width, size_.width);
-  size_slider(look, "Height", map.height, size_.height);
-  layers_slider(look, map.depth, size_.depth);
-  anchors(look);
-  toggle(look, "New cells are obstacles", size_.blocked);
-  hint(look, {"New cells", "", "On: what is added is solid. Off: it is free."});
-  ImGui::EndChild();
-  ImGui::SameLine(0, look.px(24));
-  resize_preview(look, session, {whole - left - look.px(24), height});
+  settings_and_picture(
+      look, 320,
+      [&] {
+        size_slider(look, "Width", map.width, size_.width);
+        size_slider(look, "Height", map.height, size_.height);
+        layers_slider(look, map.depth, size_.depth);
+        anchors(look);
+        toggle(look, "New cells are obstacles", size_.blocked);
+        hint(look, {"New cells", "", "On: what is added is solid. Off: it is free."});
+      },
+      [&](ImVec2 size) { resize_preview(look, session, size); });
   const Box after(size_.width, size_.height, size_.depth);
   const Cell by = shift_of(map.box(), size_);
   const auto lost = [&](Cell cell) {

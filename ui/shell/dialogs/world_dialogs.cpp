@@ -183,18 +183,7 @@ void WorldDialogs::generate_preview(const Look& look, ImVec2 size) const {
       [&](ImVec2 part) { generate_view(look, front_, wanted_.layers, part); });
 }
 
-void WorldDialogs::generate(const Look& look, std::vector<Command>& commands) {
-  heading(look, "Generate a world");
-  const float whole = ImGui::GetContentRegionAvail().x, left = whole * 0.45f,
-              height = fitting_height(look, 360);
-  ImGui::BeginChild("settings", {left, height});
-  stale_ |= generator_settings(look);
-  ImGui::EndChild();
-  ImGui::SameLine(0, look.px(24));
-  ImGui::BeginGroup();
-  make_preview();
-  generate_preview(look, {whole - left - look.px(24), height - look.px(44)});
-  ImGui::Dummy({0, look.px.xs});
+void WorldDialogs::seed_field(const Look& look) {
   ImGui::AlignTextToFramePadding();
   text(look.fonts.ui, look.theme.dim, "Seed");
   ImGui::SameLine(0, look.px.s);
@@ -210,7 +199,18 @@ void WorldDialogs::generate(const Look& look, std::vector<Command>& commands) {
       {.icon = icon::random, .hint = {"Another seed", "", "The same seed gives the same world."}});
   if (rolled) seed = 1 + Random(wanted_.seed).below(kSeeds);
   if (typed || rolled) wanted_.seed = seed, stale_ = true;
-  ImGui::EndGroup();
+}
+
+void WorldDialogs::generate(const Look& look, std::vector<Command>& commands) {
+  heading(look, "Generate a world");
+  settings_and_picture(
+      look, 360, [&] { stale_ |= generator_settings(look); },
+      [&](ImVec2 size) {
+        make_preview();
+        generate_preview(look, {size.x, size.y - look.px(44)});
+        ImGui::Dummy({0, look.px.xs});
+        seed_field(look);
+      });
   if (!error_.empty()) paragraph(look.fonts.ui, look.theme.bad, as_sentence(error_));
   const Answer answer = confirm(look, "Create");
   if (answer == Answer::yes && !error_.empty()) return;

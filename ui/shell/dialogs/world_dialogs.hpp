@@ -46,6 +46,7 @@ class WorldDialogs {
   bool generator_settings(const Look& look);
   void make_preview();
   void take_preview();
+  void seed_field(const Look& look);
   void generate_view(const Look& look, const MapSketch& sketch, int rows, ImVec2 size) const;
   void generate_preview(const Look& look, ImVec2 size) const;
   [[nodiscard]] const GeneratorInfo& generator_info() const;

@@ -21,6 +21,27 @@ std::pair<ImVec2, ImVec2> fitted(ImVec2 origin, ImVec2 box, double width, double
 /// Of the settings: as high as they are, but so that the buttons below are in the window.
 float fitting_height(const Look& look, float wanted);
 
+/// Settings, `wanted` design pixels high, beside a picture of the world; in a narrow dialog the picture stands above them.
+template <class Settings, class Picture>
+void settings_and_picture(const Look& look, float wanted, const Settings& settings, const Picture& picture) {
+  const float whole = ImGui::GetContentRegionAvail().x, gap = look.px(24);
+  const bool narrow = whole < look.px(480);
+  const float height = fitting_height(look, narrow ? wanted * 1.7f : wanted);
+  const float left = narrow ? whole : whole * 0.45f, above = narrow ? height * 0.42f : 0;
+  const auto draw_picture = [&](ImVec2 size) {
+    ImGui::BeginGroup();
+    picture(size);
+    ImGui::EndGroup();
+  };
+  if (narrow) draw_picture({whole, above});
+  ImGui::BeginChild("settings", {left, height - above});
+  settings();
+  ImGui::EndChild();
+  if (narrow) return;
+  ImGui::SameLine(0, gap);
+  draw_picture({whole - left - gap, height});
+}
+
 /// A world of layers from above and below that from the front, each with its name; both are as wide as `size`.
 template <class Above, class Front>
 void two_views(const Look& look, ImVec2 size, const Above& above, const Front& front) {
