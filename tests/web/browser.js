@@ -220,9 +220,13 @@ class Page {
     await this.rest();
   }
 
+  downloaded_to(name) {
+    return path.join(this.downloads, name);
+  }
+
   // The text of a file that the page hands over.
   async downloaded(name) {
-    const file = path.join(this.downloads, name);
+    const file = this.downloaded_to(name);
     for (const end = Date.now() + kTimeoutMs; Date.now() < end; await sleep(50))
       if (fs.existsSync(file)) return fs.readFileSync(file);
     throw new Error('no download of ' + name + '; there are ' + fs.readdirSync(this.downloads).join(', '));
