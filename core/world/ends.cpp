@@ -23,12 +23,18 @@ struct Ends {
     if (!found || diagonal >= farthest) farthest = diagonal, last = cell;
     found = true;
   }
+  [[nodiscard]] std::size_t spread() const { return farthest - nearest; }
 };
 
 /// Free cells that can be reached from one another by straight moves.
 struct Region {
   std::size_t cells = 0;
   Ends any, roomy;
+
+  /// The roomy ones, unless all the room is in one part of the region.
+  [[nodiscard]] const Ends& ends() const {
+    return roomy.found && 2 * roomy.spread() >= any.spread() ? roomy : any;
+  }
 };
 
 bool has_room(const GridMap& map, std::size_t index) {
@@ -86,9 +92,8 @@ void place_ends(Scenario& scenario, const StopToken& stop) {
   }
   if (largest.cells == 0) return;
   const auto cell = [&map](std::size_t index) { return map.box().position(static_cast<NodeId>(index)); };
-  const Ends& ends = largest.roomy.found ? largest.roomy : largest.any;
-  scenario.start = cell(ends.first);
-  scenario.goal = cell(ends.last);
+  scenario.start = cell(largest.ends().first);
+  scenario.goal = cell(largest.ends().last);
 }
 
 std::string unknown_end_sentence(const Scenario& scenario, bool start) {

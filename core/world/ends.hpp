@@ -9,7 +9,7 @@
 namespace replan {
 
 /// Puts start and goal at the ends of the largest open region, at its upper left and its lower right (in space: in
-/// the lowest layers, in the highest), with some free cells around them if the region has such places. A world
+/// the lowest layers, in the highest), with some free cells around them if the region has such places that far apart. A world
 /// without a free cell keeps what it has. A stop leaves the ends anywhere.
 void place_ends(Scenario& scenario, const StopToken& stop = {});
 

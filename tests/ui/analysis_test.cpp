@@ -143,7 +143,9 @@ TEST_F(AnalysisTest, BeforeTheFirstPointItSpeaksOfThePlannersOwnSteps) {
   for (const auto& [planner, label] : {std::pair{"rrt-star", "sample"}, {"improved-ga", "child"}}) {
     const auto measures = measures_of(*find_choice(planner));
     EXPECT_EQ(std::count_if(measures.begin(), measures.end(),
-                            [&](const Measure& each) { return each.id == "reached" && each.label == label; }),
+                            [wanted = label](const Measure& each) {
+                              return each.id == "reached" && each.label == wanted;
+                            }),
               1)
         << planner;
   }

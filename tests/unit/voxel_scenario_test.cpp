@@ -146,8 +146,9 @@ TEST(VoxelScenario, LayersAreOfOneSize) {
             std::string::npos);
   EXPECT_NE(error_with("/map/layers", json::array()).find("must be a list of layers"), std::string::npos);
   EXPECT_NE(error_with("/map/layers/0", json::array()).find("must be a list of rows"), std::string::npos);
-  EXPECT_NE(error_with("/map/rows", {"...."}).find("needs exactly one of 'file', 'rows', 'layers' and 'size'"),
-            std::string::npos);
+  EXPECT_NE(
+      error_with("/map/rows", {"...."}).find("needs exactly one of 'file', 'rows', 'layers' and 'size'"),
+      std::string::npos);
   EXPECT_NE(error_with("/map", {{"layers", {{"...."}}}, {"invert", true}}).find("goes with 'file'"),
             std::string::npos);
 }
@@ -160,6 +161,21 @@ TEST(VoxelScenario, EndsAreFoundInAllLayersOfTheLargestRegion) {
   place_ends(scenario);
   EXPECT_EQ(scenario.start, (Cell{1, 0, 0}));
   EXPECT_EQ(scenario.goal, (Cell{2, 2, 1})) << "the third layer parts the world, and the two below are more";
+}
+
+TEST(Ends, AreFarApartWhereOnlyOnePlaceHasRoom) {
+  Scenario scenario;
+  scenario.map = GridMap(40, 9);
+  for (int x = 9; x < 40; ++x)
+    for (int y = 0; y < 9; ++y) scenario.map.set({x, y}, y != 4);  // a corridor that leads out of a room
+  place_ends(scenario);
+  EXPECT_EQ(scenario.start, (Cell{0, 0}));
+  EXPECT_EQ(scenario.goal, (Cell{39, 4}));
+  for (int x = 9; x < 40; ++x)
+    for (int y = 0; y < 9; ++y) scenario.map.set({x, y}, false);
+  place_ends(scenario);
+  EXPECT_EQ(scenario.start, (Cell{3, 3})) << "free cells around it";
+  EXPECT_EQ(scenario.goal, (Cell{36, 5}));
 }
 
 TEST(VoxelScenario, APlaneHasNoBoxes) {
