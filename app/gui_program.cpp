@@ -199,6 +199,7 @@ std::string GuiProgram::facts() const {
       {"planner", session_.run().info().id},
       {"moves", state.scalar(Scalar::moves)},
       {"playing", session_.playback().direction},
+      {"dark", shell_->view().dark},
       {"opengl_es", window_->stage().renderer().gl().es},
       {"mission", decision == nullptr ? "planning" : mission_state_name(decision->state)}};
   return json.dump(2) + "\n";

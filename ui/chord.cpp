@@ -55,6 +55,12 @@ Chord chord_in_page(Chord chord) {
   return chord;
 }
 
+std::string words_in_page(std::string words) {
+  for (const char* kept : {"Ctrl+T", "Ctrl+N", "Ctrl+W"})
+    for (std::size_t at = 0; (at = words.find(kept, at)) != std::string::npos;) words.replace(at, 4, "Alt");
+  return words;
+}
+
 std::string chord_text(const Chord& chord) {
   if (chord.key == 0) return "";
   return std::string(chord.ctrl ? "Ctrl+" : "") + (chord.shift ? "Shift+" : "") + (chord.alt ? "Alt+" : "") +

@@ -27,6 +27,11 @@ bool Touches::strayed(float x, float y) const {
   return std::hypot(x - start_x_, y - start_y_) > measures_.slack;
 }
 
+bool Touches::scrolls(float x, float y) const {
+  return ground_ == TouchGround::panel ||
+         (ground_ == TouchGround::row && std::abs(y - start_y_) > std::abs(x - start_x_));
+}
+
 void Touches::begin(long id, float x, float y, double time) {
   if (find(id) != nullptr) return;
   fingers_.push_back({id, x, y});
@@ -69,7 +74,7 @@ void Touches::end(long id, float x, float y, double time) {
   if (find(id) == nullptr) return;
   if (mode_ == Mode::waits) {
     // Between two frames nobody could tell what lay there; what was drawn or dragged shall not be lost.
-    if (strayed_ && ground_ == TouchGround::panel)
+    if (strayed_ && scrolls(x, y))
       scroll_to(x, y);
     else if (strayed_)
       drag_from_start();
@@ -112,7 +117,7 @@ void Touches::decide(double now) {
   }
   if (held < measures_.patience || !ground_) return;
   const Finger& finger = fingers_.front();
-  if (ground_ == TouchGround::panel) {
+  if (scrolls(finger.x, finger.y)) {
     mode_ = Mode::scrolls;
     scroll_to(finger.x, finger.y);
   } else {

@@ -13,6 +13,7 @@ namespace replan::ui {
 enum class TouchGround {
   world,    ///< the canvas
   control,  ///< something that can be pressed or dragged
+  row,      ///< the same in a panel that scrolls: a drag up or down scrolls it
   panel     ///< between controls: there a drag scrolls
 };
 
@@ -69,6 +70,8 @@ class Touches {
   [[nodiscard]] Finger* find(long id);
   [[nodiscard]] Pair pair() const;
   [[nodiscard]] bool strayed(float x, float y) const;
+  /// Whether a finger that has come there scrolls what it lies on.
+  [[nodiscard]] bool scrolls(float x, float y) const;
   void begin_two();
   void decide(double now);
   void press_long();

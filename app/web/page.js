@@ -244,6 +244,9 @@ Module.replan = (() => {
     if (document.visibilityState === 'hidden') leave();
   });
   window.addEventListener('pagehide', leave);
+  // What a page begins to keep while it goes is not always kept.
+  setInterval(leave, 20000);
+  window.addEventListener('blur', leave);
   window.addEventListener('hashchange', () => {
     if (failed || location.hash.length < 2) return;
     const text = stringToNewUTF8(location.hash);

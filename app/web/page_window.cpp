@@ -115,7 +115,7 @@ struct Window::System {
   static EM_BOOL key_down(int, const EmscriptenKeyboardEvent* event, void*) {
     const bool command = event->ctrlKey || event->metaKey;
     // What the page's own copy and paste events bring comes with them (page.js).
-    if (command && is_clipboard_key(event->key)) return EM_FALSE;
+    if (command && !event->shiftKey && is_clipboard_key(event->key)) return EM_FALSE;
     const int number = key_number(event->key, event->code);
     const auto typed = typed_character(event->key);
     if (number != 0 && !event->repeat) input().key(number, true);

@@ -11,4 +11,7 @@ inline constexpr double kFinestMs = 0.1;
 inline constexpr double kFinestMs = 0;
 #endif
 
+/// What is written in the place of fewer milliseconds than that.
+inline constexpr const char* kUnderFinestMs = "under 0.1";
+
 }  // namespace replan

@@ -46,18 +46,20 @@ int copy_bytes(int from, int to) {
   }
 }
 
-/// The rights of the old file, or what the process's mask leaves.
+/// What a new file may be used for: the system takes off what the process's mask does. To ask for the mask would set it
+/// for a moment, in all threads, and pages have none.
+constexpr mode_t kNewRights = 0666;
+
+/// Those of the old file, if there is one.
 int give_rights_and_flush(int file, const std::string& target) {
   struct stat old {};
-  mode_t rights = 0;
-  if (::stat(target.c_str(), &old) == 0) {
-    rights = old.st_mode & 07777;
-  } else {
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    rights = 0666 & ~mask;
-  }
-  return ::fchmod(file, rights) == 0 && ::fsync(file) == 0 ? 0 : errno;
+  if (::stat(target.c_str(), &old) == 0 && ::fchmod(file, old.st_mode & 07777) != 0) return errno;
+  return ::fsync(file) == 0 ? 0 : errno;
+}
+
+/// A name beside the target that nobody else gives; another for each number.
+std::string name_beside(const std::string& target, int number) {
+  return target + "." + std::to_string(::getpid()) + "-" + std::to_string(number);
 }
 
 int name_unnamed(int file, const std::string& name) {
@@ -78,7 +80,7 @@ int replace_by_unnamed(int file, const std::string& target) {
   if (code != EEXIST) return code;
   std::string temporary;
   for (int i = 0; code == EEXIST; ++i) {
-    temporary = target + "." + std::to_string(::getpid()) + "-" + std::to_string(i);
+    temporary = name_beside(target, i);
     code = name_unnamed(file, temporary);
   }
   return code == 0 ? rename_or_remove(temporary, target) : code;
@@ -86,8 +88,12 @@ int replace_by_unnamed(int file, const std::string& target) {
 
 /// For file systems where a file without a name can never have one.
 int replace_by_copy(int file, const std::string& target) {
-  std::string temporary = target + ".XXXXXX";
-  const int copy = ::mkostemp(temporary.data(), O_CLOEXEC);
+  std::string temporary;
+  int copy = -1;
+  for (int i = 0; i == 0 || (copy < 0 && errno == EEXIST); ++i) {
+    temporary = name_beside(target, i);
+    copy = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, kNewRights);
+  }
   if (copy < 0) return errno;
   int code = copy_bytes(file, copy);
   if (code == 0) code = give_rights_and_flush(copy, target);
@@ -99,7 +105,7 @@ int replace_by_copy(int file, const std::string& target) {
 
 /// Takes the place of what a program that was ended has left behind.
 Result<int> open_part(const std::string& name) {
-  const int file = ::open(name.c_str(), O_CREAT | O_TRUNC | O_RDWR | O_CLOEXEC | O_NOFOLLOW, 0600);
+  const int file = ::open(name.c_str(), O_CREAT | O_TRUNC | O_RDWR | O_CLOEXEC | O_NOFOLLOW, kNewRights);
   if (file < 0) return Error{std::generic_category().message(errno)};
   return file;
 }
@@ -164,7 +170,7 @@ Result<void> PendingFile::commit() {
 
 Result<int> open_scratch_file(const std::string& folder) {
 #if defined(O_TMPFILE)
-  int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+  int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kNewRights);
   const bool unnamed = file >= 0 || !has_no_unnamed_files(errno);
 #else
   int file = -1;

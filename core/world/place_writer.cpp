@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/words.hpp"
+
 namespace replan {
 namespace {
 

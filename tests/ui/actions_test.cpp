@@ -38,6 +38,8 @@ TEST(Actions, NoTwoChordsClashInAPage) {
   EXPECT_EQ(chord_text(chord_in_page(ctrl('T'))), "Alt+T");
   EXPECT_EQ(chord_text(chord_in_page(ctrl_shift('W'))), "Shift+Alt+W");
   EXPECT_EQ(chord_text(chord_in_page(ctrl('S'))), "Ctrl+S");
+  EXPECT_EQ(words_in_page("Press **Ctrl+T**, or Ctrl+Shift+L; Ctrl+N."),
+            "Press **Alt+T**, or Ctrl+Shift+L; Alt+N.");
 }
 
 TEST(Actions, HaveWordsThatTeach) {

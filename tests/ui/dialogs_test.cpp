@@ -46,6 +46,22 @@ TEST_F(DialogsTest, OpenFiltersByWhatIsTypedAndTakesEnter) {
   EXPECT_EQ(session_->scenario().map.width, 4);
 }
 
+TEST_F(DialogsTest, ThePaletteFindsEveryWorldOfTheLibrary) {
+  std::filesystem::create_directory(folder_.file("library"));
+  folder_.with("library/hidden valley.map", kMap);
+  settle_in();
+  press('P', true);
+  type("valley");
+  for (int i = 0; i < 200 && shell_->documents().library()->worlds().empty(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    frames(1);
+  }
+  frames(2);
+  press(key::kEnter);
+  frames(4);
+  EXPECT_EQ(session_->scenario().map.width, 4);
+}
+
 TEST_F(DialogsTest, AWorldOpensWithItsCamera) {
   const std::string close =
       R"({"replan": 1, "map": {"rows": ["....................", "...................."]},

@@ -1,5 +1,4 @@
 // What lies between the window's pixels and a film: the queue, and the part that is cut out.
-#include "app/film/frame_queue.hpp"
 #include "app/recording.hpp"
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/film/frame_queue.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace replan::app::recording_test {

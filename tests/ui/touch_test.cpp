@@ -195,6 +195,24 @@ TEST_F(TouchTest, AFingerOnAControlDragsIt) {
   EXPECT_EQ(scrolled_, 0);
 }
 
+TEST_F(TouchTest, AFingerOnARowScrollsItsListUpAndDownAndDragsAcross) {
+  ground_ = TouchGround::row;
+  touches_.set_measures({.slack = 6, .wheel_notch = 70});
+  touches_.begin(1, 50, 260, 0);
+  until(0.05);
+  touches_.move(1, 60, 190, 0.05);
+  until(0.1);
+  touches_.end(1, 60, 190, 0.12);
+  until(0.2);
+  EXPECT_NEAR(scrolled_, -1, 1e-3);
+  EXPECT_TRUE(said_.empty());
+  touches_.begin(1, 50, 60, 0.3);
+  until(0.35);
+  touches_.move(1, 90, 70, 0.4);
+  until(0.5);
+  EXPECT_EQ(said_, (Said{"left down at 50,60"})) << "a slider in it";
+}
+
 TEST_F(TouchTest, TwoFingersScrollAPanelWhateverIsUnderThem) {
   ground_ = TouchGround::control;
   touches_.begin(1, 50, 60, 0);

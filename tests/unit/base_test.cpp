@@ -161,6 +161,17 @@ TEST(File, SaysWhyItCannotWrite) {
   EXPECT_TRUE(S_ISCHR(info.st_mode));
 }
 
+TEST(File, ANewOneHasTheRightsThatTheProcessLeaves) {
+  const test::TemporaryFolder folder;
+  const std::string made = folder.file("made");
+  const mode_t before = ::umask(027);
+  EXPECT_TRUE(write_file_atomically(made, "new").ok());
+  ::umask(before);
+  struct stat info {};
+  ASSERT_EQ(stat(made.c_str(), &info), 0);
+  EXPECT_EQ(info.st_mode & 0777, 0640u);
+}
+
 TEST(File, KeepsRightsAndFollowsLinks) {
   const test::TemporaryFolder folder;
   const std::string path = folder.with("x", "old"), link = folder.file("link");

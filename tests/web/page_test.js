@@ -150,6 +150,28 @@ const tests = {
     return page;
   },
 
+  async 'what is new is saved too, and settings are there after a reload'(browser, address) {
+    const page = await browser.page();
+    await quiet(page, address);
+    assert.equal((await facts(page)).dark, true);
+    await page.key('t', { code: 'KeyT' });
+    await until(page, (now) => !now.dark, 'the theme is light');
+    await page.shortcut('Ctrl+Shift', 'P');
+    await page.rest(20);
+    await page.key('Enter', { code: 'Enter' });
+    const [, picture] = await page.any_download('.png');
+    assert.equal(picture.toString('latin1', 1, 4), 'PNG');
+    await page.value("window.dispatchEvent(new Event('blur'))");
+    await sleep(1000);
+    await page.send('Page.reload');
+    await sleep(1000);
+    await page.until("document.getElementById('cover').hidden", 'the program shows again');
+    await page.rest(20);
+    await look(page, 'again');
+    assert.equal((await facts(page)).dark, false);
+    return page;
+  },
+
   async 'a link restores the moment'(browser, address) {
     const page = await browser.page();
     await quiet(page, address);

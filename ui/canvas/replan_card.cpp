@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/base/clock.hpp"
 #include "ui/canvas/chips.hpp"
 #include "ui/canvas/kept_words.hpp"
 #include "ui/icons.hpp"
@@ -22,6 +23,7 @@ std::string cells(std::int64_t count) {
 }
 
 std::string milliseconds(double ms) {
+  if (ms < kFinestMs) return kUnderFinestMs;
   char text[32];
   std::snprintf(text, sizeof text, ms < 0.1 ? "%.3f" : ms < 10 ? "%.2f" : "%.0f", ms);
   return text;

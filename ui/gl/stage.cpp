@@ -26,6 +26,14 @@ class Current {
   ImGuiContext* before_;
 };
 
+/// What lies under the pointer, where that is not the world.
+TouchGround ground_in(ImGuiContext& context) {
+  ImGuiWindow* window = context.HoveredWindow;
+  if (context.HoveredId == 0 || window == nullptr) return TouchGround::panel;
+  const bool bar = context.HoveredId == ImGui::GetWindowScrollbarID(window, ImGuiAxis_Y);
+  return window->ScrollMax.y > 0 && !bar ? TouchGround::row : TouchGround::control;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Stage>> Stage::create(const Gl& gl, float scale) {
@@ -88,9 +96,8 @@ void Stage::set_fingers(bool fingers) {
 void Stage::follow_touches(double now) {
   const ImGuiWindow* window = context_->HoveredWindow;
   const bool world = window != nullptr && std::string_view(window->RootWindow->Name) == kCanvasArea;
-  const bool control = context_->HoveredId != 0;
   touches_.set_measures({.slack = look_.px(6), .wheel_notch = 5 * look_.fonts.ui->FontSize});
-  touches_.update(now, world ? TouchGround::world : control ? TouchGround::control : TouchGround::panel);
+  touches_.update(now, world ? TouchGround::world : ground_in(*context_));
 }
 
 void Stage::rescale() {

@@ -103,9 +103,7 @@ std::vector<Action> make_table() {
 #undef REPLAN_WHEN
   };
   for (Action& each : table) {
-#ifdef __EMSCRIPTEN__
-    each.chord = chord_in_page(each.chord);
-#endif
+    if (kInPage) each.chord = chord_in_page(each.chord);
     each.keys = chord_text(each.chord);
   }
   return table;

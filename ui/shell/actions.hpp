@@ -85,6 +85,8 @@ struct ActionContext {
   // What actions ask before they can be done.
   [[nodiscard]] bool is_busy() const;
   [[nodiscard]] bool has_own_settings() const;
+  /// A page is left by closing its tab.
+  [[nodiscard]] bool may_quit() const { return !kInPage; }
   /// Whether a film of the window, or of the canvas, is being recorded, and whether one can be begun or ended.
   [[nodiscard]] bool records(bool window) const;
   [[nodiscard]] bool may_record(bool window) const;

@@ -174,7 +174,7 @@ void CommandPalette::show() {
   chosen_ = 0;
 }
 
-void CommandPalette::draw(Frame& frame, const WorldLibrary* library) {
+void CommandPalette::draw(Frame& frame, WorldLibrary* library) {
   if (!open_) return;
   const Look& look = frame.look;
   if (fresh_) ImGui::OpenPopup("palette");
@@ -186,6 +186,7 @@ void CommandPalette::draw(Frame& frame, const WorldLibrary* library) {
   open_ = ImGui::BeginPopup("palette", ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
   ImGui::PopStyleVar();
   if (!open_) return;
+  if (library != nullptr) library->update();
   const std::vector<PaletteEntry> entries = palette_entries(frame, library);
   if (std::exchange(focus_, false)) ImGui::SetKeyboardFocusHere();
   if (search_box(look, "##typed", "A command, a planner, a world, a word", "", typed_,
@@ -246,8 +247,10 @@ void CommandPalette::draw_hits(Frame& frame, std::span<const PaletteEntry> entri
     const std::string aside = entry.enabled ? entry.place : entry.reason.empty() ? "not now" : entry.reason;
     const float keys = entry.keys.empty() ? 0 : text_width(look.fonts.mono, entry.keys) + look.px.m;
     draw_text(list, look.fonts.mono, {max.x - keys, y}, look.theme.dim, entry.keys);
-    draw_text(list, look.fonts.ui, {max.x - keys - look.px.m - text_width(look.fonts.ui, aside), y},
-              look.theme.faint, aside);
+    const float aside_from = max.x - keys - look.px.m - text_width(look.fonts.ui, aside);
+    const float label_to = min.x + look.px(38) + text_width(look.fonts.ui, entry.label);
+    if (aside_from > label_to + look.px.s)
+      draw_text(list, look.fonts.ui, {aside_from, y}, look.theme.faint, aside);
   }
   ImGui::EndChild();
   ImGui::PopStyleVar();

@@ -42,7 +42,7 @@ class CommandPalette {
   void show();
   [[nodiscard]] bool open() const { return open_; }
   /// Draws it if it is open, over everything but dialogs.
-  void draw(Frame& frame, const WorldLibrary* library);
+  void draw(Frame& frame, WorldLibrary* library);
 
  private:
   void choose_by_keys(std::size_t count);

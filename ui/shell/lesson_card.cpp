@@ -24,10 +24,14 @@ const Lesson* lesson_after(std::span<const Lesson> lessons, std::string_view id)
   return at == lessons.end() || at + 1 == lessons.end() ? nullptr : &*(at + 1);
 }
 
+std::string with_own_keys(const std::string& words) {
+  return kInPage ? words_in_page(words) : words;
+}
+
 float text_height(const Look& look, const LessonStep& step, float width) {
   float height = 0;
   for (const std::string& each : step.paragraphs)
-    height += marked_paragraph_height(look, each, width, look.px(kWidestText)) + look.px(kGap);
+    height += marked_paragraph_height(look, with_own_keys(each), width, look.px(kWidestText)) + look.px(kGap);
   return height;
 }
 
@@ -189,7 +193,7 @@ void LessonCard::draw(Frame& frame) {
   float y = top + look.px(kHead);
   for (const std::string& each : player_->step().paragraphs) {
     ImGui::SetCursorPos({left, y});
-    marked_paragraph(look, look.theme.text, each, look.px(kWidestText));
+    marked_paragraph(look, look.theme.text, with_own_keys(each), look.px(kWidestText));
     y += ImGui::GetItemRectSize().y + look.px(kGap);
   }
   ImGui::SetCursorPos({left, ImGui::GetWindowHeight() - look.px.s - look.px.control});

@@ -17,8 +17,7 @@ namespace {
 /// As the window prints it: thousands apart.
 std::string shown(const FigureRow& row, std::size_t pane, bool standing) {
   if (!standing) return "–";
-  if (row.info->unit == "ms" && row.values[pane] && *row.values[pane] < kFinestMs)
-    return "under " + fixed(kFinestMs, 1);
+  if (row.info->unit == "ms" && row.values[pane] && *row.values[pane] < kFinestMs) return kUnderFinestMs;
   if (row.info->decimals > 0 || !row.values[pane]) return figure_text(*row.info, row.values[pane]);
   const double scale = row.info->unit == "kB" ? 1000 : 1;
   return grouped(static_cast<std::int64_t>(*row.values[pane] / scale + 0.5));

@@ -3,6 +3,7 @@
 
 #include "core/study/papers/dld_entries.hpp"
 #include "core/study/papers/paper_studies.hpp"
+#include "core/study/study_words.hpp"
 
 namespace replan {
 namespace {
