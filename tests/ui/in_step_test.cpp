@@ -1,6 +1,7 @@
 // The window without threads: what share of a frame planning has, and documents that are read between frames.
 #include <gtest/gtest.h>
 
+#include "core/base/file.hpp"
 #include "core/world/library.hpp"
 #include "tests/ui/shell_fixture.hpp"
 #include "ui/shell/frame_share.hpp"

@@ -5,6 +5,7 @@
 
 #include "core/base/random.hpp"
 #include "core/lattice/nearest.hpp"
+#include "core/plan/registry.hpp"
 #include "core/trace/search_state.hpp"
 
 namespace replan::mission_test {

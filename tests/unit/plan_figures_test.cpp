@@ -7,6 +7,7 @@
 
 #include "core/base/random.hpp"
 #include "core/plan/figures.hpp"
+#include "core/plan/planner.hpp"
 
 namespace replan::plan_figures_test {
 namespace {

@@ -47,7 +47,10 @@ void draw_stop(Frame& frame, ImVec2 corner);
 void draw_why_chip(Frame& frame, const Scene& scene, ImVec2 min, ImVec2 max);
 
 /// All overlays with their switches, keys and explanations; for popups and menus.
-void draw_overlay_switches(Frame& frame);
+/// In as many columns as there is room for.
+void draw_overlay_switches(Frame& frame, float room);
+/// How wide they are then.
+float overlay_switches_width(const Look& look, float room);
 /// The pseudo-code block with the current line lit; `around` > 0: only so many lines about it. `scrolled` is the line
 /// that the window was scrolled to last, and follows the current one; nullptr: the window stays as it is.
 void draw_pseudo_code(Frame& frame, const PseudoBlock& block, int around, int* scrolled = nullptr);

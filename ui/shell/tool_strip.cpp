@@ -11,6 +11,8 @@
 namespace replan::ui {
 namespace {
 
+constexpr float kBrushSlider = 200;  // design pixels
+
 constexpr double kMostLayers = 64;
 constexpr const char* kAllTools = "all tools of the row";
 
@@ -90,11 +92,16 @@ void brush_size(Frame& frame) {
   else
     list.AddRectFilled({middle.x - half, middle.y - half}, {middle.x + half, middle.y + half}, look.theme.dim,
                        look.px(1));
-  ImGui::SetNextWindowPos({origin.x + look.px.tool + look.px(14), origin.y}, ImGuiCond_Always);
+  const float beside = origin.x + look.px.tool + look.px(14);
+  const float last = ImGui::GetIO().DisplaySize.x - look.px(kBrushSlider) -
+                     2 * ImGui::GetStyle().WindowPadding.x - look.px.s;
+  // Below the tools where there is no room beside them.
+  ImGui::SetNextWindowPos(beside <= last ? ImVec2(beside, origin.y)
+                                         : ImVec2(last, origin.y + look.px.tool + look.px(10)));
   if (ImGui::BeginPopup("brush size")) {
     double value = frame.view.brush;
     const bool solid = frame.run().lattice().solid();
-    ImGui::BeginChild("slider", {look.px(200), look.px(solid ? 110 : 60)});
+    ImGui::BeginChild("slider", {look.px(kBrushSlider), look.px(solid ? 110 : 60)});
     if (slider(look,
                {.label = "Brush",
                 .min = 1,
@@ -119,10 +126,17 @@ void overlays_button(Frame& frame) {
                    .hint = {"Overlays", "",
                             "What is laid over the world: values as colours, arrows, the path, the queue."}}))
     ImGui::OpenPopup("overlays");
-  const ImVec2 corner(ImGui::GetItemRectMax().x + look.px(10), ImGui::GetItemRectMax().y);
-  ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {0, 0.5f});
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float rim = 2 * ImGui::GetStyle().WindowPadding.x + ImGui::GetStyle().ScrollbarSize;
+  const float room = screen.x - rim - 2 * look.px.s;
+  const float left = std::min(ImGui::GetItemRectMax().x + look.px(10),
+                              screen.x - overlay_switches_width(look, room) - rim - look.px.s);
+  const float middle = ImGui::GetItemRectMax().y;
+  // The lower its middle, the more of it stands above that: it never leaves the window.
+  ImGui::SetNextWindowPos({left, middle}, ImGuiCond_Always, {0, middle / screen.y});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, screen);
   if (ImGui::BeginPopup("overlays")) {
-    draw_overlay_switches(frame);
+    draw_overlay_switches(frame, room);
     ImGui::EndPopup();
   }
 }
