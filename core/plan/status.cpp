@@ -43,7 +43,8 @@ const char* status_sentence(PlanStatus status, bool has_size) {
     case PlanStatus::found_nearest:
       return "The goal cannot be reached: the path leads to the reachable cell nearest to it.";
     case PlanStatus::none_found:
-      return "No path was found, which does not mean that there is none: more samples or generations may find one, or another seed.";
+      return "No path was found, which does not mean that there is none: more samples or generations may "
+             "find one, or another seed.";
   }
   return "";
 }

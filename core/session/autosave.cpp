@@ -124,10 +124,8 @@ Autosaver::Autosaver(std::string folder, WorkPlace place) : folder_(std::move(fo
 Autosaver::~Autosaver() = default;
 
 void Autosaver::take_result() {
-  if (const std::optional<Result<void>> done = job_->take(); done && !*done) {
+  if (const std::optional<Result<void>> done = job_->take(); done && !*done)
     failure_ = "the unsaved edits could not be put aside: " + done->error();
-    written_.reset();
-  }
 }
 
 void Autosaver::tick(const Session& session, double seconds, bool in_stroke) {

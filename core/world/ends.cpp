@@ -31,9 +31,11 @@ struct Region {
   std::size_t cells = 0;
   Ends any, roomy;
 
-  /// The roomy ones, unless all the room is in one part of the region.
+  /// The roomy ones, unless all the room is in one part of the region. What keeping off the rim takes at both ends is no
+  /// nearness.
   [[nodiscard]] const Ends& ends() const {
-    return roomy.found && 2 * roomy.spread() >= any.spread() ? roomy : any;
+    const bool apart = roomy.first != roomy.last && 2 * (roomy.spread() + 4 * kRoom) >= any.spread();
+    return roomy.found && apart ? roomy : any;
   }
 };
 

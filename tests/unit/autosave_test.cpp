@@ -156,6 +156,26 @@ TEST(Autosave, SaysWhenItCannotBeWritten) {
   EXPECT_EQ(autosaver.take_failure(), "") << "once for each edit";
 }
 
+TEST(Autosave, SaysOfEachEditOnceThatItsFileCannotBeWritten) {
+  const test::TemporaryFolder folder;
+  Session session(world());
+  session.settle();
+  ASSERT_TRUE(session.apply(wall_at(5)).ok());
+  Autosaver autosaver(folder.file("kept"));
+  autosaver.tick(session, 0, false);
+  autosaver.tick(session, 6, false);
+  ASSERT_EQ(autosaver.take_failure(), "");
+  std::filesystem::remove_all(folder.file("kept"));
+  ASSERT_TRUE(session.apply(wall_at(6)).ok());
+  for (int seconds = 12; seconds < 20; ++seconds) autosaver.tick(session, seconds, false);
+  EXPECT_NE(autosaver.take_failure(), "");
+  for (int seconds = 20; seconds < 40; ++seconds) autosaver.tick(session, seconds, false);
+  EXPECT_EQ(autosaver.take_failure(), "");
+  ASSERT_TRUE(session.apply(wall_at(7)).ok());
+  for (int seconds = 40; seconds < 50; ++seconds) autosaver.tick(session, seconds, false);
+  EXPECT_NE(autosaver.take_failure(), "");
+}
+
 TEST(Orphans, AreThoseWhoseProgramHasEnded) {
   const test::TemporaryFolder folder;
   folder.with("damaged.json", "{\"autosave\": 3,\n");

@@ -171,8 +171,10 @@ TEST(Ends, AreFarApartWhereOnlyOnePlaceHasRoom) {
   place_ends(scenario);
   EXPECT_EQ(scenario.start, (Cell{0, 0}));
   EXPECT_EQ(scenario.goal, (Cell{39, 4}));
-  for (int x = 9; x < 40; ++x)
-    for (int y = 0; y < 9; ++y) scenario.map.set({x, y}, false);
+  scenario.map = GridMap(7, 7);
+  place_ends(scenario);
+  EXPECT_NE(scenario.start, scenario.goal) << "one cell alone has room";
+  scenario.map = GridMap(40, 9);
   place_ends(scenario);
   EXPECT_EQ(scenario.start, (Cell{3, 3})) << "free cells around it";
   EXPECT_EQ(scenario.goal, (Cell{36, 5}));

@@ -46,10 +46,12 @@ std::string work_text(const Run& run, std::int64_t count) {
 }
 
 /// What stands beside the planner's name; where there is no room for all panes, how to come to the others.
-std::string title_figures(const Run& run, SceneMemory& memory, const ViewState& state,
+std::string title_figures(const Look& look, const Run& run, SceneMemory& memory, const ViewState& state,
                           const ShownSlice& slice) {
-  if (state.hides_panes)
-    return "N shows the next of " + std::to_string(run.scenario().planners.size()) + " panes";
+  if (state.hides_panes) {
+    const std::string panes = std::to_string(run.scenario().planners.size()) + " panes";
+    return look.px.fingers ? "one of " + panes : "N shows the next of " + panes;
+  }
   const std::size_t cursor = run.timeline().cursor();
   const Decision* decision = run.decision_at(cursor);
   std::string figures = work_text(run, memory.expansions(run, cursor));
@@ -191,7 +193,7 @@ ChipsDrawn draw_chips(const Look& look, ImDrawList& list, const Run& run, const 
   const Theme& theme = look.theme;
   const float margin = look.px(12);
   const std::size_t cursor = run.timeline().cursor();
-  const std::string figures = title_figures(run, memory, state, slice);
+  const std::string figures = title_figures(look, run, memory, state, slice);
   const std::string name = std::string(run.info().name) + distinction(run);
   const std::array<TextRun, 3> title = {{{name, theme.text, look.fonts.title},
                                          {figures, theme.dim, look.fonts.small},

@@ -164,11 +164,12 @@ template <class Press>
 void at_work(const Look& look, float& right, const std::string& words, const char* id, const Hint& what,
              const Press& press, const char* sign = icon::times) {
   const float y = ImGui::GetCursorScreenPos().y;
-  right -= text_width(look.fonts.ui, words) + look.px(28);
+  right -= text_width(look.fonts.ui, words) + look.px.xs + look.px.small;
   ImGui::SetCursorScreenPos({right, y});
   text(look.fonts.ui, look.theme.accent, words);
   ImGui::SameLine(0, look.px.xs);
-  ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y - look.px(5)});
+  ImGui::SetCursorScreenPos(
+      {ImGui::GetCursorScreenPos().x, y + (look.fonts.ui->FontSize - look.px.small) * 0.5f});
   if (small_button(look, id, {.icon = sign, .hint = what})) press();
   ImGui::SetCursorScreenPos({right, y});
   right -= look.px.l;
